@@ -79,8 +79,8 @@ class Brightness {
   public:
     void add(float value) { ++counts_[key(value)]; }
 
-    /// Returns what only fireflies exceed: four times the width of the middle nine tenths above them, and 1,
-    /// which pictures other than OpenEXR do not exceed.
+    /// Returns the limit above which pixels are fireflies: the 95 % quantile plus four times its distance
+    /// from the 5 % quantile, and at least 1, which only pictures in OpenEXR exceed.
     float limit() const {
         const float low = quantile(0.05);
         const float high = quantile(0.95);

@@ -37,7 +37,7 @@ void Structure::add_row(std::span<const float> row) {
 }
 
 double Structure::excess() const {
-    // A derivative that is 0 everywhere has no law. Less kurtosis than the normal law's is that of a few
+    // A derivative that is 0 everywhere has no kurtosis, and one below a normal distribution's only means few
     // waves.
     double largest = 0;
     for (const double value :

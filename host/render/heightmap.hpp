@@ -13,7 +13,7 @@
 
 namespace gabor::render {
 
-/// Whether a file's name ends so, in small or capital letters.
+/// Whether a file has this extension, in any case.
 bool has_extension(const std::filesystem::path& path, std::string_view extension);
 
 /// Heights that 0 and 65535 stand for in files of 16 bits.

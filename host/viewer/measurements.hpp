@@ -38,7 +38,7 @@ class Measurer {
   public:
     /// Forgets everything but the spectrum, which stays in view until there is another.
     void reset();
-    /// Adds the first of every `channels` values. Skips those whose channel `coverage` is 0; -1 skips none.
+    /// Adds the first channel of each pixel, except where the channel `coverage` is 0; -1 excepts none.
     /// Call this and the next only when idle.
     void add_samples(std::span<const float> values, int channels, int coverage);
     /// Replaces the spectrum by that of a flat picture. `scale`: pixels per kernel radius.

@@ -133,7 +133,7 @@ constexpr const char* output_tips[]{
     "The phase of the complex noise, for patterns of even contrast",
     "The magnitude of the complex noise",
     "The share of the variance that the filter leaves; all of it without a filter",
-    "A wave of even height along the phase",
+    "The phase as waves of equal height",
     "The value as a height, lit by a lamp"};
 constexpr const char* look_tips[]{"Lit by a lamp",
                                   "Base colour, for physically based shading",

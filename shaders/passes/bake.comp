@@ -17,8 +17,8 @@
 // A slice of solid noise with waves in its plane is also plane noise: the sum of three nodes along z, each times its window,
 // serves as one amplitude.
 //
-// A spectrum is a sum of such noises, which are added to the picture one after another. In colour they add up to components;
-// passes/bake_colour.comp turns these into colours.
+// A spectrum is a sum of such noises, which are added to the picture one after another. For a colour picture the sums are
+// its three components, which passes/bake_colour.comp turns into colours.
 //
 // To use this pass in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 

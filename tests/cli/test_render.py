@@ -138,7 +138,7 @@ class Like(RenderTest):
             self.assertEqual(again.attributes, made.attributes)
 
     def test_it_takes_every_parameter(self):
-        """All that can stand together, each unlike its default."""
+        """Sets all parameters that do not exclude each other to other values than their defaults."""
         write_exr(self.folder / "paint.exr", {"frequency": np.full((2, 2), 3, "<f4"),
                                               "orientation": np.full((2, 2), 40, "<f4")})
         every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],

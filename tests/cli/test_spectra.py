@@ -260,7 +260,7 @@ class Space(SpectraTest):
         """A sum of lobes is the sum of what each of them is alone, with its own kernel radius."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 3, "orientation": 110, "power": 1}]
         for view, ratio in ((["--view=slice", "--depth=1.3"], 3), (["--view=sphere"], 1), (["--view=torus", "--solid"], 2)):
-            # Seeds of a sum are not those of a lone lobe: so the sum is known by its powers' limits.
+            # A lobe alone has another seed than in a sum, so its noise is found by giving the other lobe almost no power.
             second, both, first = (self.render(*view, "--gradient", size="120x100", scale=12, lobes=self.write_lobes(
                 [{**lobes[0], "power": of_first}, lobes[1]])).pixels for of_first in (0, ratio, 1e9))
             share = ratio / (ratio + 1)

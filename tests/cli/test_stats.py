@@ -195,7 +195,7 @@ class Laws(StatsTest):
         self.assertAlmostEqual(1 - removed.min(), across[0] * down[0], delta=0.0105)
 
     def test_sums_of_waves(self):
-        """A tile's windows stretch, from 1.5 nodes to the kernel radius to what makes a whole number."""
+        """The predicted variance holds for sums, and for tiles, whose windows stretch to fit a whole number of nodes."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 1, "radius": 2, "power": 1}]
         (self.folder / "lobes.json").write_text(json.dumps(lobes))
         self.render("--lobes=lobes.json", "--gradient", "--tileable", size="540x512", scale=8)

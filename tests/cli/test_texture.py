@@ -52,7 +52,7 @@ class Levels(TextureTest):
         texture = self.texture(512, 512, scale=8)
         kept = [(level["Y"].astype(float)**2).mean() for level in texture.levels]
         said = [1 - level["removed"].mean() for level in texture.levels]
-        np.testing.assert_allclose(kept[:3], said[:3], rtol=0.08) # of 64 x 64 radii: a fiftieth is chance
+        np.testing.assert_allclose(kept[:3], said[:3], rtol=0.08) # a sample of 64 x 64 radii varies by 2 %
         self.assertGreater(said[0], 0.6)
         self.assertLess(max(kept[4:]), 0.01)
         self.assertGreater(min(level["removed"].min() for level in texture.levels[5:]), 0.99)

@@ -15,7 +15,7 @@ WHEEL = "scikit-image==0.25.2"
 
 
 def photograph(name):
-    """The path of a photograph of the wheel, which is fetched once, or an OSError that says why there is none."""
+    """The path of a photograph from the wheel of scikit-image, which is downloaded once. Raises OSError if it cannot be."""
     path = WHEELS / f"{name}.png"
     if not path.exists():
         command = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--dest", WHEELS, WHEEL]

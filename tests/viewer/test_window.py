@@ -167,7 +167,7 @@ class Window(ViewerTest):
         self.assertEqual((after["recipe"], after["filter"]), ("lattice", False))
 
     def test_a_place_far_away_is_as_sharp_as_near_by(self):
-        # By drags alone: the same view from another side, which must be the same picture.
+        # Drags away and back: the picture must be the same.
         self.play("""
             set scale 8
             fine

@@ -21,7 +21,7 @@ namespace {
 using namespace gabor::viewer;
 using nlohmann::json;
 
-// What the frames so far have seen of the display's events.
+// The events that have reached a frame so far.
 struct Seen {
     std::uint64_t frames = 0;
     std::uint64_t keys = 0;   ///< pressed, but for modifiers

@@ -75,7 +75,7 @@ def make_program():
 
 
 def draw():
-    """The values in red: OpenGL ES reads floats in four channels."""
+    """Draws into four channels, since OpenGL ES can only read floats as RGBA, and returns the red one."""
     names = (c_uint * 2)()
     function("glGenTextures", None, c_int, c_void_p)(1, byref(names, 0))
     function("glBindTexture", None, c_uint, c_uint)(0x0DE1, names[0])

@@ -35,7 +35,7 @@ function draw(gl, text, width, height) {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
 }
 
-// 256 x 256 values that mainImage gives to red.
+// The red channel of a picture of 256 x 256 pixels that mainImage draws.
 function redOf(gl, text) {
     gl.getExtension("EXT_color_buffer_float");
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
