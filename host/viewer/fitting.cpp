@@ -25,7 +25,7 @@ static_assert(Fitter::most_lobes == fit::most_lobes);
 
 Photograph read_photograph(const std::string& path, const fit::Advance& advance) {
     const std::unique_ptr<image::PictureReader> reader = image::open_picture(path);
-    const auto [width, height, channels, alpha] = reader->format();
+    const auto& [width, height, channels, alpha, linear] = reader->format();
     Photograph photograph{.path = path, .extent = {width, height}, .grid = {}, .square = 1, .pixels = {}};
     const int square = (std::max(width, height) + largest_shown - 1) / largest_shown;
     photograph.square = square;
