@@ -23,7 +23,7 @@ ENGINES = (ROOT / "docs" / "engines.md").read_text()
 
 class Readme(ProgramTest):
     def test_its_example_is_a_typical_picture(self):
-        example = re.search(r"(?m)^ +build/release/gabor (render .*) -o noise\.exr$", README)[1]
+        example = re.search(r"(?m)^ +build/demo/gabor (render .*) -o noise\.exr$", README)[1]
         self.succeed(*example.split(), "-o", "noise.exr")
         stats = json.loads(self.succeed("stats", "noise.exr", "--json", "-"))
         for name, truth in (("mean", 0), ("variance", 1)):
