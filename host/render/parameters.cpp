@@ -25,6 +25,7 @@ constexpr std::size_t most_lobes = 16;
 constexpr std::string_view one_lobe = "a single lobe";
 constexpr std::string_view bodies = "the views sphere and torus";
 constexpr std::string_view terrains = "the views terrain and landscape";
+constexpr std::string_view lit_views = "a material or terrain";
 constexpr std::string_view orbits = "the views sphere, torus and landscape";
 
 // A view with its default values.
@@ -112,6 +113,11 @@ auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
         auto* terrain = std::get_if<Terrain>(&request.view);
         return body ? &(body->*of_body) : terrain && terrain->perspective ? &(terrain->*of_terrain) : nullptr;
     };
+}
+
+// Finds a value of the light.
+auto if_lit(double Request::*member) {
+    return [member](auto& request) { return has_material(request) ? &(request.*member) : nullptr; };
 }
 
 Parameter erosion_row(std::string_view name, Range range, Range slider, std::string_view help,
@@ -250,6 +256,10 @@ std::vector<Parameter> make_table() {
             "Camera angle above the equator or the ground", in_orbit(&Body::pitch, &Terrain::pitch)),
         row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, orbits, "Zoom factor; 1 shows the whole body",
             in_orbit(&Body::zoom, &Terrain::zoom)),
+        row("light_azimuth", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, lit_views,
+            "Where the light comes from: 0 is the right, 90 below", if_lit(&Request::light_azimuth)),
+        row("light_elevation", Kind::angle, "degrees", {0, 90}, {0, 90}, lit_views,
+            "Angle of the light above the surface", if_lit(&Request::light_elevation)),
         row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, terrains,
             "Width of the picture in the unit of its heights; 0 for kernel radii", in_view(&Terrain::extent)),
         row("octaves", Kind::integer, "", {0, 16}, {0, 10}, terrains, "Octaves of gullies",
@@ -333,8 +343,9 @@ const std::array exclusions{
 };
 
 // Parameters that materials and terrain use.
-constexpr std::array of_material{"width"sv,  "height"sv,   "scale"sv, "recipe"sv, "seed"sv, "view"sv,
-                                 "filter"sv, "material"sv, "yaw"sv,   "pitch"sv,  "zoom"sv, "tileable"sv};
+constexpr std::array of_material{
+    "width"sv,    "height"sv, "scale"sv, "recipe"sv, "seed"sv,     "view"sv,          "filter"sv,
+    "material"sv, "yaw"sv,    "pitch"sv, "zoom"sv,   "tileable"sv, "light_azimuth"sv, "light_elevation"sv};
 constexpr std::array of_terrain{"width"sv, "height"sv, "scale"sv,   "recipe"sv,
                                 "seed"sv,  "view"sv,   "material"sv};
 

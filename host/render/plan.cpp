@@ -207,6 +207,11 @@ void push_body(Push& push, const Request& request, const Viewport& viewport) {
     push.pitch = direction(noise::radians(body.pitch));
 }
 
+passes::vec2 light_of(const Request& request) {
+    const auto [right, down] = light_direction(request);
+    return {static_cast<float>(right), static_cast<float>(down)};
+}
+
 passes::vec2 half(const Viewport& viewport) {
     return {static_cast<float>(viewport.width / 2.0 / viewport.stride),
             static_cast<float>(viewport.height / 2.0 / viewport.stride)};
@@ -269,6 +274,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     push.first_row = viewport.region.y;
     push.center = half(viewport);
     push.seed = request.seed;
+    push.lamp = light_of(request);
     const auto size = [&](int picture, int view) {
         return static_cast<float>((flat ? picture * camera.zoom : view) / viewport.stride);
     };
@@ -324,6 +330,7 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     push.first_column = viewport.region.x;
     push.first_row = viewport.region.y;
     push.seed = request.seed;
+    push.sun = light_of(request);
     push.unit = static_cast<float>(terrain_unit(request));
     push.reach = static_cast<float>(erosion_reach(terrain.erosion));
     // In perspective the camera looks at the middle of the picture from above.

@@ -3,6 +3,7 @@
 #include "render/material.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace gabor::render {
 
@@ -23,6 +24,12 @@ bool along_surface(const Request& request) {
 
 bool in_space(const Request& request) {
     return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
+}
+
+std::array<double, 2> light_direction(const Request& request) {
+    const double azimuth = noise::radians(std::remainder(request.light_azimuth, 360.0));
+    const double along = std::cos(noise::radians(request.light_elevation));
+    return {along * std::cos(azimuth), along * std::sin(azimuth)};
 }
 
 bool has_material(const Request& request) {

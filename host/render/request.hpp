@@ -92,6 +92,8 @@ struct Request {
     std::string material = "none"; ///< drawn in place of the noise; see render/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of materials that are not
                                                                  ///< default, by their names in the table
+    double light_azimuth = -135; ///< degrees; of the lamp over a material and of terrain's sun
+    double light_elevation = 38;
     bool filter = false;    ///< antialias with a normal filter of half a pixel
     std::string paint = {}; ///< EXR with channels `frequency` and `orientation` (degrees), stretched over the
                             ///< picture; replaces those of the lobe; empty for none
@@ -131,6 +133,9 @@ double erosion_reach(const Erosion& erosion);
 
 /// The hills of gabor_terrain stay within this of height 0: six deviations.
 inline constexpr double hill_reach = 2;
+
+/// The direction to the lamp or the sun, of length 1: its parts to the right and down.
+std::array<double, 2> light_direction(const Request& request);
 
 /// Whether a material or terrain is drawn in place of the noise.
 bool has_material(const Request& request);

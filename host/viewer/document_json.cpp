@@ -54,6 +54,10 @@ void read_view(const json& view, Document& document) {
     choice("colours", colour_names, document.colours);
     if (view.contains("contrast"))
         document.contrast = std::clamp(view["contrast"].get<float>(), least_contrast, most_contrast);
+    if (view.contains("light")) {
+        document.request.light_azimuth = view["light"].at(0).get<double>();
+        document.request.light_elevation = std::clamp(view["light"].at(1).get<double>(), 0.0, 90.0);
+    }
     if (view.contains("camera"))
         document.camera = camera_of(view["camera"]);
 }
@@ -68,6 +72,8 @@ std::string to_json(const Document& document) {
                         {"colours", colour_names.at(static_cast<std::size_t>(document.colours))},
                         {"contrast", document.contrast},
                         {"camera", json_of(document.camera)}};
+    if (!render::has_material(document.request)) // otherwise a parameter of the request
+        object["viewer"]["light"] = {document.request.light_azimuth, document.request.light_elevation};
     return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

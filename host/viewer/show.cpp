@@ -69,6 +69,8 @@ passes::ShowPush show_push(const Document& document, double stride) {
     passes::ShowPush push{};
     push.stride = 1;
     push.contrast = document.contrast;
+    const auto [right, down] = render::light_direction(document.request);
+    push.lamp = {static_cast<float>(right), static_cast<float>(down)};
     push.deviation = static_cast<float>(slope_deviation(document.request));
     push.spacing = static_cast<float>(stride / document.request.scale);
     if (render::has_terrain(document.request)) {

@@ -305,17 +305,19 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
     else
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
                             space ? "body(p, normal)" : "view(pixel)");
+    const auto [right, below] = render::light_direction(document.request);
     if (&of == &quantities::relief) // as lit_noise of shaders/viewer/show.glsl
         return text + fmt::format(R"(    vec3 normal = normalize(vec3(-{} * seen.xy, 1.0));
     vec2 place = (pixel - {}) / {};
     vec3 linear = pow(viewer_value(seen.z, {}, {}), vec3(2.2));
-    vec3 light = clamp(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place)), 0.0, 1.0);
+    vec3 light = clamp(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, {})), 0.0, 1.0);
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
 }}
 )",
                                   literal(0.5 * document.contrast / slope_deviation(document.request)),
                                   vec2(extent.width / 2.0, extent.height / 2.0),
-                                  literal(std::max(extent.width, extent.height)), contrast, map);
+                                  literal(std::max(extent.width, extent.height)), contrast, map,
+                                  vec2(right, below));
     switch (document.output) {
     case Output::lit:
     case Output::gradient:
@@ -487,13 +489,13 @@ std::string terrain_snippet(const Document& document, Extent extent) {
 vec3 colour_of_view(vec2 pixel)
 {{
     GaborErosion erosion = GaborErosion({});
-    Ground ground = Ground(ivec2({}, {}), {}, {}u, erosion, {});
+    Ground ground = Ground(ivec2({}, {}), {}, {}u, erosion, {}, {});
 {}    light = clamp(light, 0.0, 1.0);
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
 }}
 )",
                        landscape->text, extent.width, extent.height, members, push.cell.x, push.cell.y,
-                       pair(push.period), push.seed, literal(double{push.reach}), seen);
+                       pair(push.period), push.seed, literal(double{push.reach}), pair(push.sun), seen);
 }
 
 } // namespace

@@ -7,9 +7,12 @@ struct Ground {
     uint seed;
     GaborErosion erosion;
     float reach; // the most that erosion adds to the hills
+    vec2 sun;    // along x and y of the ground, of the direction to it, which has length 1
 };
 
-const vec3 sun = vec3(-0.5581562, 0.6139719, -0.5581562);
+vec3 sun_of(Ground ground) {
+    return vec3(ground.sun.x, sqrt(max(1.0 - dot(ground.sun, ground.sun), 0.0)), ground.sun.y);
+}
 
 // The hills and the ground under a pixel that is `pixel` wide there.
 GaborTerrain hills_at(Ground ground, vec2 p, float pixel) {
@@ -30,13 +33,13 @@ vec3 ground_colour(GaborTerrain here, vec3 normal) {
     return mix(colour, vec3(0.68, 0.7, 0.73), snow);
 }
 
-vec3 sunlit(GaborTerrain here, vec3 normal, vec3 colour, float sunlight) {
+vec3 sunlit(vec3 sun, GaborTerrain here, vec3 normal, vec3 colour, float sunlight) {
     float open = 1.0 + 0.25 * clamp(here.ridge, -1.0, 1.0); // creases see less of the sky
     vec3 light = vec3(1.32, 1.23, 1.08) * max(dot(normal, sun), 0.0) * sunlight + vec3(0.2, 0.25, 0.33) * (0.5 + 0.5 * normal.y);
     return open * light * colour;
 }
 
-vec3 sky_along(vec3 ray) {
+vec3 sky_along(vec3 sun, vec3 ray) {
     float glow = 0.3 * pow(max(dot(ray, sun), 0.0), 8.0) + 2.0 * pow(max(dot(ray, sun), 0.0), 2000.0);
     return mix(vec3(0.1, 0.23, 0.5), vec3(0.5, 0.6, 0.7), exp(-5.0 * max(ray.y, 0.0))) + vec3(1.0, 0.75, 0.5) * glow;
 }
@@ -66,6 +69,7 @@ float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float fa
 
 // How much of the sun is seen from there, past ground with one or two octaves.
 float sunlight_at(Ground ground, vec3 at) {
+    vec3 sun = sun_of(ground);
     float light = 1.0, t = 0.04;
     for (int i = 0; i < 12 && light > 0.0; ++i) {
         vec3 there = at + t * sun;
@@ -91,14 +95,14 @@ Sight seen_from_above(Ground ground, vec2 p, float pixel) {
     sight.added = sight.ground.height - hills_at(ground, p, pixel).height;
     vec3 normal = normalize(vec3(-sight.ground.slope.x, 1.0, -sight.ground.slope.y));
     sight.colour = ground_colour(sight.ground, normal);
-    sight.light = sunlit(sight.ground, normal, sight.colour, 1.0);
+    sight.light = sunlit(sun_of(ground), sight.ground, normal, sight.colour, 1.0);
     return sight;
 }
 
 // From an eye that is at least a little above the ground. `clear`: distance at which air begins to hide the ground.
 Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     eye.y = max(eye.y, hills_at(ground, eye.xz, 0.0).height + ground.reach + 0.02);
-    Sight sight = Sight(GaborTerrain(0.0, vec2(0.0), 0.0), 0.0, vec3(0.0), sky_along(ray));
+    Sight sight = Sight(GaborTerrain(0.0, vec2(0.0), 0.0), 0.0, vec3(0.0), sky_along(sun_of(ground), ray));
     float t = distance_to_ground(ground, eye, ray, wide, 6.0 * clear);
     if (t < 0.0) return sight;
     vec3 at = eye + t * ray;
@@ -108,8 +112,8 @@ Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     float z = ground_at(ground, at.xz + vec2(0.0, w), wide * t).height;
     vec3 normal = normalize(vec3(sight.ground.height - x, w, sight.ground.height - z));
     sight.colour = ground_colour(sight.ground, normal);
-    sight.light = sunlit(sight.ground, normal, sight.colour, sunlight_at(ground, at + 0.004 * normal));
-    vec3 air = sky_along(normalize(vec3(ray.x, max(ray.y, 0.02), ray.z)));
+    sight.light = sunlit(sun_of(ground), sight.ground, normal, sight.colour, sunlight_at(ground, at + 0.004 * normal));
+    vec3 air = sky_along(sun_of(ground), normalize(vec3(ray.x, max(ray.y, 0.02), ray.z)));
     sight.light = mix(air, sight.light, exp(-0.25 * t * t / (clear * clear)));
     return sight;
 }

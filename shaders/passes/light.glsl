@@ -1,12 +1,18 @@
-// A material under a lamp at the upper left, with soft light from a window around it. The surface is the plane z = 0; y points
-// down the picture.
-// Microfacets after Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
+// A material under a lamp, in a room with a window. The surface is the plane z = 0; y points down the picture.
+// Radiance as in glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction
+// through rough surfaces", 2007). The exported maps look the same in other renderers; see docs/gallery.md.
 
-// The light from direction `d`: a bright window above, dark walls.
-vec3 surroundings(vec3 d, float roughness) {
-    float soft = 0.3 + 0.6 * roughness;
-    float window = smoothstep(-soft, soft, 0.35 - abs(d.x + 0.12 - 0.2 * d.y)) * smoothstep(-soft, soft, 0.4 - d.y);
-    return vec3(0.13, 0.14, 0.16) + vec3(0.8, 0.85, 0.95) * window;
+// The room's light from direction `d`: a window, soft as a surface of that roughness reflects it, and dark walls.
+const vec3 walls = vec3(0.13, 0.14, 0.16);
+const vec3 window = vec3(0.8, 0.85, 0.95);
+vec3 room(vec3 d, float roughness) {
+    float soft = 0.3 + 2.2 * roughness * roughness;
+    return walls + window * smoothstep(-soft, soft, 0.35 - abs(d.x + 0.12 - 0.2 * d.y)) * smoothstep(-soft, soft, 0.4 - d.y);
+}
+
+// The mean of the room's light over a hemisphere, weighted by the cosine; within 0.02 of the integral.
+vec3 diffuse_room(vec3 n) {
+    return walls + window * (0.304 - dot(vec2(0.085, 0.177), n.xy) - dot(vec3(0.182, 0.08, -0.087), vec3(n.xy * n.xy, n.x * n.y)));
 }
 
 // The direction to the eye, which is above the middle of the picture. Places are -0.5 to 0.5 along its longer side.
@@ -14,9 +20,10 @@ vec3 eye_above(vec2 place) {
     return normalize(vec3(-place, 1.8));
 }
 
-// The direction to the lamp.
-vec3 lamp_above(vec2 place) {
-    return normalize(vec3(vec2(-0.75, -0.85) - 0.6 * place, 1.0));
+// The direction to the lamp, which is 2.5 away from the middle of the picture. `lamp`: x and y of its direction there, of
+// length 1.
+vec3 lamp_above(vec2 place, vec2 lamp) {
+    return normalize(vec3(2.5 * lamp - place, 2.5 * sqrt(max(1.0 - dot(lamp, lamp), 0.0))));
 }
 
 const vec3 backdrop = vec3(0.016, 0.017, 0.019); // behind a body
@@ -33,27 +40,35 @@ struct Surface {
     float metalness;
 };
 
+// The share of light from all around that a surface with reflectance 1, or in addition with 0, reflects to the eye:
+// a fit by Karis, "Physically based shading on mobile", 2014.
+vec2 reflected(float roughness, float seen) {
+    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+    float b = min(r.x * r.x, exp2(-9.28 * seen)) * r.x + r.y;
+    return b * vec2(-1.04, 1.04) + r.zw;
+}
+
 // The light towards the eye, linear.
 //   normal     of the surface, of length 1, z pointing out of the picture
 //   eye, lamp  directions towards them, of length 1
 vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp) {
+    const vec3 lamp_light = 0.7 * vec3(1.0, 0.96, 0.9); // irradiance / pi
     vec3 between = normalize(eye + lamp);
     float facing = max(dot(normal, lamp), 0.0);
     float seen = max(dot(normal, eye), 0.05);
 
     vec3 mirror = mix(vec3(0.04), material.colour, material.metalness);
     vec3 fresnel = mirror + (1.0 - mirror) * pow(1.0 - max(dot(between, eye), 0.0), 5.0);
-    vec3 edge = mirror + (max(vec3(1.0 - material.roughness), mirror) - mirror) * pow(1.0 - seen, 5.0);
     float a = max(material.roughness * material.roughness, 0.01);
     float cosine = max(dot(normal, between), 0.0);
     float spread = cosine * cosine * (a * a - 1.0) + 1.0;
-    float facets = a * a / (3.1415927 * spread * spread);
+    float facets = a * a / (spread * spread); // times pi
     float k = 0.5 * a;
     float shadow = 0.25 / ((facing * (1.0 - k) + k) * (seen * (1.0 - k) + k));
 
     vec3 diffuse = (1.0 - material.metalness) * material.colour;
-    vec3 sky = vec3(0.27, 0.29, 0.32) * (0.5 + 0.5 * normal.z);
-    vec3 shine = surroundings(reflect(-eye, normal), material.roughness);
-    return diffuse * (sky + 0.95 * facing * vec3(1.0, 0.96, 0.9)) + edge * shine * 0.7
-           + 1.1 * facing * facets * shadow * fresnel;
+    vec2 share = reflected(material.roughness, seen);
+    return diffuse * (diffuse_room(normal) + facing * lamp_light)
+           + (mirror * share.x + share.y) * room(reflect(-eye, normal), material.roughness)
+           + facing * facets * shadow * fresnel * lamp_light;
 }

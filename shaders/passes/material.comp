@@ -128,7 +128,7 @@ void main() {
     vec3 bumped = normalize(normal - (slope - dot(slope, normal) * normal));
     if (body)
         bumped = in_picture(bumped, axes);
-    vec3 light = lit(Surface(m.colour, m.roughness, m.metalness), bumped, eye, lamp_above(seen_from));
+    vec3 light = lit(Surface(m.colour, m.roughness, m.metalness), bumped, eye, lamp_above(seen_from, lamp));
     if (body)
         light = mix(backdrop, light, coverage);
 

@@ -16,6 +16,7 @@ GABOR_PUSH_CONSTANTS(MaterialPush) {
     vec2 corner; // p in the picture's corner, or under the camera
     vec2 yaw;    // for a body: cosine and sine of the eye's angle around the z axis
     vec2 pitch;  // and of its angle above the plane z = 0
+    vec2 lamp;   // as in passes/light.glsl
     float pixel; // units of p per pixel; in perspective the camera's height in units of p; for a body as in
                  // SolidPush
     float unit;  // for a body: radius of the sphere in units of p

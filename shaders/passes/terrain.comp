@@ -22,7 +22,7 @@ void main() {
         return;
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
-    Ground ground = Ground(cell, period, seed, erosion, reach);
+    Ground ground = Ground(cell, period, seed, erosion, reach, sun);
     Sight sight;
     if (view == view_terrain) {
         sight = seen_from_above(ground, corner + pixel * place, pixel);

@@ -17,6 +17,7 @@ GABOR_PUSH_CONSTANTS(TerrainPush) {
     vec2 center;    // the pixel that the camera looks at
     vec2 yaw;       // cosine and sine of the camera's azimuth
     vec2 pitch;     // and of its elevation
+    vec2 sun;       // along x and y of the direction to it, of length 1
     float distance; // of the camera; 0 from above
     float pixel;    // kernel radii per pixel; in perspective at distance 1
     float unit;     // of heights, in kernel radii

@@ -41,7 +41,7 @@ vec3 lit_noise(vec2 pixel, vec3 colour) {
     vec2 whole = tiles ? 2.0 * size : size;
     vec2 place = (pixel - 0.5 * whole) / max(whole.x, whole.y);
     vec3 linear = pow(colour, vec3(2.2));
-    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place)));
+    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, lamp)));
 }
 
 vec3 material(vec2 pixel) {

@@ -13,6 +13,7 @@ GABOR_PUSH_CONSTANTS(ShowPush) {
     vec2 origin;     // of the canvas in the framebuffer, pixels
     ivec2 grid;      // number of values along x and y
     vec2 size;       // of the canvas, pixels
+    vec2 lamp;       // as in passes/light.glsl
     float stride;    // pixels per value
     float contrast;  // standard deviations from the mean to the ends
     float deviation; // of a derivative, per kernel radius
