@@ -33,7 +33,7 @@ int shown_channels(const Request& request) {
 void show(const Request& request, std::span<const float> values, std::vector<float>& shown) {
     const std::size_t channels = render::channels(request).size();
     const auto kept = static_cast<std::size_t>(shown_channels(request));
-    const std::size_t first = has_material(request) ? material_channels.size() - kept : 0;
+    const std::size_t first = has_material(request) ? lit_channel : 0;
     shown.clear();
     for (std::size_t i = 0; i < values.size(); i += channels)
         for (std::size_t k = i + first; k < i + first + kept; ++k)

@@ -49,22 +49,6 @@ struct Maps {
         return static_cast<double>(at(within(x, width, tiled), within(y, height, tiled))[height_channel]);
     }
 
-    // Heights are in units, as pixels are 1 / scale apart.
-    void add_normal(int x, int y) {
-        const auto slope = [&](int dx, int dy) {
-            const bool halved = !tiled && ((dx != 0 && (x == 0 || x == width - 1)) ||
-                                           (dy != 0 && (y == 0 || y == height - 1)));
-            return (height_at(x + dx, y + dy) - height_at(x - dx, y - dy)) * scale * (halved ? 1 : 0.5);
-        };
-        const double right = -slope(1, 0);
-        const double up = slope(0, 1);
-        const double length = std::sqrt(right * right + up * up + 1);
-        float* normal = at(x, y) + normal_channel;
-        normal[0] = static_cast<float>(right / length);
-        normal[1] = static_cast<float>(up / length);
-        normal[2] = static_cast<float>(1 / length);
-    }
-
     // The share of the sky's light that reaches the pixel: the mean of cos^2 of the horizon's elevation.
     void add_occlusion(int x, int y) {
         constexpr std::array<std::array<int, 2>, 8> directions{
@@ -307,7 +291,12 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
         advance(rows.size() / material_channels.size());
         for (std::size_t i = 0; i < rows.size(); i += material_channels.size()) {
             maps.values.insert(maps.values.end(), &rows[i], &rows[i] + normal_channel);
-            maps.values.resize(maps.values.size() + map_channels.size() - normal_channel);
+            const double right = -double{rows[i + material_channels.size() - 2]};
+            const double up = double{rows[i + material_channels.size() - 1]};
+            const double length = std::sqrt(right * right + up * up + 1);
+            for (const double part : {right, up, 1.0})
+                maps.values.push_back(static_cast<float>(part / length));
+            maps.values.push_back(0); // occlusion
         }
     });
     float low = maps.values[height_channel];
@@ -319,10 +308,8 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     std::vector<float> shown;
     for (int y = 0; y < request.height; ++y) {
         advance(0);
-        for (int x = 0; x < request.width; ++x) {
-            maps.add_normal(x, y);
+        for (int x = 0; x < request.width; ++x)
             maps.add_occlusion(x, y);
-        }
         const std::span<const float> values(maps.at(0, y), row);
         if (picture)
             picture->write_rows(values);

@@ -19,9 +19,11 @@ constexpr std::string_view no_material = "none";
 /// The parameters of the request's material, as its struct lies in a buffer with the layout std430.
 std::vector<float> material_parameters(const Request& request);
 
-/// Channels of a material's pixels: the members of GaborMaterial, and the lit colour.
-constexpr std::array<std::string_view, 9> material_channels{
-    "R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B"};
+/// Channels of a material's pixels: the members of GaborMaterial, the lit colour, and the slopes of the
+/// height along x and y, which bodies lack.
+constexpr std::array<std::string_view, 11> material_channels{
+    "R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B", "slope.x", "slope.y"};
+constexpr std::size_t lit_channel = 6; ///< of materials and terrain
 
 /// Channels of a terrain's pixels. Those that a material has too are at the same place.
 constexpr std::array<std::string_view, 11> terrain_channels{

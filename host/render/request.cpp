@@ -69,8 +69,10 @@ std::vector<std::string> channels(const Request& request) {
         return {terrain_channels.begin(), terrain_channels.end()};
     if (has_material(request)) {
         std::vector<std::string> names(material_channels.begin(), material_channels.end());
-        if (in_space(request))
+        if (in_space(request)) {
+            names.resize(names.size() - 2);
             names.push_back("A");
+        }
         return names;
     }
     constexpr std::array noises{"Y", "second", "third", "fourth"};

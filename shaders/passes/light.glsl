@@ -40,12 +40,13 @@ struct Surface {
     float metalness;
 };
 
-// The share of light from all around that a surface with reflectance 1, or in addition with 0, reflects to the eye:
-// a fit by Karis, "Physically based shading on mobile", 2014.
-vec2 reflected(float roughness, float seen) {
-    vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
-    float b = min(r.x * r.x, exp2(-9.28 * seen)) * r.x + r.y;
-    return b * vec2(-1.04, 1.04) + r.zw;
+// The share of light from all around that reaches the eye, with light that facets reflect more than once (after Fdez-Aguera, "A
+// multiple-scattering microfacet model for real-time image based lighting", 2019). Both fits are to integrals over GGX.
+vec3 reflected(vec3 mirror, float roughness, float seen) {
+    float square = roughness * roughness;
+    float once = 1.0 - square * (0.458 + 0.289 * square * seen); // by a perfect mirror's facets
+    float grazing = pow(max(1.0 - seen, 0.0), 5.28 - 4.03 * roughness) * exp(-6.17 * square);
+    return (mirror * (once - grazing) + grazing) * (1.0 + mirror * (1.0 / once - 1.0));
 }
 
 // The light towards the eye, linear.
@@ -66,9 +67,9 @@ vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp) {
     float k = 0.5 * a;
     float shadow = 0.25 / ((facing * (1.0 - k) + k) * (seen * (1.0 - k) + k));
 
-    vec3 diffuse = (1.0 - material.metalness) * material.colour;
-    vec2 share = reflected(material.roughness, seen);
+    vec3 share = reflected(mirror, material.roughness, seen);
+    vec3 diffuse = (1.0 - share) * (1.0 - material.metalness) * material.colour;
     return diffuse * (diffuse_room(normal) + facing * lamp_light)
-           + (mirror * share.x + share.y) * room(reflect(-eye, normal), material.roughness)
+           + share * room(reflect(-eye, normal), material.roughness)
            + facing * facets * shadow * fresnel * lamp_light;
 }

@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Draws the material that the function GABOR_MATERIAL makes with the parameters GABOR_PARAMETERS: its colour, height, roughness and metalness, and its look under a lamp.
+// Draws the material that the function GABOR_MATERIAL makes with the parameters GABOR_PARAMETERS: its colour, height, roughness
+// and metalness, its look under a lamp, and its slopes or, of a body, the coverage.
 
 #include "passes/material_interface.h"
 #include "gabor_lattice.glsl"
@@ -13,7 +14,7 @@ layout(constant_id = filter_id) const bool filtered = false;
 layout(constant_id = tiled_id) const bool tiled = false;
 layout(constant_id = view_id) const uint view = view_flat;
 const bool body = view == view_sphere || view == view_torus;
-const int channels = body ? 10 : 9;
+const int channels = body ? 10 : 11;
 const int rays = 4;
 
 #include "body.glsl"
@@ -70,7 +71,7 @@ void main() {
         vec2 below = place - vec2(center.x, sky);
         if (below.y <= 0.0) { // the sky
             for (int i = 0; i < channels; ++i)
-                picture[at + i] = i < 6 ? 0.0 : sky_colour(-below.y / sky)[i - 6];
+                picture[at + i] = i < 6 || i > 8 ? 0.0 : sky_colour(-below.y / sky)[i - 6];
             return;
         }
         float near = pixel / below.y;
@@ -110,18 +111,16 @@ void main() {
         vec2 step_x = on_plane(dx, plane);
         vec2 step_y = on_plane(dy, plane);
         float side = min(length(step_x), length(step_y));
-        float level = 0.0;
-        for (int i = 0; i < 3; ++i) {
-            vec2 along = i == 0 ? vec2(0.0) : i == 1 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+        for (int i = 0; i < 5; ++i) { // the place, then half a side to the right, left, down and up
+            vec2 along = i == 0 ? vec2(0.0) : (i % 2 == 0 ? -0.5 : 0.5) * (i < 3 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
             GaborMaterial there = material_at(plane.origin + on_plane(p, plane) + side * along, step_x, step_y);
             if (i == 0) {
-                level = there.height;
                 m.colour += share * there.colour;
                 m.height += share * there.height;
                 m.roughness += share * there.roughness;
                 m.metalness += share * there.metalness;
             } else {
-                slope += share * ((there.height - level) / side) * (along.x * plane.right + along.y * plane.down);
+                slope += share * there.height / side * (2.0 * along.x * plane.right + 2.0 * along.y * plane.down);
             }
         }
     }
@@ -141,6 +140,7 @@ void main() {
     picture[at++] = light.r;
     picture[at++] = light.g;
     picture[at++] = light.b;
-    if (body)
-        picture[at] = coverage;
+    picture[at++] = body ? coverage : slope.x;
+    if (!body)
+        picture[at] = slope.y;
 }

@@ -144,13 +144,23 @@ class Spectra(SpectraTest):
     def test_a_material_has_its_channels_and_one_picture_however_it_is_cut(self):
         options = {"material": "zebra", "size": "40x30", "scale": 20, "seed": 3}
         whole = self.render("--png=whole.png", **options).channels
-        self.assertEqual({*whole}, {"R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B"})
+        self.assertEqual({*whole}, {"R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B",
+                                  "slope.x", "slope.y"})
         part = self.render(output="part.exr", region="7,5,20,10", **options).channels
         for name, values in whole.items():
             self.assertEqual(part[name].tobytes(), values[5:15, 7:27].tobytes(), name)
         light = np.clip(np.dstack([whole[f"lit.{colour}"] for colour in "RGB"]).astype(float), 0, 1)
         shown = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
         self.assertLess(np.abs(read_colour_png(self.folder / "whole.png") - 255 * shown).max(), 0.51)
+
+    def test_slopes_that_face_the_light_are_bright(self):
+        for options in ({"material": "leather", "scale": 128}, {"view": "terrain"}):
+            for axis, azimuths in (("x", (0, 180)), ("y", (90, -90))):
+                for sign, azimuth in zip((-1, 1), azimuths):
+                    channels = self.render(size="64x64", light_azimuth=azimuth, light_elevation=30, **options).channels
+                    alike = np.corrcoef((channels["lit.G"] / channels["G"]).ravel(), channels[f"slope.{axis}"].ravel())[0, 1]
+                    self.assertGreater(sign * alike, 0.3, (options, azimuth))
+        self.assert_refused(["light_azimuth", "a material or terrain"], "render", "-o", "out.exr", "--light-azimuth=30")
 
     def test_a_body_has_all_of_a_material_on_every_side(self):
         metal = self.render(material="brushed-metal", view="sphere", size="80x60", scale=20).channels

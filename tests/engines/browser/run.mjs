@@ -74,7 +74,7 @@ try {
     if (!facts.driver.includes(wanted))
         throw new Error(`the driver should be ${wanted}, and is ${facts.driver}`);
     const shown = await deviation(tab, Buffer.from(await (await tab.$("canvas")).screenshot()));
-    if (!(Math.abs(shown - 0.24) < 0.04))
+    if (!facts.picture && !(Math.abs(shown - 0.24) < 0.04))
         throw new Error(`the page should show grey values that deviate by 0.24 from their mean, and they do by ${shown}`);
     if (scripts.length) { // on a phone
         await tab.setViewport({ width: 390, height: 844 });
