@@ -235,7 +235,8 @@ std::vector<Parameter> make_table() {
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
          "Draw a material instead of the noise, on planes and bodies: channels R, G, B (linear), height, "
-         "roughness, metalness, and lit.R, lit.G, lit.B, which a PNG shows. `gabor materials NAME` lists its "
+         "roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. `gabor "
+         "materials NAME` lists its "
          "own options, such as --wood.rings",
          [](const Request& r) { return Value(r.material); },
          [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
