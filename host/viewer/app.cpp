@@ -3,6 +3,7 @@
 #include "viewer/document_json.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/photograph.hpp"
+#include "viewer/preset_pictures.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -277,18 +278,13 @@ void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
 }
 
 void App::paint_presets(vk::CommandBuffer commands, const Area& view) {
-    const PresetPictures& pictures = session_.preset_pictures;
+    const PresetPictures& pictures = preset_pictures();
     const ImGuiIO& io = ImGui::GetIO();
     const float per_unit = io.DisplayFramebufferScale.x;
-    const std::size_t drawn = pictures.drawn();
-    if (drawn == 0)
-        return;
-    if (drawn != presets_drawn_) {
-        presets_drawn_ = drawn;
-        preset_pixels_ = render::upload(device_, pictures.colours());
-    }
+    if (!preset_pixels_)
+        preset_pixels_ = render::upload(device_, pictures.colours);
     const GalleryPlace place = gallery_place(view_width(), io.DisplaySize.y);
-    painter_.paint_colours(commands, *preset_pixels_, PresetPictures::extent(),
+    painter_.paint_colours(commands, *preset_pixels_, pictures.extent,
                            {place.x * per_unit, place.y * per_unit}, place.scale * per_unit,
                            {0, 0, view.x + view.width, view.height});
 }

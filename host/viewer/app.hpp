@@ -83,7 +83,6 @@ class App {
     double changed_ = 0;                           ///< when the view last changed
     std::shared_ptr<const Photograph> photograph_; ///< in `photograph_pixels_`
     std::optional<vulkan::Buffer> photograph_pixels_;
-    std::size_t presets_drawn_ = 0; ///< in `preset_pixels_`
     std::optional<vulkan::Buffer> preset_pixels_;
     std::optional<std::string> window_png_; ///< to write at the end of this frame
     double last_input_ = 0;

@@ -1,5 +1,7 @@
-
 #include "viewer/panels.hpp"
+
+#include "render/load.hpp"
+#include "viewer/preset_pictures.hpp"
 
 #include <imgui.h>
 
@@ -14,7 +16,7 @@ constexpr float usual_font = 14; // at this size a pixel of a picture is a unit
 } // namespace
 
 GalleryPlace gallery_place(float width, float height) {
-    const Extent extent = PresetPictures::extent();
+    const Extent extent = preset_pictures().extent;
     const auto all_width = static_cast<float>(extent.width);
     const auto all_height = static_cast<float>(extent.height);
     const float scale = std::min({ImGui::GetFontSize() / usual_font, width / all_width, height / all_height});
@@ -24,7 +26,6 @@ GalleryPlace gallery_place(float width, float height) {
 void gallery_window(Session& session, float width, float height) {
     if (!session.gallery)
         return;
-    session.preset_pictures.begin();
     const GalleryPlace place = gallery_place(width, height);
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, height});
@@ -50,8 +51,6 @@ void gallery_window(Session& session, float width, float height) {
                      0, 2);
         draw.PushClipRect(corner, end, true);
         label(draw, {corner.x + 2, end.y - ImGui::GetFrameHeight()}, name, text);
-        if (index >= session.preset_pictures.drawn() && !session.preset_pictures.done())
-            label(draw, {corner.x + 2, corner.y + 2}, "drawing", text);
         draw.PopClipRect();
         if (chosen) {
             open_preset(session, name);

@@ -7,7 +7,6 @@
 #include "viewer/fitting.hpp"
 #include "viewer/frame_meter.hpp"
 #include "viewer/measurements.hpp"
-#include "viewer/preset_pictures.hpp"
 
 #include <functional>
 #include <map>
@@ -40,7 +39,7 @@ enum class Closing { no, asked, after_export, now };
 /// Everything that panels, shortcuts and tests see and change.
 struct Session {
     explicit Session(const Document& document, std::string device)
-        : history(document), saved(document), exporter(device), preset_pictures(std::move(device)) {}
+        : history(document), saved(document), exporter(std::move(device)) {}
 
     Document& document() { return history.now; }
 
@@ -57,7 +56,6 @@ struct Session {
     bool photograph_beside = true; ///< show the photograph beside its noise
     float divider = 0.5f;          ///< between the two, as a share of the width
     bool dragging_divider = false;
-    PresetPictures preset_pictures;
     bool gallery = false; ///< show the presets in place of the view
     Measurer measurer;
     std::size_t selected_lobe = 0;

@@ -1,14 +1,17 @@
 #include "viewer/document.hpp"
 #include "viewer/document_json.hpp"
+#include "viewer/preset_pictures.hpp"
 #include "viewer/settings.hpp"
 #include "viewer/shader_compiler.hpp"
 #include "viewer/snippet.hpp"
 
 #include "error.hpp"
 #include "noise/recipe.hpp"
+#include "render/load.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -154,5 +157,22 @@ TEST_CASE("every shader that is built in compiles") {
     for (const char* path : {"viewer/show.comp", "viewer/show.frag", "viewer/show.vert"}) {
         INFO(path);
         CHECK_FALSE(compile_shader(path).empty());
+    }
+}
+
+TEST_CASE("every preset has its picture") {
+    const PresetPictures& pictures = preset_pictures();
+    const auto presets = static_cast<int>(render::presets().size());
+    const int columns = PresetPictures::columns;
+    CHECK(pictures.extent == Extent{columns * PresetPictures::cell,
+                                    (presets + columns - 1) / columns * PresetPictures::cell});
+    CHECK(pictures.colours.size() == std::size_t{3} * static_cast<std::size_t>(pictures.extent.width) *
+                                         static_cast<std::size_t>(pictures.extent.height));
+    for (int index = 0; index < presets; ++index) { // the last one's cell is not empty
+        const int row = index / columns * PresetPictures::cell + PresetPictures::cell / 2;
+        const int column = index % columns * PresetPictures::cell + PresetPictures::cell / 4;
+        const auto first = pictures.colours.begin() + 3 * (row * pictures.extent.width + column);
+        const auto [least, most] = std::minmax_element(first, first + 3 * PresetPictures::cell / 2);
+        CHECK(*most - *least > 0.02f);
     }
 }

@@ -76,7 +76,7 @@ void tell(App& app, const Seen& seen) {
         {"exporting", session.exporter.running()},
         {"progress", session.exporter.progress()},
         {"fitting", session.fitter.running()},
-        {"gallery", session.gallery ? json(session.preset_pictures.drawn()) : json()},
+        {"gallery", session.gallery},
         {"tiles", session.tiling ? json({session.tiling->tile.width, session.tiling->tile.height}) : json()},
         {"rate", session.metered && session.meter.figures() ? json(session.meter.figures()->rate) : json()},
     };
