@@ -270,7 +270,7 @@ int frames_of(const RenderOptions& options) {
     return frames;
 }
 
-// Without a scale, a set shows four by four units.
+// Without a scale, a set shows four by four units, or eight by eight of terrain.
 void render_map_set(const RenderOptions& options) {
     if (options.output || options.png || options.region || options.frames || options.level)
         throw RequestError(
@@ -278,13 +278,15 @@ void render_map_set(const RenderOptions& options) {
             "--level");
     check_half(options);
     Work work = make_work(options);
+    const bool terrain = render::has_terrain(work.request);
     const bool scaled =
         options.preset || options.like || std::ranges::any_of(options.parameters, [](const auto& given) {
             return given.first->name == "scale" && given.second->count() > 0;
         });
     if (!scaled)
-        work.request.scale = std::max(2.0, std::min(work.request.width, work.request.height) / 4.0);
-    work.request.filter = true;
+        work.request.scale =
+            std::max(2.0, std::min(work.request.width, work.request.height) / (terrain ? 8.0 : 4.0));
+    work.request.filter = !terrain;
     const vulkan::Device device(options.device);
     {
         Progress progress("rendering", static_cast<std::uint64_t>(work.request.width) *
@@ -295,8 +297,9 @@ void render_map_set(const RenderOptions& options) {
                                 progress.advance(done);
                             });
     }
-    fmt::print("{}: maps of {} x {} pixels, material {}, on {}\n", *options.maps, work.request.width,
-               work.request.height, work.request.material, device.info().name);
+    fmt::print("{}: maps of {} x {} pixels, {}, on {}\n", *options.maps, work.request.width,
+               work.request.height, terrain ? "terrain" : "material " + work.request.material,
+               device.info().name);
 }
 
 void render_pictures(const RenderOptions& options, Clock::time_point start) {
@@ -304,7 +307,7 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
     if (options.maps)
         return render_map_set(options);
     if (!options.output && !options.png && !options.heightmap)
-        throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material");
+        throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material or terrain");
     if (options.directx)
         throw RequestError("--directx is for --maps");
     const Work work = make_work(options);
@@ -429,7 +432,8 @@ void add_render_command(CLI::App& app) {
     command->add_option("--png", options->png, "Also write a PNG")->type_name("FILE");
     command
         ->add_option("--maps", options->maps,
-                     "Instead of -o: a folder for the material's maps. PNGs of base colour, normals, height, "
+                     "Instead of -o: a folder for the maps of a material or of terrain. PNGs of base colour, "
+                     "normals, height, "
                      "roughness, metalness and occlusion, one EXR with all, material.mtlx and material.gltf")
         ->type_name("FOLDER");
     command->add_flag("--directx", options->directx, "With --maps: also normals for DirectX");

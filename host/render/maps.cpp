@@ -134,6 +134,22 @@ void write_levels(image::ExrTextureWriter& writer, std::span<const float> maps, 
     }
 }
 
+// The maps of a pixel that was rendered, but for its occlusion.
+void add_maps(std::span<const float> pixel, bool terrain, std::vector<float>& maps) {
+    constexpr std::size_t height = 3;
+    constexpr std::size_t terrain_slope = 4;
+    constexpr float rough_ground = 1;
+    const std::size_t slope = terrain ? terrain_slope : pixel.size() - 2;
+    maps.insert(maps.end(), pixel.begin(), pixel.begin() + height + 1);
+    maps.push_back(terrain ? rough_ground : pixel[roughness_channel]);
+    maps.push_back(terrain ? 0 : pixel[roughness_channel + 1]);
+    const double right = -double{pixel[slope]};
+    const double up = double{pixel[slope + 1]};
+    const double length = std::sqrt(right * right + up * up + 1);
+    for (const double part : {right, up, 1.0})
+        maps.push_back(static_cast<float>(part / length));
+}
+
 // One PNG of the set: which channels it shows, and how.
 struct Png {
     std::string_view name;
@@ -145,6 +161,29 @@ struct Png {
 float unit_to_colour(float part) {
     return 0.5f + 0.5f * part;
 }
+
+constexpr std::string_view directx_normal = "normal_directx";
+
+std::vector<Png> pngs_of(const MapFormat& format) {
+    std::vector<Png> pngs{{.name = "base_color", .channels = {0, 1, 2}, .shown = srgb},
+                          {.name = "normal", .channels = {6, 7, 8}, .shown = unit_to_colour},
+                          {.name = "height", .channels = {3}, .bits = 16},
+                          {.name = "roughness", .channels = {4}},
+                          {.name = "metalness", .channels = {5}},
+                          {.name = "occlusion", .channels = {9}},
+                          {.name = "orm", .channels = {9, 4, 5}}};
+    if (format.directx)
+        pngs.push_back({.name = directx_normal, .channels = {6, 7, 8}, .shown = unit_to_colour});
+    return pngs;
+}
+
+std::filesystem::path png_path(const std::filesystem::path& folder, const Png& png) {
+    return folder / fmt::format("{}.png", png.name);
+}
+
+constexpr const char* exr_name = "maps.exr";
+constexpr const char* materialx_name = "material.mtlx";
+constexpr const char* gltf_name = "material.gltf";
 
 constexpr std::string_view mtlx = R"(<?xml version="1.0"?>
 <materialx version="1.38" colorspace="lin_rec709">
@@ -238,30 +277,40 @@ class Folder {
 
 } // namespace
 
+bool has_maps(const Request& request) {
+    const auto* terrain = std::get_if<Terrain>(&request.view);
+    return terrain ? !terrain->perspective
+                   : has_material(request) && std::holds_alternative<Plane>(request.view);
+}
+
+std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder, const MapFormat& format) {
+    std::vector<std::filesystem::path> paths;
+    for (const Png& png : pngs_of(format))
+        paths.push_back(png_path(folder, png));
+    for (const char* name : {exr_name, materialx_name, gltf_name})
+        paths.push_back(folder / name);
+    return paths;
+}
+
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
                  const MapFormat& format, const std::function<void(std::uint64_t)>& advance) {
-    const Plane* plane = std::get_if<Plane>(&request.view);
-    if (!has_material(request) || !plane)
-        throw RequestError("--maps requires a material in the view flat, as in --material wood");
+    if (!has_maps(request))
+        throw RequestError("--maps requires a material in the view flat, as in --material wood, or the view "
+                           "terrain");
+    const bool terrain = has_terrain(request);
+    const bool tileable =
+        terrain ? std::get<Terrain>(request.view).tileable : std::get<Plane>(request.view).tileable;
     if (std::max(request.width, request.height) > most_map_side)
         throw RequestError(fmt::format("maps of {} x {} pixels: they have at most {} x {}", request.width,
                                        request.height, most_map_side, most_map_side));
     const Folder made(folder);
     const std::size_t row = static_cast<std::size_t>(request.width) * map_channels.size();
-    std::vector<Png> pngs{{.name = "base_color", .channels = {0, 1, 2}, .shown = srgb},
-                          {.name = "normal", .channels = {6, 7, 8}, .shown = unit_to_colour},
-                          {.name = "height", .channels = {3}, .bits = 16},
-                          {.name = "roughness", .channels = {4}},
-                          {.name = "metalness", .channels = {5}},
-                          {.name = "occlusion", .channels = {9}},
-                          {.name = "orm", .channels = {9, 4, 5}}};
-    if (format.directx)
-        pngs.push_back({.name = "normal_directx", .channels = {6, 7, 8}, .shown = unit_to_colour});
+    const std::vector<Png> pngs = pngs_of(format);
     std::vector<image::PngWriter> writers; // open before the work begins, to fail early
     for (const Png& png : pngs)
-        writers.emplace_back(folder / fmt::format("{}.png", png.name), request.width, request.height,
+        writers.emplace_back(png_path(folder, png), request.width, request.height,
                              static_cast<int>(png.channels.size()), png.bits);
-    const std::filesystem::path together = folder / "maps.exr";
+    const std::filesystem::path together = folder / exr_name;
     std::optional<image::ExrWriter> picture;
     std::optional<image::ExrTextureWriter> texture;
     if (format.texture)
@@ -270,7 +319,7 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
                                                              .height = request.height,
                                                              .channels = map_channels,
                                                              .half = format.half,
-                                                             .periodic = plane->tileable,
+                                                             .periodic = tileable,
                                                              .parameters = to_json(request),
                                                              .software = software(device),
                                                              .colour_space = colour_space(request)});
@@ -282,20 +331,17 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
                                                       .parameters = to_json(request),
                                                       .software = software(device),
                                                       .colour_space = colour_space(request)});
-    image::OutputFile materialx(folder / "material.mtlx");
-    image::OutputFile scene(folder / "material.gltf");
+    image::OutputFile materialx(folder / materialx_name);
+    image::OutputFile scene(folder / gltf_name);
 
-    Maps maps{request.width, request.height, plane->tileable, request.scale, {}};
+    const double unit = terrain ? terrain_unit(request) : 1; // of heights, per kernel radius
+    Maps maps{request.width, request.height, tileable, request.scale / unit, {}};
     maps.values.reserve(row * static_cast<std::size_t>(request.height));
     render_region(device, request, {0, 0, request.width, request.height}, [&](std::span<const float> rows) {
-        advance(rows.size() / material_channels.size());
-        for (std::size_t i = 0; i < rows.size(); i += material_channels.size()) {
-            maps.values.insert(maps.values.end(), &rows[i], &rows[i] + normal_channel);
-            const double right = -double{rows[i + material_channels.size() - 2]};
-            const double up = double{rows[i + material_channels.size() - 1]};
-            const double length = std::sqrt(right * right + up * up + 1);
-            for (const double part : {right, up, 1.0})
-                maps.values.push_back(static_cast<float>(part / length));
+        const std::size_t channels = terrain ? terrain_channels.size() : material_channels.size();
+        advance(rows.size() / channels);
+        for (std::size_t i = 0; i < rows.size(); i += channels) {
+            add_maps(rows.subspan(i, channels), terrain, maps.values);
             maps.values.push_back(0); // occlusion
         }
     });
@@ -320,7 +366,7 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
                     float value = values[i + channel];
                     if (channel == height_channel)
                         value = high > low ? (value - low) / (high - low) : 0.5f;
-                    if (channel == normal_channel + 1 && pngs[k].name == "normal_directx")
+                    if (channel == normal_channel + 1 && pngs[k].name == directx_normal)
                         value = -value;
                     shown.push_back(pngs[k].shown(value));
                 }
@@ -332,8 +378,9 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     const auto write = [&](image::OutputFile& file, std::string_view text) {
         const double longer = std::max(request.width, request.height);
         const std::string filled = fmt::format(
-            fmt::runtime(text), fmt::arg("name", request.material), fmt::arg("version", GABOR_VERSION),
-            fmt::arg("square", square), fmt::arg("low", low), fmt::arg("high", high),
+            fmt::runtime(text), fmt::arg("name", terrain ? "terrain" : std::string_view(request.material)),
+            fmt::arg("version", GABOR_VERSION), fmt::arg("square", square), fmt::arg("low", low),
+            fmt::arg("high", high),
             fmt::arg("width", text == mtlx ? request.width / request.scale : request.width / longer),
             fmt::arg("height", request.height / longer));
         file.write(std::as_bytes(std::span(filled)));

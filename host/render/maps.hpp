@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace gabor::render {
 
@@ -18,12 +19,18 @@ struct MapFormat {
     bool half = false;    ///< of the texture
 };
 
-/// Writes a checked request's material, seen in the plane, as images for other programs: base_color.png
+/// Whether the request has maps: a material in the plane, or terrain.
+bool has_maps(const Request& request);
+
+/// All files that render_maps writes.
+std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder, const MapFormat& format);
+
+/// Writes a checked request's material, or terrain from above, as images for other programs: base_color.png
 /// (sRGB), normal.png (OpenGL), height.png (16 bits, from the lowest to the highest), roughness.png,
 /// metalness.png, occlusion.png, orm.png (occlusion, roughness and metalness, as glTF packs them), maps.exr
 /// with all of them, material.mtlx and material.gltf. The files appear
 /// together when all are complete; the folder is made if there is none. Calls `advance` with the number of
-/// pixels in each band. Throws RequestError if the request draws no material in the plane or is too large.
+/// pixels in each band. Throws RequestError if the request has no maps or is too large.
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
                  const MapFormat& format, const std::function<void(std::uint64_t)>& advance);
 

@@ -40,6 +40,12 @@ bool has_terrain(const Request& request) {
     return std::holds_alternative<Terrain>(request.view);
 }
 
+Request from_above(Request request) {
+    if (auto* terrain = std::get_if<Terrain>(&request.view))
+        terrain->perspective = false;
+    return request;
+}
+
 double terrain_unit(const Request& request) {
     const double extent = std::get<Terrain>(request.view).extent;
     return extent > 0 ? extent * request.scale / request.width : 1;

@@ -124,6 +124,8 @@ bool in_space(const Request& request);
 
 /// Whether terrain is drawn in place of the noise.
 bool has_terrain(const Request& request);
+/// The same terrain from above instead of in perspective; another request stays as it is.
+Request from_above(Request request);
 
 /// The unit of a terrain's heights in kernel radii.
 double terrain_unit(const Request& request);

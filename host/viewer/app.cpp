@@ -24,9 +24,10 @@ constexpr double resting_budget = 0.030;
 constexpr double sampling_budget = 0.004; // while time plays
 constexpr double rest = 0.3;              // seconds without a change before measuring
 constexpr std::uint32_t most_samples = 1 << 21;
-constexpr double waking_interval = 0.25; // seconds between frames while nothing happens
-constexpr double saving_interval = 2;    // seconds between saves of the session
-constexpr float panel_width = 26;        // in font heights
+constexpr double waking_interval = 0.25;       // seconds between frames while nothing happens
+constexpr double saving_interval = 2;          // seconds between saves of the session
+constexpr const char* first_preset = "walnut"; // until something else was opened
+constexpr float panel_width = 26;              // in font heights
 
 volatile std::sig_atomic_t received_signal = 0;
 
@@ -62,8 +63,8 @@ App::App(const Options& options)
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
       painter_(device_, swapchain_.render_pass()), commands_(device_),
-      session_(options.document.value_or(document_of({})), options.device), canvas_(device_),
-      sampler_(device_), remember_(!options.screenshot) {
+      session_(options.document ? *options.document : load_document(first_preset), options.device),
+      canvas_(device_), sampler_(device_), remember_(!options.screenshot) {
     if (remember_)
         restore(options);
     glfwSetWindowUserPointer(window_.handle(), &session_);
@@ -222,29 +223,7 @@ void App::panels() {
     ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
     // Tab moves between fields only while one is edited; else it is a shortcut.
     ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
-    struct Section {
-        const char* title;
-        void (*panel)(Session&);
-        bool open;
-        std::optional<bool> terrain = {}; // shown only with it, or only without it
-    };
-    constexpr std::array sections{Section{"Noise", noise_panel, true},
-                                  Section{"Terrain", terrain_panel, true, true},
-                                  Section{"Spectrum", spectrum_panel, true, false},
-                                  Section{"Output", output_panel, true},
-                                  Section{"Photograph", photograph_panel, true, false},
-                                  Section{"Files and code", files_panel, true},
-                                  Section{"Export", export_panel, true},
-                                  Section{"Laboratory", measurements_panel, false}};
-    const bool terrain = render::has_terrain(session_.document().request);
-    for (const Section& section : sections)
-        if (section.terrain.value_or(terrain) == terrain &&
-            ImGui::CollapsingHeader(section.title, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
-            ImGui::PushID(section.title);
-            section.panel(session_);
-            ImGui::PopID();
-            ImGui::Spacing();
-        }
+    side_panel(session_);
     ImGui::PopAllowKeyboardFocus();
     ImGui::PopItemWidth();
     ImGui::End();
@@ -340,6 +319,7 @@ bool App::frame(const FrameHook& hook) {
     dialog_window(session_); // last: a modal window must not appear first
     question_window(session_);
     poll_fitter(session_);
+    poll_exporter(session_);
     if (!ImGui::IsAnyItemActive() && !ImGui::IsAnyMouseDown())
         session_.history.commit();
     gui_.end();

@@ -168,4 +168,14 @@ std::string_view disabled_reason(const Document& document, std::string_view cont
     return {};
 }
 
+bool is_lit(const Document& document) {
+    return render::has_material(document.request) ? document.look == Look::lit
+                                                  : document.output == Output::lit;
+}
+
+bool shows_normals(const Document& document) {
+    return render::has_material(document.request) ? document.look == Look::normal
+                                                  : document.output == Output::gradient;
+}
+
 } // namespace gabor::viewer

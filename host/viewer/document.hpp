@@ -79,5 +79,12 @@ class History {
 /// Tells the user why a control changes nothing in the window; empty if it does. `control`: the name of a
 /// parameter, or `colours`, `contrast` or `tiles`.
 std::string_view disabled_reason(const Document& document, std::string_view control);
+inline bool has_effect(const Document& document, std::string_view control) {
+    return disabled_reason(document, control).empty();
+}
+
+/// Whether the window shows a lit surface, and whether it shows a normal map.
+bool is_lit(const Document& document);
+bool shows_normals(const Document& document);
 
 } // namespace gabor::viewer

@@ -11,21 +11,32 @@
 
 namespace gabor::viewer {
 
-/// What a document is exported as: a picture, the frames of its animation, or a mip-mapped texture.
-enum class ExportAs { picture, frames, texture };
+/// What a document is exported as: a picture, the frames of its animation, a mip-mapped texture, or the maps
+/// of its material.
+enum class ExportAs { picture, frames, texture, maps };
 
 /// Where an export goes and in what form.
 struct ExportTarget {
     std::string path = "noise.exr"; ///< frames are numbered: NAME.0001.exr
-    ExportAs as = ExportAs::picture;
-    bool png = true;        ///< write a PNG beside each EXR, except for a texture
-    bool heightmap = false; ///< of terrain: also write NAME.heightmap.png
+    std::string folder = "maps";    ///< of maps
+    ExportAs as = ExportAs::maps;   ///< or a picture, where there are no maps
+    bool png = true;                ///< write a PNG beside each EXR, except for a texture
+    bool heightmap = false;         ///< of terrain: also write NAME.heightmap.png
     int frames = 24;
-    bool half = false; ///< 16-bit floats in a texture
+    bool half = false;           ///< 16-bit floats in a texture
+    bool directx = false;        ///< of maps: also write normals whose green points down
+    std::size_t compression = 0; ///< of EXRs, as in image::compression_names()
+
+    /// The target of this request: a picture instead of maps if it has none.
+    ExportTarget of(const render::Request& request) const;
+    /// The EXR, or the folder of maps.
+    const std::string& name() const { return as == ExportAs::maps ? folder : path; }
 };
 
-/// The files that an export writes.
+/// The files that an export writes, but for maps.
 std::vector<render::Files> files_of(const ExportTarget& target);
+/// All their paths.
+std::vector<std::filesystem::path> paths_of(const ExportTarget& target);
 
 /// The request that an export renders.
 render::Request exported(const Document& document, ExportAs as);

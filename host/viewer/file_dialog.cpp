@@ -125,26 +125,29 @@ void ask_where_to_save(Session& session) {
 }
 
 void ask_where_to_export(Session& session) {
+    const bool maps = session.export_target.of(session.document().request).as == ExportAs::maps;
+    std::string& name = maps ? session.export_target.folder : session.export_target.path;
     ask(session,
-        {.title = "Export the picture",
+        {.title = maps ? "Export maps to a folder" : "Export to a file",
          .action = "Export",
-         .endings = {".exr"},
-         .name = std::filesystem::path(session.export_target.path).filename().string(),
+         .endings = maps ? std::vector<std::string>{} : std::vector<std::string>{".exr"},
+         .name = std::filesystem::path(name).filename().string(),
          .take =
-             [&session](const std::string& path) {
-                 session.export_target.path = path;
+             [&session, &name](const std::string& path) {
+                 name = path;
                  start_export(session);
-             }},
-        session.export_target.path);
+             },
+         .folder_wanted = maps},
+        name);
 }
 
 void answer_dialog(Session& session) {
     FileDialog& dialog = *session.dialog;
-    if (dialog.name.empty())
+    if (dialog.name.empty() && !dialog.folder_wanted)
         return;
     const std::filesystem::path path = (dialog.folder / dialog.name).lexically_normal();
     std::error_code unknown;
-    if (std::filesystem::is_directory(path, unknown)) {
+    if (!dialog.name.empty() && std::filesystem::is_directory(path, unknown)) {
         dialog.folder = path.has_filename() ? path : path.parent_path();
         dialog.name.clear();
         return;

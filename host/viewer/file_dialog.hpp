@@ -18,6 +18,7 @@ struct FileDialog {
     std::string name = {};                        ///< in the field
     std::function<void(const std::string&)> take; ///< called with the chosen path
     bool recent = false;                          ///< also list recent files
+    bool folder_wanted = false;                   ///< without a name, take the folder
 
     std::filesystem::path listed = {}; ///< folder of the two lists below
     std::vector<std::string> folders = {};

@@ -123,7 +123,6 @@ constexpr std::array shortcuts{
                  s.document().colours = (s.document().colours + 1) % static_cast<int>(colour_names.size());
              },
              "colours"},
-    Shortcut{"R", "the next recipe", GLFW_KEY_R, [](Session& s) { next_choice(s, "recipe"); }, "recipe"},
     Shortcut{"N", "the next seed", GLFW_KEY_N, [](Session& s) { ++s.document().request.seed; }},
     Shortcut{"Tab", "the photograph beside its noise, or the noise alone", GLFW_KEY_TAB,
              [](Session& s) { s.photograph_beside ^= s.fitter.photograph() != nullptr; }},

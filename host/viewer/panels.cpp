@@ -1,8 +1,11 @@
 #include "viewer/panels.hpp"
 
+#include "image/exr.hpp"
 #include "render/file.hpp"
 #include "render/load.hpp"
+#include "render/maps.hpp"
 #include "viewer/document_json.hpp"
+#include "viewer/photograph.hpp"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -91,16 +94,15 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
     return {};
 }
 
-// The control of a parameter, if the request has it.
+// The control of a parameter, if it has an effect.
 void control(Session& session, std::string_view name) {
     const render::Parameter& parameter = render::parameter(name);
     const render::Request& request = session.document().request;
     const std::optional<render::Value> value = parameter.get(request);
-    if (!value)
+    if (!value || !has_effect(session.document(), name))
         return;
-    std::optional<render::Value> edited;
-    explained(disabled_reason(session.document(), name), help_of(parameter),
-              [&] { edited = edit(parameter, *value, request); });
+    const std::optional<render::Value> edited = edit(parameter, *value, request);
+    tooltip(help_of(parameter));
     if (edited)
         attempt(session, [&] { set_parameter(session.document(), name, *edited); });
 }
@@ -150,20 +152,14 @@ void resettable(const char* label, float& value, float low, float high, const ch
         value = by_default;
 }
 
-// Draws a button beside the field for paint.
-void paint_button(Session& session) {
-    ImGui::SameLine();
-    explained(disabled_reason(session.document(), "paint"), "Choose a file", [&] {
-        if (ImGui::SmallButton("..."))
-            ask_for_paint(session);
-    });
-}
-
-constexpr std::string_view exports[]{"a picture", "an animation", "a texture"}; // as in ExportAs
+// What is exported of a document, as in ExportAs. Only a material has maps.
+constexpr std::string_view exports[]{"a picture", "an animation", "a texture", "a set of maps"};
 constexpr const char* export_tips[]{
     "An EXR of 32-bit floats with its parameters in the header",
     "NAME.0001.exr and so on: the frames of one period, which loops",
-    "A mip-mapped, tiled EXR for renderers, with each level filtered. Sides must be powers of two."};
+    "A mip-mapped, tiled EXR for renderers, with each level filtered. Sides must be powers of two.",
+    "A folder with base colour, normal, height, roughness, metalness and occlusion as PNG and EXR, a "
+    "MaterialX document and a glTF scene"};
 
 } // namespace
 
@@ -198,16 +194,36 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
     draw.AddText({at.x + pad, at.y + pad / 2}, colour, text.c_str());
 }
 
+namespace {
+
 void noise_panel(Session& session) {
-    render::Request& request = session.document().request;
-    control(session, "recipe");
-    if (!request.recipe.is_lattice() && !render::has_material(request) && ImGui::TreeNode("ingredients")) {
-        recipe_ingredients(request);
-        ImGui::TreePop();
-    }
-    for (const char* name : {"scale", "seed", "paint"})
+    for (const char* name : {"material", "scale", "seed", "paint"})
         control(session, name);
-    paint_button(session);
+    if (has_effect(session.document(), "paint")) {
+        ImGui::SameLine();
+        if (ImGui::SmallButton("..."))
+            ask_for_paint(session);
+        tooltip("Choose a file");
+    }
+}
+
+void material_panel(Session& session) {
+    control(session, "material");
+    for (const render::Parameter& parameter : render::parameters())
+        if (render::is_of_one_material(parameter))
+            control(session, parameter.name);
+    for (const char* name : {"scale", "seed"})
+        control(session, name);
+}
+
+void terrain_panel(Session& session) {
+    for (const char* name : {"scale", "seed", "extent"})
+        control(session, name);
+    for (const render::Parameter* parameter : render::erosion_parameters())
+        control(session, parameter->name);
+}
+
+void animation_panel(Session& session) {
     if (ImGui::Button(session.playing ? "pause" : "play"))
         session.playing = !session.playing;
     tooltip("Space: play time in a loop from 0 to 1");
@@ -219,57 +235,52 @@ void noise_panel(Session& session) {
     tooltip("Seconds for one period of the animation");
 }
 
-void output_panel(Session& session) {
+void view_panel(Session& session) {
     Document& document = session.document();
-    control(session, "material");
-    for (const render::Parameter& parameter : render::parameters())
-        if (render::is_of_one_material(parameter))
-            control(session, parameter.name);
-    for (const char* name : {"view", "tileable"})
-        control(session, name);
-    explained(disabled_reason(document, "tiles"),
-              "T: show four copies of the picture, to look for seams. This view sets its own scale.",
-              [&] { ImGui::Checkbox("2 x 2 tiles", &session.tiles); });
-    for (const char* name : {"depth", "solid", "yaw", "pitch", "zoom", "filter"})
-        control(session, name);
     if (render::has_material(document.request))
         choose("show", document.look, looks(document.request), look_tips);
     else
         choose("show", document.output, output_names, output_tips);
-    ImGui::Checkbox("DirectX normals", &document.directx_normals);
-    tooltip("Green points down in normal maps; in OpenGL's it points up");
-    explained(disabled_reason(document, "colours"), "The colour map",
-              [&] { choose("colours", document.colours, colour_names); });
-    explained(disabled_reason(document, "contrast"),
-              "Standard deviations from the mean to the ends of the colour map; gabor render uses 2", [&] {
-                  resettable("contrast", document.contrast, least_contrast, most_contrast, "%.2f sd",
-                             Document().contrast);
-              });
+    if (shows_normals(document)) {
+        ImGui::Checkbox("DirectX normals", &document.directx_normals);
+        tooltip("Green points down in normal maps; in OpenGL's it points up");
+    }
+    if (has_effect(document, "colours"))
+        choose("colours", document.colours, colour_names);
+    if (has_effect(document, "contrast")) {
+        resettable("contrast", document.contrast, least_contrast, most_contrast, "%.2f", Document().contrast);
+        tooltip("Standard deviations from the mean to the ends of the colour map; gabor render uses 2");
+    }
+    for (const char* name : {"view", "tileable"})
+        control(session, name);
+    if (has_effect(document, "tiles")) {
+        ImGui::Checkbox("2 x 2 tiles", &session.tiles);
+        tooltip("T: show four copies of the picture, to look for seams. This view sets its own scale.");
+    }
+    for (const char* name : {"depth", "solid", "yaw", "pitch", "zoom", "filter"})
+        control(session, name);
 }
 
-void terrain_panel(Session& session) {
-    control(session, "extent");
-    for (const render::Parameter* parameter : render::erosion_parameters())
-        control(session, parameter->name);
+void light_panel(Session& session) {
+    render::Request& request = session.document().request;
+    for (auto [name, angle] : {std::pair("light_azimuth", &render::Request::light_azimuth),
+                               std::pair("light_elevation", &render::Request::light_elevation)}) {
+        const render::Parameter& parameter = render::parameter(name);
+        number_slider(label_of(std::string_view(name).substr(6)).c_str(), request.*angle, parameter.range,
+                      parameter.slider, render::Request().*angle);
+        tooltip(help_of(parameter) + ". Or drag over the view with the right button.");
+    }
 }
 
-void files_panel(Session& session) {
+void file_panel(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
-    if (ImGui::Button("Copy GLSL", {width, 0}))
-        copy_glsl(session);
-    tooltip("Ctrl C: copy a GLSL function that draws this view");
-
-    if (ImGui::Button("Presets...", {width, 0}))
-        session.gallery = true;
-    tooltip("P: choose a preset by its picture");
     ImGui::InputText("preset", &session.document().path);
     tooltip("The JSON file to save to; gabor render reads it too");
     const float third = (width - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     if (ImGui::Button("Open...", {third, 0}))
         ask_for_file(session);
     tooltip("Ctrl O: open a preset, an EXR that gabor rendered, or a photograph to fit. You can also drop "
-            "files on "
-            "the window.");
+            "files on the window.");
     ImGui::SameLine();
     if (ImGui::Button("Save", {third, 0}))
         save_preset(session);
@@ -290,39 +301,138 @@ void files_panel(Session& session) {
 void export_panel(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float half = (width - ImGui::GetStyle().ItemSpacing.x) / 2;
-    for (const char* name : {"width", "height", "quadrature", "gradient", "phasor", "values"})
-        control(session, name);
+    const render::Request& request = session.document().request;
     ExportTarget& target = session.export_target;
-    choose("as", target.as, exports, export_tips);
-    if (target.as == ExportAs::frames) {
+    ExportAs as = target.of(request).as;
+    const std::size_t forms =
+        render::has_maps(render::from_above(request)) ? std::size(exports) : std::size(exports) - 1;
+    if (choose("as", as, std::span(exports).first(forms), export_tips))
+        target.as = as;
+    for (const char* name : {"width", "height"})
+        control(session, name);
+    if (as == ExportAs::frames) {
         slider("frames", target.frames, 2, 240, "%d");
         target.frames = std::clamp(target.frames, 1, render::most_frames);
     }
-    if (target.as == ExportAs::texture)
+    if (as == ExportAs::maps) {
+        ImGui::Checkbox("DirectX normals", &target.directx);
+        tooltip("Also write normal_directx.png, whose green points down");
+    } else {
+        choose("compression", target.compression, image::compression_names());
+        tooltip("Of the EXR; zip and the others lose nothing, and take longer");
+    }
+    if (as == ExportAs::texture)
         ImGui::Checkbox("16-bit floats", &target.half);
-    explained(target.as == ExportAs::texture ? "A texture is an EXR" : "", "Also write what the window shows",
-              [&] { ImGui::Checkbox("PNG beside it", &target.png); });
-    if (render::has_terrain(session.document().request) && target.as == ExportAs::picture) {
+    if (as == ExportAs::picture || as == ExportAs::frames) {
+        ImGui::Checkbox("PNG beside it", &target.png);
+        tooltip("Also write what the window shows");
+    }
+    if (render::has_terrain(request) && as == ExportAs::picture) {
         ImGui::Checkbox("heightmap beside it", &target.heightmap);
         tooltip("NAME.heightmap.png: heights of 16 bits from above, with their scale in a .json file");
     }
-    ImGui::InputText("file", &target.path);
-    tooltip("The EXR to write; an animation numbers its frames: NAME.0001.exr");
+    if (as == ExportAs::maps) {
+        ImGui::InputText("folder", &target.folder);
+        tooltip("The folder that gets the maps");
+    } else {
+        ImGui::InputText("file", &target.path);
+        tooltip("The EXR to write; an animation numbers its frames: NAME.0001.exr");
+    }
     if (session.exporter.running()) {
         ImGui::ProgressBar(static_cast<float>(session.exporter.progress()), {half, 0});
         ImGui::SameLine();
         if (ImGui::Button("Cancel", {half, 0}))
             session.exporter.cancel();
     } else {
-        if (ImGui::Button("Export", {half, 0}))
+        if (ImGui::Button("Export now", {half, 0}))
             start_export(session);
         tooltip("Ctrl E: render in the background, as gabor render does");
         ImGui::SameLine();
-        if (ImGui::Button("Export as...", {half, 0}))
+        if (ImGui::Button("Export to...", {half, 0}))
             ask_where_to_export(session);
     }
-    if (const std::string result = session.exporter.result(); !result.empty())
-        ImGui::TextWrapped("%s", result.c_str());
+}
+
+void laboratory_panel(Session& session) {
+    render::Request& request = session.document().request;
+    control(session, "recipe");
+    if (!request.recipe.is_lattice() && !render::has_material(request) && ImGui::TreeNode("ingredients")) {
+        recipe_ingredients(request);
+        ImGui::TreePop();
+    }
+    for (const char* name : {"quadrature", "gradient", "phasor", "values"}) // more channels to export
+        control(session, name);
+    measurements_panel(session);
+}
+
+// What is done most, at the top.
+void start_buttons(Session& session) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float half = (width - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (ImGui::Button("Materials and presets", {width, 0}))
+        session.gallery = !session.gallery;
+    tooltip("P: choose one by its picture");
+    if (ImGui::Button("Photograph", {width - 2 * (half * 2 / 3 + ImGui::GetStyle().ItemSpacing.x), 0}))
+        ask_for_photograph(session);
+    tooltip("Fit a noise to a PNG, JPEG, TGA or EXR of a texture, at least 128 x 128 pixels. You can also "
+            "drop it on the window.");
+    ImGui::SameLine();
+    if (ImGui::Button("Copy code", {half * 2 / 3, 0}))
+        copy_glsl(session);
+    tooltip("Ctrl C: copy a GLSL function that draws this view");
+    ImGui::SameLine();
+    session.exporting_asked = ImGui::Button("Export", {half * 2 / 3, 0});
+    tooltip("Pictures, animations, textures, and sets of maps");
+}
+
+} // namespace
+
+void side_panel(Session& session) {
+    start_buttons(session);
+    struct Section {
+        const char* title;
+        void (*panel)(Session&);
+        bool open;
+        bool (*applies)(const Session&) = [](const Session&) { return true; };
+    };
+    static constexpr auto request = [](const Session& s) -> const render::Request& {
+        return s.history.now.request;
+    };
+    constexpr std::array sections{
+        Section{"Noise", noise_panel, true,
+                [](const Session& s) { return !render::has_material(request(s)); }},
+        Section{"Material", material_panel, true,
+                [](const Session& s) {
+                    return render::has_material(request(s)) && !render::has_terrain(request(s));
+                }},
+        Section{"Terrain", terrain_panel, true,
+                [](const Session& s) { return render::has_terrain(request(s)); }},
+        Section{"Photograph", photograph_panel, true,
+                [](const Session& s) { return !s.fitter.path().empty(); }},
+        Section{"Spectrum", spectrum_panel, true,
+                [](const Session& s) { return has_effect(s.history.now, "lobes"); }},
+        Section{"View", view_panel, true},
+        Section{"Light", light_panel, true, [](const Session& s) { return is_lit(s.history.now); }},
+        Section{"Animation", animation_panel, false,
+                [](const Session& s) { return has_effect(s.history.now, "time"); }},
+        Section{"Export", export_panel, false},
+        Section{"File", file_panel, false},
+        Section{"Laboratory", laboratory_panel, false}};
+    for (const Section& section : sections) {
+        if (!section.applies(session))
+            continue;
+        const bool asked = session.exporting_asked && section.panel == export_panel;
+        if (asked)
+            ImGui::SetNextItemOpen(true);
+        if (!ImGui::CollapsingHeader(section.title, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0))
+            continue;
+        ImGui::PushID(section.title);
+        section.panel(session);
+        ImGui::PopID();
+        ImGui::Spacing();
+        if (asked)
+            ImGui::SetScrollHereY(1);
+    }
 }
 
 void view_overlay(const Session& session) {
@@ -347,11 +457,14 @@ void message_overlay(const Session& session, float height) {
     };
     if (const Message& message = session.message; ImGui::GetTime() < message.until)
         say(1, message.text, message.error ? red : text);
-    if (session.exporter.running() && session.closing == Closing::after_export)
+    const bool closing = session.closing == Closing::after_export;
+    if (session.exporter.running())
         say(2,
-            fmt::format("closing when {} is written: {:.0f} %", session.export_target.path,
-                        100 * session.exporter.progress()),
+            fmt::format("exporting: {:.0f} %{}", 100 * session.exporter.progress(),
+                        closing ? ", then closing" : ""),
             text);
+    else if (session.fitter.running())
+        say(2, fmt::format("fitting a noise: {:.0f} %", 100 * session.fitter.progress()), text);
     const std::optional<FrameMeter::Figures> figures = session.meter.figures();
     if (session.metered && figures)
         say(3,
@@ -414,14 +527,7 @@ bool number_slider(const char* label, double& value, const render::Range& range,
     return moved;
 }
 
-void explained(std::string_view dead, std::string_view help, const std::function<void()>& draw) {
-    ImGui::BeginDisabled(!dead.empty());
-    draw();
-    ImGui::EndDisabled();
-    tooltip(dead.empty() ? help : dead);
-}
-
-void tooltip(std::string_view text) {
+void tooltip(std::string_view text, std::optional<float> top) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
         return;
     constexpr double delay = 0.5; // seconds that the pointer must rest on an item, which its place identifies
@@ -435,6 +541,8 @@ void tooltip(std::string_view text) {
     frame = ImGui::GetFrameCount();
     if (ImGui::GetTime() - since < delay)
         return;
+    if (top)
+        ImGui::SetNextWindowPos({here.x, *top});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());

@@ -4,18 +4,16 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <span>
 
 namespace gabor::viewer {
 
-/// Each panel draws a part of the window and changes the session. Sizes are in Dear ImGui's units.
-void noise_panel(Session& session);
+/// Draws the panel beside the view, and does what the user does there. Sizes are in Dear ImGui's units.
+void side_panel(Session& session);
+/// Two of its sections.
 void spectrum_panel(Session& session);
-void output_panel(Session& session);
-void terrain_panel(Session& session);
 void measurements_panel(Session& session);
-void files_panel(Session& session);
-void export_panel(Session& session);
 void help_window(Session& session);
 void question_window(Session& session);
 /// Says on the picture how the view differs from it.
@@ -50,14 +48,11 @@ bool choose(const char* label, T& value, std::span<const std::string_view> names
 /// The label of a parameter's control.
 std::string label_of(std::string_view name);
 
-/// Calls `draw` and explains the control; disables it if `dead` says why it has no effect.
-void explained(std::string_view dead, std::string_view help, const std::function<void()>& draw);
-
 /// Draws text on a picture.
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour);
 
-/// Explains the last item once the pointer rests on it.
-void tooltip(std::string_view text);
+/// Explains the last item once the pointer rests on it; `top`: where, if not beside the pointer.
+void tooltip(std::string_view text, std::optional<float> top = {});
 
 /// Where the pictures of the presets are in a view, in Dear ImGui's units.
 struct GalleryPlace {

@@ -93,7 +93,7 @@ void continue_closing(Session& session) {
     if (session.exporter.running()) {
         if (session.closing == Closing::asked)
             session.question =
-                Question{fmt::format("{} is being exported.", session.export_target.path),
+                Question{"An export is running.",
                          {{"Wait for it", [&session] { session.closing = Closing::after_export; }, 'W'},
                           {"End it",
                            [&session] {
@@ -196,18 +196,21 @@ void save_preset(Session& session) {
 void start_export(Session& session) {
     if (session.exporter.running())
         return;
-    const ExportTarget target = session.export_target;
-    if (lower_extension(target.path) != ".exr")
+    const ExportTarget target = session.export_target.of(session.document().request);
+    if (target.as != ExportAs::maps && lower_extension(target.path) != ".exr")
         return notify(session, "an export needs a name that ends in .exr", true);
-    std::vector<std::filesystem::path> paths;
-    for (const render::Files& files : files_of(target))
-        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png, files.heightmap})
-            if (path)
-                paths.push_back(*path);
     for (const auto& [path, stamp] : session.exporter.written())
         session.written[path] = stamp;
-    overwrite(session, paths, true,
-              [&session, target] { session.exporter.start(session.document(), target); });
+    overwrite(session, paths_of(target), true, [&session, target] {
+        session.exporter.start(session.document(), target);
+        session.exported = false;
+    });
+}
+
+void poll_exporter(Session& session) {
+    if (session.exporter.running() || std::exchange(session.exported, true))
+        return;
+    notify(session, session.exporter.result(), session.exporter.failed());
 }
 
 void copy_glsl(Session& session) {

@@ -50,6 +50,8 @@ struct Session {
     std::map<std::filesystem::path, FileStamp> written;
     Exporter exporter;
     ExportTarget export_target;
+    bool exported = true;         ///< the result of the last export has been shown
+    bool exporting_asked = false; ///< show where to export
     Fitter fitter;
     std::optional<FittedPreset> fitted; ///< the last fit, to `fitted_path`
     std::string fitted_path;
@@ -87,6 +89,8 @@ void open_preset(Session& session, const std::string& path);
 /// Saves the document to its path, with the extension .json.
 void save_preset(Session& session);
 void start_export(Session& session);
+/// Shows the result of an export that has ended: call in each frame.
+void poll_exporter(Session& session);
 void copy_glsl(Session& session);
 void reset_camera(Session& session);
 /// Puts a file at the head of the recent ones.

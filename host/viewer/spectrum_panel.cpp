@@ -217,10 +217,11 @@ bool lobe_sliders(const Document& document, noise::Lobe& lobe, bool one_of_many)
     for (const render::LobeParameter& p : render::lobe_parameters()) {
         if (p.member == &noise::Lobe::power && !one_of_many)
             continue;
-        explained(disabled_reason(document, p.name), fmt::format("{} ({})", p.help, p.unit), [&] {
-            changed |= number_slider(label_of(p.name).c_str(), lobe.*p.member, p.range, p.slider,
-                                     noise::Lobe().*p.member);
-        });
+        if (!has_effect(document, p.name))
+            continue;
+        changed |= number_slider(label_of(p.name).c_str(), lobe.*p.member, p.range, p.slider,
+                                 noise::Lobe().*p.member);
+        tooltip(fmt::format("{} ({})", p.help, p.unit));
     }
     return changed;
 }
@@ -231,8 +232,6 @@ void spectrum_panel(Session& session) {
     std::vector<noise::Lobe> lobes = session.document().request.lobes;
     if (lobes.size() == 1)
         session.selected_lobe = 0;
-    const std::string_view dead = disabled_reason(session.document(), "lobes");
-    ImGui::BeginDisabled(!dead.empty());
     const float side = 0.68f * ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("frequency plane", {side, side});
@@ -248,14 +247,11 @@ void spectrum_panel(Session& session) {
     const Plane plane{{corner.x + side / 2, corner.y + side / 2}, side / 2, reaches};
 
     bool changed = edit_plane(session, plane, lobes);
-    tooltip(
-        !dead.empty()
-            ? dead
-            : "The frequency plane, in cycles per kernel radius: the measured spectrum, 50 dB from dark to "
-              "bright, and the lobes. Drag a lobe to move it, double-click to add one, press Delete to "
-              "remove one.");
-    if (dead.empty() && !ImGui::GetIO().WantTextInput &&
-        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false))
+    tooltip("The frequency plane, in cycles per kernel radius: the measured spectrum, 50 dB from dark to "
+            "bright, and the lobes. Drag a lobe to move it, double-click to add one, press Delete to "
+            "remove one.",
+            corner.y + side);
+    if (!ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false))
         changed |= remove_lobe(session, lobes);
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -271,7 +267,6 @@ void spectrum_panel(Session& session) {
 
     ImGui::SameLine();
     changed |= lobe_list(session, lobes);
-    ImGui::EndDisabled();
     if (session.selected_lobe < lobes.size())
         changed |= lobe_sliders(session.document(), lobes[session.selected_lobe], lobes.size() > 1);
     if (changed)

@@ -164,8 +164,8 @@ TEST_CASE("every preset has its picture") {
     const PresetPictures& pictures = preset_pictures();
     const auto presets = static_cast<int>(render::presets().size());
     const int columns = PresetPictures::columns;
-    CHECK(pictures.extent == Extent{columns * PresetPictures::cell,
-                                    (presets + columns - 1) / columns * PresetPictures::cell});
+    CHECK(pictures.extent ==
+          Extent{columns * PresetPictures::cell, (presets + columns - 1) / columns * PresetPictures::cell});
     CHECK(pictures.colours.size() == std::size_t{3} * static_cast<std::size_t>(pictures.extent.width) *
                                          static_cast<std::size_t>(pictures.extent.height));
     for (int index = 0; index < presets; ++index) { // the last one's cell is not empty
