@@ -197,6 +197,24 @@ void App::measure(const Drawing& drawing, bool rested) {
     }
 }
 
+// Where the pointer is, and the channels there.
+std::string App::value_under_pointer() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Area view = view_area(window_.pixels());
+    const auto per_unit = double{io.DisplayFramebufferScale.x};
+    const auto x = static_cast<int>(std::floor(per_unit * double{io.MousePos.x})) - view.x;
+    const auto y = static_cast<int>(std::floor(per_unit * double{io.MousePos.y}));
+    const Extent grid = canvas_.grid();
+    if (io.WantCaptureMouse || ImGui::IsAnyMouseDown() || !canvas_.fine() || session_.tiling || x < 0 ||
+        y < 0 || x >= grid.width || y >= grid.height)
+        return {};
+    const std::size_t channels = canvas_.channels().size();
+    const auto at =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(x);
+    return reading(session_.document(), {x + 0.5 - grid.width / 2.0, y + 0.5 - grid.height / 2.0},
+                   canvas_.channels(), canvas_.pixels().subspan(channels * at, channels));
+}
+
 float App::view_width() const {
     return ImGui::GetIO().DisplaySize.x - (session_.panels ? panel_width * ImGui::GetFontSize() : 0);
 }
@@ -208,6 +226,8 @@ void App::panels() {
         gallery_window(session_, view, size.y);
     } else {
         view_overlay(session_);
+        session_.reading = value_under_pointer();
+        reading_overlay(session_, view);
         photograph_overlay(session_, view, size.y);
     }
     message_overlay(session_, size.y);

@@ -54,6 +54,7 @@ class App {
     Area view_area(Extent window) const; ///< of the noise, in window pixels
     bool refine(Extent window);          ///< returns whether anything is left to do
     void measure(const Drawing& drawing, bool rested);
+    std::string value_under_pointer();
     float view_width() const; ///< in Dear ImGui's units
     void panels();
     void draw(const Target& target);

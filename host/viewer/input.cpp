@@ -74,6 +74,12 @@ void drag(Session& session, double x, double y) {
     }
 }
 
+// Puts the lamp over the pointer: above the middle of the view, and lower towards its edges.
+void move_lamp(render::Request& request, double x, double y, double reach) {
+    request.light_azimuth = noise::degrees(std::atan2(y, x));
+    request.light_elevation = std::clamp(90 * (1 - std::hypot(x, y) / reach), 5.0, 90.0);
+}
+
 // Sets a choice of the table to the next value that keeps material and paint.
 void next_choice(Session& session, std::string_view name) {
     const render::Parameter& parameter = render::parameter(name);
@@ -109,6 +115,7 @@ struct Shortcut {
 
 constexpr std::array shortcuts{
     Shortcut{"drag", "move the plane, or turn the body or the landscape"},
+    Shortcut{"right drag", "move the light of a lit view"},
     Shortcut{"wheel", "zoom the view about the pointer; the picture keeps its scale"},
     Shortcut{"arrows, + and -", "move and zoom from the keyboard"},
     Shortcut{"double click, Home", "the view that gabor render shows", GLFW_KEY_HOME, reset_camera},
@@ -222,6 +229,9 @@ void mouse(Session& session, float width, float height) {
     }
     if (ImGui::IsMouseDragging(0, 0) || ImGui::IsMouseDragging(2, 0))
         drag(session, double{io.MouseDelta.x * density}, double{io.MouseDelta.y * density});
+    if (ImGui::IsMouseDragging(1, 0) && is_lit(session.document()))
+        move_lamp(session.document().request, double{io.MousePos.x - width / 2},
+                  double{io.MousePos.y - height / 2}, double{std::max(width, height) / 2});
     const bool inside =
         io.MousePos.x >= 0 && io.MousePos.x < width && io.MousePos.y >= 0 && io.MousePos.y < height;
     if (!inside)

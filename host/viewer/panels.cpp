@@ -197,8 +197,15 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
 namespace {
 
 void noise_panel(Session& session) {
-    for (const char* name : {"material", "scale", "seed", "paint"})
+    for (const char* name : {"material", "scale", "seed"})
         control(session, name);
+}
+
+// Paint stands in for the lobes.
+void waves_panel(Session& session) {
+    if (has_effect(session.document(), "lobes"))
+        spectrum_panel(session);
+    control(session, "paint");
     if (has_effect(session.document(), "paint")) {
         ImGui::SameLine();
         if (ImGui::SmallButton("..."))
@@ -409,8 +416,8 @@ void side_panel(Session& session) {
                 [](const Session& s) { return render::has_terrain(request(s)); }},
         Section{"Photograph", photograph_panel, true,
                 [](const Session& s) { return !s.fitter.path().empty(); }},
-        Section{"Spectrum", spectrum_panel, true,
-                [](const Session& s) { return has_effect(s.history.now, "lobes"); }},
+        Section{"Spectrum", waves_panel, true,
+                [](const Session& s) { return !render::has_material(request(s)); }},
         Section{"View", view_panel, true},
         Section{"Light", light_panel, true, [](const Session& s) { return is_lit(s.history.now); }},
         Section{"Animation", animation_panel, false,
@@ -444,6 +451,15 @@ void view_overlay(const Session& session) {
               fmt::format("2 x 2 tiles at {:.0f} %", 100 * session.tiling->camera.zoom), text);
     else if (const double zoom = session.history.now.camera.zoom; zoom != 1)
         label(draw, {margin, margin}, fmt::format("view at {:.0f} %", 100 * zoom), text);
+}
+
+void reading_overlay(const Session& session, float width) {
+    if (session.reading.empty())
+        return;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float left = width - ImGui::CalcTextSize(session.reading.c_str()).x - 2 * style.FramePadding.x;
+    label(*ImGui::GetBackgroundDrawList(), {left - style.WindowPadding.x, style.WindowPadding.x},
+          session.reading, ImGui::GetColorU32(ImGuiCol_Text));
 }
 
 void message_overlay(const Session& session, float height) {

@@ -73,6 +73,7 @@ struct Session {
     bool help = false;
     float ui_scale = 1;   ///< size of panels and text, relative to the desktop's
     bool metered = false; ///< show frame rate and latency
+    std::string reading;  ///< of the pixel under the pointer; empty for none
     FrameMeter meter;
 
     std::optional<Question> question;

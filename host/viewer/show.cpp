@@ -2,8 +2,11 @@
 
 #include "error.hpp"
 #include "noise/spectrum.hpp"
+#include "render/file.hpp"
 #include "render/renderer.hpp"
 #include "viewer/shader_compiler.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +90,33 @@ double slope_deviation(const render::Request& request) {
     for (const noise::Wave& wave : noise::waves(request.lobes, request.seed))
         variance += wave.share * std::pow(2 * std::numbers::pi * wave.frequency, 2) / 2;
     return std::sqrt(variance);
+}
+
+std::string reading(const Document& document, std::array<double, 2> from_middle,
+                    std::span<const std::string> channels, std::span<const float> values) {
+    const render::Request& request = document.request;
+    std::string text;
+    if (render::is_flat(request.view)) {
+        const double scale = request.scale * document.camera.zoom;
+        const auto place = [&](const Coordinate& middle, double from) {
+            return static_cast<double>(middle.whole) + middle.part + from / scale;
+        };
+        text = fmt::format("at {:.2f}, {:.2f}", place(document.camera.x, from_middle[0]),
+                           place(document.camera.y, from_middle[1]));
+    }
+    std::size_t i = 0;
+    if (channels.front() == "R") {
+        const bool linear = render::has_material(request);
+        text += "  #";
+        for (; i < 3; ++i)
+            text += fmt::format(
+                "{:02x}",
+                std::lround(255 * std::clamp(linear ? render::srgb(values[i]) : values[i], 0.0f, 1.0f)));
+    }
+    for (; i < channels.size(); ++i)
+        if (!channels[i].starts_with("lit.") && !channels[i].starts_with("slope."))
+            text += fmt::format("  {} {:.3g}", channels[i] == "Y" ? "value" : channels[i], values[i]);
+    return text;
 }
 
 bool shows_plainly(const Document& document) {

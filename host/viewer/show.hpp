@@ -33,6 +33,10 @@ double slope_deviation(const render::Request& request);
 /// Whether a PNG of `gabor render` looks the same.
 bool shows_plainly(const Document& document);
 
+/// Says where a pixel is, in pixels from the middle of the view, and its channels in words.
+std::string reading(const Document& document, std::array<double, 2> from_middle,
+                    std::span<const std::string> channels, std::span<const float> values);
+
 /// Colours the pixels of a file as the window does: shaders/viewer/show.comp.
 class FileColours {
   public:

@@ -114,6 +114,57 @@ class Artist(EventsTest):
             self.assertLessEqual(np.quantile(off, 0.995), 1, f"{view}: {off.max()}")
             self.assertGreater(seen[inside].std(axis=0).min(), 5, view)
 
+    def test_the_pixel_under_the_pointer_is_read(self):
+        # As large as the view beside the panel, so that its pixels are those of the picture.
+        for name, parameters in (("noise", {"frequency": 2, "scale": 60}),
+                                 ("leather", {"material": "leather", "scale": 60, "filter": True})):
+            (self.folder / f"{name}.json").write_text(json.dumps({"width": 276, "height": 480, **parameters}))
+            self.gabor("render", "--like", f"{name}.json", "-o", "expected.exr")
+            expected = Exr(self.folder / "expected.exr").channels
+            self.open(*WINDOW, f"{name}.json")
+            for x, y in ((40, 90), (200, 300)):
+                self.point(x, y)
+                self.wait_for(lambda state: state["fine"])
+                self.frames(3)
+                words = self.state["reading"].split()
+                self.assertEqual(words[0], "at")
+                for said, at in zip(words[1:3], (x, y)):
+                    self.assertAlmostEqual(float(said.strip(",")), (at + 0.5) / 60, delta=0.0051)
+                values = dict(zip(words[-2::-2], words[:2:-2]))
+                for said, channel in (("value", "Y"), ("height", "height"), ("roughness", "roughness")):
+                    if channel in expected:
+                        self.assertAlmostEqual(float(values[said]), expected[channel][y, x], delta=0.006 * abs(expected[channel][y, x]))
+                if name == "leather":
+                    self.assertEqual(len(words[3]), 7)
+                    for at, channel in ((1, "R"), (3, "G"), (5, "B")):
+                        light = expected[channel][y, x]
+                        encoded = 12.92 * light if light <= 0.0031308 else 1.055 * light ** (1 / 2.4) - 0.055
+                        self.assertAlmostEqual(int(words[3][at:at + 2], 16), 255 * encoded, delta=0.6)
+            self.point(500, 300) # over the panel
+            self.frames(2)
+            self.assertEqual(self.state["reading"], "")
+            self.close()
+
+    def test_the_right_button_moves_the_light(self):
+        self.open(*WINDOW, "leather")
+        self.point(138, 240) # the middle of the view
+        self.xdotool("mousedown", 3)
+        self.frames(2)
+        for x, y in ((138, 120), (138 + 60, 240), (138, 240 + 120)):
+            self.point(x, y)
+            self.frames(2)
+            self.assertAlmostEqual(self.document["light_azimuth"], np.degrees(np.arctan2(y - 240, x - 138)), delta=0.5)
+            self.assertAlmostEqual(self.document["light_elevation"], 90 * (1 - np.hypot(x - 138, y - 240) / 240), delta=0.5)
+        self.xdotool("mouseup", 3)
+        self.frames(3)
+        lit = self.screen(0, 100, 276, 300)
+        self.keys("ctrl+z") # one step
+        self.assertEqual((self.document["light_azimuth"], self.document["light_elevation"]), (-135, 38))
+        self.wait_for(lambda state: state["fine"])
+        self.frames(3)
+        self.assertGreater(np.abs(self.screen(0, 100, 276, 300) - lit).mean(), 3)
+        self.close()
+
     def test_files_are_chosen_in_a_dialog(self):
         (self.folder / "folder").mkdir()
         (self.folder / "folder/mine.json").write_text('{"frequency": 3, "width": 64, "height": 64}')

@@ -15,7 +15,7 @@ class Events(EventsTest):
         return json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())
 
     def test_pointer_and_keys(self):
-        self.open(*WINDOW)
+        self.open(*WINDOW, "figure6")
         first = self.document["viewer"]["camera"]
         self.xdotool("mousedown", 1)
         for x in range(100, 200, 20):
@@ -30,11 +30,11 @@ class Events(EventsTest):
         self.assertEqual(self.document["viewer"]["camera"], first)
         before = self.state["keys"]
         # Faster than frames. In one millisecond a key twice would be one press to GLFW, and twice in a row one that is held.
-        for chord in ("n", "ctrl+z", "n", "r", "n", "ctrl+s"):
+        for chord in ("n", "ctrl+z", "n", "f", "n", "ctrl+s"):
             self.xdotool("key", "--delay", 0, chord)
         self.wait_for(lambda state: state["keys"] == before + 6)
-        saved = json.loads(self.read("noise.json"))
-        self.assertEqual((saved["seed"], saved["recipe"]), (2, "lattice-2"))
+        saved = json.loads(self.read("figure6.json"))
+        self.assertEqual((saved["seed"], saved["filter"]), (2, True))
         self.keys("F11")
         self.wait_for(lambda state: state["size"] == [1600, 1000])
         self.keys("F11")
@@ -51,20 +51,20 @@ class Events(EventsTest):
         self.assertEqual((self.remembered()["width"], self.remembered()["height"]), (600, 400))
 
     def test_changes_are_not_lost_on_closing(self):
-        self.open(*WINDOW)
+        self.open(*WINDOW, "figure6")
         self.keys("n", "3", "ctrl+q", "Escape")
         self.assertIsNone(self.state["question"])
         self.keys("n", "ctrl+q", "d")
         self.end()
-        self.assertIsNone(self.read("noise.json"))
+        self.assertIsNone(self.read("figure6.json"))
         self.open(*WINDOW) # the session comes back
         self.assertEqual(self.document["viewer"]["output"], "phase")
         self.keys("n", "ctrl+q", "Return") # it asks, and saves
         self.end()
-        last = json.loads(self.read("noise.json"))
+        last = json.loads(self.read("figure6.json"))
         self.assertEqual((last["seed"], last["viewer"]["output"]), (3, "phase"))
-        self.gabor("render", "--like", "noise.json", "--size", "16x16", "-o", "again.exr")
-        self.assertEqual(self.remembered()["recent"], [str(self.folder / "noise.json")])
+        self.gabor("render", "--like", "figure6.json", "--size", "16x16", "-o", "again.exr")
+        self.assertEqual(self.remembered()["recent"], [str(self.folder / "figure6.json")])
 
     def test_an_export_is_not_lost_on_closing(self):
         for answer, size, complete in (("e", 16384, False), ("Return", 1500, True)):
@@ -129,7 +129,7 @@ class Events(EventsTest):
         self.assertEqual((one["frequency"], one["seed"]), (3, 2))
         self.assertEqual(self.read("two.json"), two)
         self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s") # before any file was opened
-        self.assertEqual(json.loads(self.read("noise.json"))["frequency"], 4)
+        self.assertEqual(json.loads(self.read("noise.json"))["material"], "wood") # of the first start
         self.close()
 
     def test_a_session_that_was_killed_is_offered_again(self):
@@ -139,13 +139,13 @@ class Events(EventsTest):
             self.keys("n")
             if how == signal.SIGKILL: # it is saved within seconds
                 self.wait_for(lambda state: (self.folder / "config/gabor-noise/viewer.json").exists() and
-                              '"seed\\": 1' in (self.folder / "config/gabor-noise/viewer.json").read_text())
+                              '"seed\\": 5' in (self.folder / "config/gabor-noise/viewer.json").read_text())
             self.process.send_signal(how)
             self.end(-how)
             self.open(*WINDOW, *(["mine.json"] if how == signal.SIGTERM else []))
             self.assertIn("ended before", self.state["question"])
             self.keys("Return")
-            self.assertEqual((self.document["seed"], self.document["frequency"]), (number, 4))
+            self.assertEqual((self.document["seed"], self.document["material"]), (4 + number, "wood")) # of the first start
             self.keys("ctrl+q", "d") # the changes are still in no file: it asks
             self.end()
             self.open(*WINDOW)

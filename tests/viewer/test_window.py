@@ -10,6 +10,10 @@ from png import read_colour_png
 
 
 class Window(ViewerTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "plain.json").write_text("{}") # a noise, and not the material of the first start
+
     def test_everything_by_script(self):
         self.play("""
             fine
@@ -28,7 +32,6 @@ class Window(ViewerTest):
             key v
             wait 3
             key v
-            key r
             key n
             key F1
             wait 3
@@ -59,20 +62,20 @@ class Window(ViewerTest):
             wait 5
             key tab
             wait 3
-            key r
+            key n
             wait 3
             save after.json
-            quit""")
-        self.assertEqual(json.loads((self.folder / "after.json").read_text())["recipe"], "lattice-2")
+            quit""", "plain.json")
+        self.assertEqual(json.loads((self.folder / "after.json").read_text())["seed"], 1)
 
     def test_the_panel_is_worked_with_the_mouse(self):
-        # The first drop-down of the panel is the recipe; the third of its entries is `paper`.
+        # The first drop-down of the panel is the material; its third entry is fabric.
         self.play("""
             fine
             save before.json
-            click 1100 52
+            click 1100 107
             wait 3
-            click 1100 119
+            click 1000 175
             wait 3
             save after.json
             key ctrl+z
@@ -81,12 +84,10 @@ class Window(ViewerTest):
             key ctrl+y
             wait 3
             save redone.json
-            quit""", "--window", "1280x800")
-        recipes = [json.loads((self.folder / f"{name}.json").read_text())["recipe"]
-                   for name in ("before", "after", "undone", "redone")]
-        self.assertEqual(recipes[0], "lattice")
-        self.assertNotEqual(recipes[1], "lattice")
-        self.assertEqual(recipes[2:], [recipes[0], recipes[1]])
+            quit""", "plain.json", "--window", "1280x800")
+        materials = [json.loads((self.folder / f"{name}.json").read_text())["material"]
+                     for name in ("before", "after", "undone", "redone")]
+        self.assertEqual(materials, ["none", "fabric", "none", "fabric"])
 
     def test_a_name_of_another_document_asks(self):
         self.play("""
@@ -97,36 +98,36 @@ class Window(ViewerTest):
             wait 3
             key escape
             save two.json
-            quit""")
+            quit""", "plain.json")
         seeds = [json.loads((self.folder / f"{name}.json").read_text())["seed"] for name in ("one", "two")]
         self.assertEqual(seeds, [0, 1])
 
     def test_lobes_are_worked_in_the_frequency_plane(self):
-        # Its middle is at 1040, 352 and the lobe of frequency 4 at 1118, 352.
+        # Its middle is at 1040, 324 and the lobe of frequency 4 at 1118, 324.
         self.play("""
             fine
-            drag 1120 356 1042 284
+            drag 1120 328 1042 256
             save moved.json
-            click 990 420
+            click 990 392
             sleep 0.4
-            drag 990 420 1000 400
+            drag 990 392 1000 372
             key delete
             save same.json
-            doubleclick 1095 407
+            doubleclick 1095 379
             save added.json
             key delete
             save removed.json
-            click 1178 269
+            click 1178 241
             wait 3
-            click 1178 292
+            click 1178 264
             wait 3
             save more.json
             key ctrl+z
             key ctrl+z
             wait 3
-            doubleclick 1000 480
+            doubleclick 1000 452
             save reset.json
-            quit""", "--window", "1280x800")
+            quit""", "plain.json", "--window", "1280x800")
 
         def lobes(name):
             saved = json.loads((self.folder / f"{name}.json").read_text())
@@ -151,32 +152,33 @@ class Window(ViewerTest):
             screenshot body.png
             set orientation 60
             screenshot turned.png
-            key r
-            expect message one recipe
+            key t
+            expect message tileable picture
             set view flat
             set output 1
             screenshot normals.png
             set colours 3
             screenshot coloured.png
             save after.json
-            quit""", "--window", "900x600")
+            quit""", "plain.json", "--window", "900x600")
         files = {name: (self.folder / f"{name}.png").read_bytes() for name in ("body", "turned", "normals", "coloured")}
         self.assertEqual(files["body"], files["turned"])
         self.assertEqual(files["normals"], files["coloured"])
-        after = json.loads((self.folder / "after.json").read_text())
-        self.assertEqual((after["recipe"], after["filter"]), ("lattice", False))
+        self.assertFalse(json.loads((self.folder / "after.json").read_text())["filter"])
 
     def test_a_place_far_away_is_as_sharp_as_near_by(self):
         # Drags away and back: the picture must be the same.
         self.play("""
             set scale 8
+            move 1200 700
             fine
             window here.png
             drag 100 300 600 300
             drag 600 500 100 500
+            move 1200 700
             fine
             window back.png
-            quit""", "--window", "1280x800")
+            quit""", "plain.json", "--window", "1280x800")
         here, back = (read_colour_png(self.folder / f"{name}.png")[:, :900].astype(int) for name in ("here", "back"))
         self.assertLessEqual(np.abs(here - back).max(), 1)
         self.assertGreater(here.std(), 30)

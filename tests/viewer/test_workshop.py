@@ -1,6 +1,7 @@
 """Presets as pictures, tiles two by two, frames and textures, and what the window says of its own speed."""
 
 import json
+import shutil
 import unittest
 
 import numpy as np
@@ -61,17 +62,15 @@ class Workshop(EventsTest):
     def test_exports_have_the_bytes_of_gabor_render(self):
         preset = self.preset("cloth.json", width=64, height=64, scale=16, frequency=3, orientation=30, tileable=True)
         self.open(*WINDOW, preset)
-        self.point(900, 100)
-        self.xdotool("click", "--repeat", 40, "--delay", 0, 5) # to the end of the panel
-        self.wait_for(lambda state: state["wheel"] == -40)
-        self.frames(2)
+        self.click(1020, 51)
+        self.frames(3)
 
         def check(kind, count, *options):
-            self.click(900, 560) # what to export as
-            self.click(900, 590 + 20 * kind)
+            self.click(900, 503) # what to export as
+            self.click(900, 533 + 20 * kind)
             self.assertEqual(self.state["export"], kind)
             if kind == ANIMATION:
-                self.click(756, 588) # the least number of frames
+                self.click(756, 587) # the least number of frames
                 self.assertEqual(self.state["animation"], 2)
             self.keys("ctrl+e")
             self.exported()
@@ -85,6 +84,33 @@ class Workshop(EventsTest):
         check(ANIMATION, 4, "--frames", 2, "--png", "expected.png")
         check(TEXTURE, 1, "--texture")
         self.close()
+
+    def test_maps_have_the_bytes_of_gabor_render(self):
+        for name, parameters in (("leather", {"material": "leather", "tileable": True, "scale": 16}),
+                                 ("valley", {"view": "landscape", "octaves": 3, "scale": 8})):
+            preset = self.preset(f"{name}.json", width=64, height=48, seed=5, **parameters)
+            self.open(*WINDOW, preset)
+            self.click(1020, 51)
+            self.frames(3)
+            self.click(820, 671) # Export now
+            self.wait_for(lambda state: "maps in maps" in state["message"])
+            from_above = ["--view=terrain"] if name == "valley" else []
+            self.gabor("render", "--like", preset, *from_above, "--maps", "expected")
+            names = sorted(path.name for path in (self.folder / "expected").iterdir())
+            self.assertEqual(sorted(path.name for path in (self.folder / "maps").iterdir()), names)
+            self.assertEqual(len(names), 10)
+            for each in names:
+                self.assertEqual(self.read(f"maps/{each}"), self.read(f"expected/{each}"), each)
+            self.click(820, 671) # they are its own
+            self.wait_for(lambda state: not state["exporting"])
+            self.assertIsNone(self.state["question"])
+            (self.folder / "maps/height.png").write_bytes(b"mine")
+            self.click(820, 671)
+            self.assertIn("height.png", self.state["question"])
+            self.keys("Escape")
+            self.close()
+            for folder in ("maps", "expected"):
+                shutil.rmtree(self.folder / folder)
 
     def test_the_window_says_how_fast_it_is(self):
         self.open(*WINDOW)

@@ -78,6 +78,7 @@ void tell(App& app, const Seen& seen) {
         {"fitting", session.fitter.running()},
         {"gallery", session.gallery},
         {"tiles", session.tiling ? json({session.tiling->tile.width, session.tiling->tile.height}) : json()},
+        {"reading", session.reading},
         {"rate", session.metered && session.meter.figures() ? json(session.meter.figures()->rate) : json()},
     };
     fmt::print("{}\n", line.dump());
