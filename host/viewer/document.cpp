@@ -62,7 +62,7 @@ render::Request with_output(render::Request request, Output output) {
     } else if (output == Output::phase || output == Output::intensity) {
         request.quadrature = true;
         render::drop_conflicting(request, "quadrature");
-    } else if (output == Output::phasor) {
+    } else if (output == Output::phasor || output == Output::lit_phasor) {
         request.quadrature = request.phasor = true;
         render::drop_conflicting(request, "phasor");
     }
@@ -133,7 +133,7 @@ std::string_view disabled_reason(const Document& document, std::string_view cont
         return plane && plane->tileable ? "" : "Tiles need a tileable picture";
     }
     if (render::has_material(request)) {
-        if (control == "colours" || control == "output")
+        if (control == "colours" || control == "output" || control == "profile")
             return "A material has its own colours";
         if (control == "contrast" && document.look != Look::height)
             return "For a material, contrast affects only its height";
@@ -164,13 +164,16 @@ std::string_view disabled_reason(const Document& document, std::string_view cont
     if (control == "contrast" && output == Output::variance)
         return "The share of the variance always goes from 0 to 1";
     if (control == "contrast" && output == Output::phasor)
-        return "A phasor has the same contrast everywhere";
+        return "Stripes have the same contrast everywhere";
+    if (control == "profile" && output != Output::phasor && output != Output::lit_phasor)
+        return "Only stripes have a profile";
     return {};
 }
 
 bool is_lit(const Document& document) {
-    return render::has_material(document.request) ? document.look == Look::lit
-                                                  : document.output == Output::lit;
+    return render::has_material(document.request)
+               ? document.look == Look::lit
+               : document.output == Output::lit || document.output == Output::lit_phasor;
 }
 
 bool shows_normals(const Document& document) {

@@ -3,6 +3,7 @@
 #include "render/camera.hpp"
 #include "render/parameters.hpp"
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,10 +13,18 @@ namespace gabor::viewer {
 using render::Camera;
 using render::Coordinate;
 
-enum class Output { value, gradient, phase, intensity, variance, phasor, lit };
+enum class Output { value, gradient, phase, intensity, variance, phasor, lit, lit_phasor };
 
 /// What is shown of a material.
 enum class Look { lit, colour, height, normal, roughness, metalness };
+
+/// A colour at a place between 0 and 1 of a colour map: red, green and blue as sRGB, from 0 to 1.
+struct ColourStop {
+    float at;
+    std::array<float, 3> colour;
+    bool operator==(const ColourStop&) const = default;
+};
+constexpr std::size_t most_stops = 8;
 
 constexpr float least_contrast = 0.5f;
 constexpr float most_contrast = 6;
@@ -26,8 +35,11 @@ struct Document {
     Camera camera;
     Output output = Output::value;
     Look look = Look::lit;
-    bool directx_normals = false;    ///< green points down in normal maps; in OpenGL's it points up
-    int colours = 0;                 ///< colour map, as in shaders/viewer/colours.glsl
+    bool directx_normals = false; ///< green points down in normal maps; in OpenGL's it points up
+    int colours = 0;              ///< colour map, as in shaders/viewer/colours.glsl; the last one is `ramp`
+    std::vector<ColourStop> ramp{
+        {0, {0.11f, 0.13f, 0.2f}}, {0.5f, {0.68f, 0.34f, 0.2f}}, {1, {1, 0.93f, 0.78f}}};
+    int profile = 0;                 ///< of stripes, as in shaders/viewer/colours.glsl
     float contrast = 2;              ///< standard deviations from the mean to the ends of the colour map
     std::string path = "noise.json"; ///< where it is saved
     std::filesystem::path origin;    ///< the file it was read from or saved to, absolute; empty for none

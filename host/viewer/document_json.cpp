@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <type_traits>
 
 namespace gabor::viewer {
@@ -43,7 +45,37 @@ Camera camera_of(const json& object) {
     return {coordinate("x"), coordinate("y"), std::clamp(object.at("zoom").get<double>(), 1e-3, 1e3)};
 }
 
-void read_view(const json& view, Document& document) {
+// Reads [[place, "#rrggbb"], ...] in the order of the places.
+std::vector<ColourStop> ramp_of(const json& stops) {
+    std::vector<ColourStop> ramp;
+    for (const json& stop : stops) {
+        ColourStop& read = ramp.emplace_back();
+        read.at = stop.at(0).get<float>();
+        unsigned int code = 0;
+        const std::string text = stop.at(1).get<std::string>();
+        if (text.size() != 7 || std::sscanf(text.c_str(), "#%6x", &code) != 1 ||
+            !(read.at >= 0 && read.at <= 1))
+            throw RequestError(fmt::format(
+                "ramp {}: it takes places from 0 to 1 with colours such as #8a5c34", stop.dump()));
+        for (std::size_t i = 0; i < 3; ++i)
+            read.colour.at(i) = static_cast<float>(code >> (16 - 8 * i) & 255) / 255;
+    }
+    if (ramp.size() < 2 || ramp.size() > most_stops)
+        throw RequestError(fmt::format("ramp: it takes 2 to {} colours", most_stops));
+    std::ranges::stable_sort(ramp, {}, &ColourStop::at);
+    return ramp;
+}
+
+json json_of(const std::vector<ColourStop>& ramp) {
+    json stops = json::array();
+    for (const ColourStop& stop : ramp)
+        stops.push_back({stop.at, hex(stop.colour)});
+    return stops;
+}
+
+void read_view(json view, Document& document) {
+    if (view.value("output", json()) == "phasor") // its name in 1.1
+        view["output"] = "stripes";
     const auto choice = [&](const char* key, const auto& names, auto& number) {
         if (view.contains(key))
             number = static_cast<std::remove_reference_t<decltype(number)>>(index_of(view, key, names));
@@ -52,6 +84,9 @@ void read_view(const json& view, Document& document) {
     choice("look", look_names, document.look);
     choice("normals", normal_maps, document.directx_normals);
     choice("colours", colour_names, document.colours);
+    choice("profile", profile_names, document.profile);
+    if (view.contains("ramp"))
+        document.ramp = ramp_of(view["ramp"]);
     if (view.contains("contrast"))
         document.contrast = std::clamp(view["contrast"].get<float>(), least_contrast, most_contrast);
     if (view.contains("light")) {
@@ -64,14 +99,23 @@ void read_view(const json& view, Document& document) {
 
 } // namespace
 
+std::string hex(const std::array<float, 3>& colour) {
+    return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * std::clamp(colour[0], 0.0f, 1.0f)),
+                       std::lround(255 * std::clamp(colour[1], 0.0f, 1.0f)),
+                       std::lround(255 * std::clamp(colour[2], 0.0f, 1.0f)));
+}
+
 std::string to_json(const Document& document) {
     ordered_json object = ordered_json::parse(render::to_json(document.request));
     object["viewer"] = {{"output", output_names.at(static_cast<std::size_t>(document.output))},
                         {"look", look_names.at(static_cast<std::size_t>(document.look))},
                         {"normals", normal_maps.at(document.directx_normals)},
                         {"colours", colour_names.at(static_cast<std::size_t>(document.colours))},
+                        {"profile", profile_names.at(static_cast<std::size_t>(document.profile))},
                         {"contrast", document.contrast},
                         {"camera", json_of(document.camera)}};
+    if (document.ramp != Document().ramp)
+        object["viewer"]["ramp"] = json_of(document.ramp);
     if (!render::has_material(document.request)) // otherwise a parameter of the request
         object["viewer"]["light"] = {document.request.light_azimuth, document.request.light_elevation};
     return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

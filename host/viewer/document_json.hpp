@@ -16,16 +16,21 @@ std::string to_json(const Document& document);
 /// Reads such an object; what it lacks is as in `defaults`. Throws RequestError, saying what is accepted.
 Document document_from_json(std::string_view json, const Document& defaults = {});
 
-/// Names in the order of Output, Look and the colour maps.
-inline constexpr std::array<std::string_view, 7> output_names{"value",    "gradient", "phase", "intensity",
-                                                              "variance", "phasor",   "lit"};
+/// #rrggbb for red, green and blue from 0 to 1.
+std::string hex(const std::array<float, 3>& colour);
+
+/// Names in the order of Output, Look, the colour maps and the profiles of stripes.
+inline constexpr std::array<std::string_view, 8> output_names{"value",    "gradient", "phase", "intensity",
+                                                              "variance", "stripes",  "lit",   "lit stripes"};
 inline constexpr std::array<std::string_view, 6> look_names{"lit",    "colour",    "height",
                                                             "normal", "roughness", "metalness"};
 /// The looks of the request's material or terrain.
 inline std::span<const std::string_view> looks(const render::Request& request) {
     return std::span(look_names).first(render::has_terrain(request) ? 4 : look_names.size());
 }
-inline constexpr std::array<std::string_view, 5> colour_names{"grey", "viridis", "cool to warm", "ember",
-                                                              "sea"};
+inline constexpr std::array<std::string_view, 6> colour_names{"grey",  "viridis", "cool to warm",
+                                                              "ember", "sea",     "own"};
+inline constexpr std::array<std::string_view, 5> profile_names{"sine", "triangle", "sawtooth", "bands",
+                                                               "ridges"};
 
 } // namespace gabor::viewer

@@ -29,8 +29,7 @@ Drawing drawing_of(const Document& document) {
     render::Request request = document.request;
     request.quadrature = request.gradient = request.phasor = false;
     request.values = 1;
-    return {with_output(request, document.output), document.output == Output::lit &&
-                                                       !render::has_material(request) &&
+    return {with_output(request, document.output), is_lit(document) && !render::has_material(request) &&
                                                        std::holds_alternative<render::Body>(request.view)};
 }
 

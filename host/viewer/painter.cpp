@@ -105,7 +105,7 @@ void Painter::prepare(vk::CommandBuffer commands) {
 void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area,
                     const Document& document, const std::optional<Tiling>& tiling) {
     const double zoom = tiling ? tiling->camera.zoom : document.camera.zoom;
-    passes::ShowPush push = show_push(document, canvas.stride() / zoom);
+    passes::ShowPush push = show_push(document, canvas.stride(), zoom);
     Area visible = area;
     push.size = {static_cast<float>(area.width), static_cast<float>(area.height)};
     push.origin = {static_cast<float>(area.x), static_cast<float>(area.y)};

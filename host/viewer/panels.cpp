@@ -7,6 +7,8 @@
 #include "viewer/document_json.hpp"
 #include "viewer/photograph.hpp"
 
+#include "viewer/show_interface.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -136,7 +138,8 @@ constexpr const char* output_tips[]{
     "The magnitude of the complex noise",
     "The share of the variance that the filter leaves; all of it without a filter",
     "The phase as waves of equal height",
-    "The value as a height, lit by a lamp"};
+    "The value as a height, lit by a lamp",
+    "Stripes as a height, lit by a lamp"};
 constexpr const char* look_tips[]{"Lit by a lamp",
                                   "Base colour, for physically based shading",
                                   "Height of the surface; mean height is grey",
@@ -252,8 +255,13 @@ void view_panel(Session& session) {
         ImGui::Checkbox("DirectX normals", &document.directx_normals);
         tooltip("Green points down in normal maps; in OpenGL's it points up");
     }
-    if (has_effect(document, "colours"))
+    if (has_effect(document, "profile"))
+        choose("profile", document.profile, profile_names);
+    if (has_effect(document, "colours")) {
         choose("colours", document.colours, colour_names);
+        if (document.colours == passes::own_colours)
+            ramp_editor(session);
+    }
     if (has_effect(document, "contrast")) {
         resettable("contrast", document.contrast, least_contrast, most_contrast, "%.2f", Document().contrast);
         tooltip("Standard deviations from the mean to the ends of the colour map; gabor render uses 2");

@@ -11,8 +11,9 @@ namespace gabor::viewer {
 
 /// Draws the panel beside the view, and does what the user does there. Sizes are in Dear ImGui's units.
 void side_panel(Session& session);
-/// Two of its sections.
+/// Parts of it.
 void spectrum_panel(Session& session);
+void ramp_editor(Session& session);
 void measurements_panel(Session& session);
 void help_window(Session& session);
 void question_window(Session& session);

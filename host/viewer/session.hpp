@@ -61,6 +61,7 @@ struct Session {
     bool gallery = false; ///< show the presets in place of the view
     Measurer measurer;
     std::size_t selected_lobe = 0;
+    std::size_t selected_stop = 0; ///< of the colour map
 
     Extent view;        ///< in pixels
     bool tiles = false; ///< show tileable pictures two by two

@@ -17,8 +17,8 @@ namespace gabor::viewer {
 namespace {
 
 // Values of output_shown in shaders/viewer/show.glsl that follow the outputs.
-constexpr std::int32_t coloured = 7;
-constexpr std::int32_t first_look = 8;
+constexpr std::int32_t coloured = 8;
+constexpr std::int32_t first_look = 9;
 
 // The channel that an output needs besides the noise; for a vector, the first one.
 std::string_view companion(Output output) {
@@ -29,6 +29,7 @@ std::string_view companion(Output output) {
     case Output::phase:
     case Output::intensity:
     case Output::phasor:
+    case Output::lit_phasor:
         return "quadrature";
     case Output::variance:
         return "removed";
@@ -46,12 +47,12 @@ ShowConstants show_constants(const Document& document, std::span<const std::stri
         const auto found = std::ranges::find(channels, name);
         return found == channels.end() ? -1 : static_cast<std::int32_t>(found - channels.begin());
     };
-    const std::int32_t beside = find(companion(document.output));
+    const bool material = render::has_material(document.request);
+    const std::int32_t beside = find(material ? "slope.x" : companion(document.output));
     // Without a filter, all of the variance is left.
     const bool there = beside >= 0 || document.output == Output::variance;
     const bool colour = channels.front() == "R";
-    const auto shown = render::has_material(document.request)
-                           ? first_look + static_cast<std::int32_t>(document.look)
+    const auto shown = material ? first_look + static_cast<std::int32_t>(document.look)
                        : colour ? coloured
                                 : static_cast<std::int32_t>(there ? document.output : Output::value);
     return {shown,
@@ -61,28 +62,45 @@ ShowConstants show_constants(const Document& document, std::span<const std::stri
             find("normal.x"),
             find("A"),
             coarse,
-            tiles};
+            tiles,
+            document.profile};
 }
 
 ShowConstants colours_constants() {
-    return {coloured, 0, 3, 0, -1, -1, 1, 0};
+    return {coloured, 0, 3, 0, -1, -1, 1, 0, 0};
 }
 
-passes::ShowPush show_push(const Document& document, double stride) {
+passes::ShowPush show_push(const Document& document, double stride, double zoom) {
     passes::ShowPush push{};
     push.stride = 1;
     push.contrast = document.contrast;
     const auto [right, down] = render::light_direction(document.request);
     push.lamp = {static_cast<float>(right), static_cast<float>(down)};
     push.deviation = static_cast<float>(slope_deviation(document.request));
-    push.spacing = static_cast<float>(stride / document.request.scale);
+    push.spacing = static_cast<float>(stride / (document.request.scale * zoom));
     if (render::has_terrain(document.request)) {
         const auto unit = static_cast<float>(render::terrain_unit(document.request));
         push.spacing *= unit;
         push.contrast *= 10 * unit; // mountains are ten times as high as the relief of materials
     }
     push.green = document.directx_normals ? -1.0f : 1.0f;
+    push.turns = static_cast<float>(stripe_turns(document.request) / zoom);
+    std::array<std::uint32_t, most_stops> stops{};
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const ColourStop& stop = document.ramp[std::min(i, document.ramp.size() - 1)];
+        const auto byte = [](float part) {
+            return static_cast<std::uint32_t>(std::lround(255 * std::clamp(part, 0.0f, 1.0f)));
+        };
+        stops[i] = byte(stop.colour[0]) | byte(stop.colour[1]) << 8 | byte(stop.colour[2]) << 16 |
+                   byte(stop.at) << 24;
+    }
+    push.ramp_low = {stops[0], stops[1], stops[2], stops[3]};
+    push.ramp_high = {stops[4], stops[5], stops[6], stops[7]};
     return push;
+}
+
+double stripe_turns(const render::Request& request) {
+    return request.lobes.front().frequency / request.scale;
 }
 
 double slope_deviation(const render::Request& request) {
@@ -133,10 +151,8 @@ FileColours::FileColours(const vulkan::Device& device, const Document& document,
     : device_(device), pass_(device, compile_shader("viewer/show.comp"), {2, sizeof(passes::ShowPush)},
                              std::bit_cast<std::array<std::uint32_t, std::tuple_size_v<ShowConstants>>>(
                                  show_constants(document, channels, false))),
-      push_(show_push(document, 1)), channels_(channels.size()), values_(device, 4, vulkan::Memory::upload),
-      colours_(device, 4, vulkan::Memory::readback) {
-    if (render::has_material(document.request) && document.look == Look::normal)
-        throw RequestError("a PNG cannot show the normals of a material: export the height");
+      push_(show_push(document, 1, 1)), channels_(channels.size()),
+      values_(device, 4, vulkan::Memory::upload), colours_(device, 4, vulkan::Memory::readback) {
     if (!render::has_material(document.request) && document.output == Output::lit &&
         std::holds_alternative<render::Body>(document.request.view))
         throw RequestError("a PNG cannot show noise lit on a body: export another output, or no PNG");
@@ -146,11 +162,15 @@ FileColours::FileColours(const vulkan::Device& device, const Document& document,
 
 std::span<const float> FileColours::of(std::span<const float> values) {
     const std::size_t pixels = values.size() / channels_;
-    if (values_.size() < values.size_bytes()) {
-        values_ = vulkan::Buffer(device_, values.size_bytes(), vulkan::Memory::upload);
+    const std::size_t row = channels_ * static_cast<std::size_t>(push_.grid.x);
+    if (values_.size() < values.size_bytes() + row * sizeof(float)) {
+        values_ = vulkan::Buffer(device_, values.size_bytes() + row * sizeof(float), vulkan::Memory::upload);
         colours_ = vulkan::Buffer(device_, pixels * 3 * sizeof(float), vulkan::Memory::readback);
     }
-    std::ranges::copy(values, values_.as<float>().begin());
+    const std::span<const float> above = push_.first_row == 0 ? values.first(row) : std::span(last_row_);
+    std::ranges::copy(above, values_.as<float>().begin());
+    std::ranges::copy(values, values_.as<float>().begin() + static_cast<std::ptrdiff_t>(row));
+    last_row_.assign(values.end() - static_cast<std::ptrdiff_t>(row), values.end());
     push_.count = static_cast<int>(pixels);
     vulkan::Job job(device_, pass_, {values_, colours_});
     job.submit(push_, {(static_cast<std::uint32_t>(pixels) + passes::show_group - 1) / passes::show_group});

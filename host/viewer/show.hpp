@@ -14,7 +14,7 @@
 namespace gabor::viewer {
 
 /// The specialization constants of shaders/viewer/show.glsl.
-using ShowConstants = std::array<std::int32_t, 8>;
+using ShowConstants = std::array<std::int32_t, 9>;
 
 /// `channels`: of the values, as in render::channels. Without those that the output needs, the value is
 /// shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two.
@@ -24,11 +24,15 @@ ShowConstants show_constants(const Document& document, std::span<const std::stri
 /// Constants that show red, green and blue unchanged.
 ShowConstants colours_constants();
 
-/// Push constants that the document decides. `stride`: pixels of the picture per value.
-passes::ShowPush show_push(const Document& document, double stride);
+/// Push constants that the document decides. `stride`: pixels of the view per value. `zoom`: pixels of the
+/// view per pixel of the picture.
+passes::ShowPush show_push(const Document& document, double stride, double zoom);
 
 /// The standard deviation of a derivative per kernel radius, averaged over directions.
 double slope_deviation(const render::Request& request);
+
+/// Turns of the stripes' phase per pixel of the picture.
+double stripe_turns(const render::Request& request);
 
 /// Whether a PNG of `gabor render` looks the same.
 bool shows_plainly(const Document& document);
@@ -52,6 +56,7 @@ class FileColours {
     vulkan::Pass pass_;
     passes::ShowPush push_;
     std::size_t channels_;
+    std::vector<float> last_row_; ///< of the band before
     vulkan::Buffer values_;
     vulkan::Buffer colours_;
 };

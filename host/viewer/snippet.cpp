@@ -10,6 +10,7 @@
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
 #include "passes/terrain_interface.h"
+#include "viewer/show_interface.h"
 
 #include <fmt/format.h>
 
@@ -70,6 +71,7 @@ const Quantity& quantity(const Document& document) {
     case Output::phase:
     case Output::intensity:
     case Output::phasor:
+    case Output::lit_phasor:
         return quantities::complex_value;
     case Output::variance:
         return quantities::removed;
@@ -285,63 +287,110 @@ std::string gradient_in_picture(const render::Request& request) {
                        right, down);
 }
 
+// In the 8 bits that the window's shader has for it.
+double shown_place(const ColourStop& stop) {
+    return std::round(255 * double{stop.at}) / 255;
+}
+
+// The user's colour map.
+std::string own_colours(const std::vector<ColourStop>& ramp) {
+    const auto colour = [](const ColourStop& stop) {
+        return vec3(double{stop.colour[0]}, double{stop.colour[1]}, double{stop.colour[2]});
+    };
+    std::string text =
+        fmt::format("vec3 viewer_own_colour(float t)\n{{\n    vec3 colour = {};\n", colour(ramp[0]));
+    for (std::size_t i = 1; i < ramp.size(); ++i) {
+        const double from = shown_place(ramp[i - 1]);
+        text +=
+            fmt::format("    colour = mix(colour, {}, clamp((t - {}) / {}, 0.0, 1.0));\n", colour(ramp[i]),
+                        literal(from), literal(std::max(shown_place(ramp[i]) - from, 0.001)));
+    }
+    return text + "    return colour;\n}\n";
+}
+
 // The colours that the window shows.
 std::string of_colours(const Document& document, const Quantity& of, Extent extent) {
-    const bool space = render::in_space(document.request);
-    const auto map = document.colours;
+    const render::Request& request = document.request;
+    const bool space = render::in_space(request);
+    const bool relief = &of == &quantities::relief;
+    const bool lit_stripes = document.output == Output::lit_phasor && !space;
     const std::string contrast = literal(document.contrast);
     const auto embedded = [](std::string_view path) {
         return std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path)->text;
     };
+    const bool own = document.colours == passes::own_colours;
+    const auto mapped = [&](const std::string& share) {
+        return own ? fmt::format("viewer_own_colour({})", share)
+                   : fmt::format("viewer_colour({}, {})", document.colours, share);
+    };
+    const auto stripes = [&](std::string_view value) {
+        return fmt::format("viewer_stripes({}, {}, {})", value, document.profile,
+                           literal(stripe_turns(request) / document.camera.zoom));
+    };
     std::string text = fmt::format("\n{}\n", embedded("viewer/colours.glsl"));
-    if (&of == &quantities::relief)
+    if (own)
+        text += own_colours(document.ramp) + "\n";
+    if (relief || lit_stripes)
         text += fmt::format("{}\n", embedded("passes/light.glsl"));
-    text += space && document.output == Output::lit
-                ? "// The normal map of what the viewer showed, without its light.\n"
-                : "// What the viewer showed there.\n";
+    if (lit_stripes)
+        text += fmt::format("float stripes_of_view(vec2 pixel)\n{{\n    return {};\n}}\n\n",
+                            stripes("complex_of_view(pixel)"));
+    text += space && is_lit(document) ? "// What the viewer showed there, without its light.\n"
+                                      : "// What the viewer showed there.\n";
     text += space ? "vec3 colour_of_body(vec3 p, vec3 normal)\n{\n" : "vec3 colour_of_view(vec2 pixel)\n{\n";
     if (space && &of == &quantities::gradient)
-        text += gradient_in_picture(document.request);
-    else
+        text += gradient_in_picture(request);
+    else if (!lit_stripes)
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
                             space ? "body(p, normal)" : "view(pixel)");
-    const auto [right, below] = render::light_direction(document.request);
-    if (&of == &quantities::relief) // as lit_noise of shaders/viewer/show.glsl
-        return text + fmt::format(R"(    vec3 normal = normalize(vec3(-{} * seen.xy, 1.0));
+    const double slope = 0.5 * document.contrast / slope_deviation(request);
+    // As lit_surface of shaders/viewer/show.glsl.
+    const auto lit = [&](std::string_view slopes, const std::string& colour) {
+        const auto [right, below] = render::light_direction(request);
+        return fmt::format(R"(    vec3 normal = normalize(vec3(-{} * {}, 1.0));
     vec2 place = (pixel - {}) / {};
-    vec3 linear = pow(viewer_value(seen.z, {}, {}), vec3(2.2));
+    vec3 linear = pow({}, vec3(2.2));
     vec3 light = clamp(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, {})), 0.0, 1.0);
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
 }}
 )",
-                                  literal(0.5 * document.contrast / slope_deviation(document.request)),
-                                  vec2(extent.width / 2.0, extent.height / 2.0),
-                                  literal(std::max(extent.width, extent.height)), contrast, map,
-                                  vec2(right, below));
+                           literal(slope), slopes, vec2(extent.width / 2.0, extent.height / 2.0),
+                           literal(std::max(extent.width, extent.height)), colour, vec2(right, below));
+    };
+    if (relief)
+        return text + lit("seen.xy", mapped(fmt::format("viewer_value(seen.z, {})", contrast)));
+    if (lit_stripes)
+        return text +
+               fmt::format("    float height = stripes_of_view(pixel);\n"
+                           "    vec2 slope = {} * (height - vec2(stripes_of_view(pixel - vec2(1.0, 0.0)),\n"
+                           "        stripes_of_view(pixel - vec2(0.0, 1.0))));\n",
+                           literal(2 * request.scale * document.camera.zoom)) +
+               lit("slope", mapped("height"));
+    std::string shown;
     switch (document.output) {
     case Output::lit:
     case Output::gradient:
-        text += fmt::format("    return viewer_gradient(seen, {}, {}, {});\n",
-                            literal(slope_deviation(document.request)), contrast,
+        shown = fmt::format("viewer_gradient(seen, {}, {}, {})", literal(slope_deviation(request)), contrast,
                             literal(document.directx_normals ? -1 : 1));
         break;
-    case Output::phasor:
-        text += fmt::format("    return viewer_phasor(seen, {});\n", map);
-        break;
     case Output::phase:
-        text += fmt::format("    return viewer_phase(seen, {});\n", map);
+        shown = fmt::format("viewer_phase(seen, {})", document.colours);
+        break;
+    case Output::phasor:
+    case Output::lit_phasor:
+        shown = mapped(stripes("seen"));
         break;
     case Output::intensity:
-        text += fmt::format("    return viewer_intensity(seen, {}, {});\n", contrast, map);
+        shown = mapped(fmt::format("viewer_intensity(seen, {})", contrast));
         break;
     case Output::variance:
-        text += fmt::format("    return viewer_variance(seen, {});\n", map);
+        shown = mapped("viewer_variance(seen)");
         break;
     case Output::value:
-        text += fmt::format("    return viewer_value(seen, {}, {});\n", contrast, map);
+        shown = mapped(fmt::format("viewer_value(seen, {})", contrast));
         break;
     }
-    return text + "}\n";
+    return text + fmt::format("    return {};\n}}\n", shown);
 }
 
 // A call at a place, with the steps to the next pixels if it is filtered.

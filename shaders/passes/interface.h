@@ -21,6 +21,9 @@ struct alignas(8) ivec2 {
 struct alignas(16) vec4 {
     float x, y, z, w;
 };
+struct alignas(16) uvec4 {
+    uint x, y, z, w;
+};
 
 } // namespace gabor::passes
 

@@ -31,9 +31,40 @@ vec3 viewer_cycle(float t) {
     return 0.5 + 0.38 * cos(6.2831853 * (t - vec3(0.0, 0.333333, 0.666667)));
 }
 
-// The noise; the ends of the map are `contrast` standard deviations from the mean.
-vec3 viewer_value(float noise, float contrast, int map) {
-    return viewer_colour(map, 0.5 + 0.5 * noise / contrast);
+// Shares from 0 to 1, for a colour map: of the noise, whose ends are `contrast` standard deviations from the mean,
+float viewer_value(float noise, float contrast) {
+    return 0.5 + 0.5 * noise / contrast;
+}
+
+// of the intensity of the complex noise (cosines, sines),
+float viewer_intensity(vec2 value, float contrast) {
+    return length(value) / (1.5 * contrast);
+}
+
+// of the variance that a filter keeps,
+float viewer_variance(float removed) {
+    return 1.0 - removed;
+}
+
+// and of stripes along its phase: 0 sine, 1 triangle, 2 sawtooth, 3 bands, 4 ridges. `turns`: of the phase, per pixel.
+float viewer_stripes(vec2 value, int profile, float turns) {
+    vec2 wave = value / max(length(value), 1.0e-6);
+    float phase = fract(atan(wave.y, wave.x) / 6.2831853);
+    if (profile == 1)
+        return 1.0 - abs(2.0 * phase - 1.0);
+    if (profile == 2)
+        return min(phase, (1.0 - phase) / max(turns, 0.001));
+    if (profile == 3)
+        return 0.5 + clamp(wave.y / (6.2831853 * max(turns, 0.001)), -0.5, 0.5);
+    if (profile == 4)
+        return 1.0 - abs(wave.y);
+    return 0.5 + 0.5 * wave.y;
+}
+
+// The phase of the complex noise.
+vec3 viewer_phase(vec2 value, int map) {
+    float phase = fract(atan(value.y, value.x) / 6.2831853);
+    return map == 0 ? vec3(phase) : viewer_cycle(phase);
 }
 
 // A normal with components to the right, down, and towards the eye. `green` is 1 for up, as in OpenGL, and -1 for down, as in
@@ -45,24 +76,4 @@ vec3 viewer_normal(vec3 normal, float green) {
 // A normal map of the noise as a height; `deviation` is the standard deviation of a derivative.
 vec3 viewer_gradient(vec2 gradient, float deviation, float contrast, float green) {
     return viewer_normal(normalize(vec3(-gradient, 2.0 * deviation / contrast)), green);
-}
-
-// The phase of the complex noise (cosines, sines).
-vec3 viewer_phase(vec2 value, int map) {
-    float phase = fract(atan(value.y, value.x) / 6.2831853);
-    return map == 0 ? vec3(phase) : viewer_cycle(phase);
-}
-
-vec3 viewer_intensity(vec2 value, float contrast, int map) {
-    return viewer_colour(map, length(value) / (1.5 * contrast));
-}
-
-// Waves of even contrast.
-vec3 viewer_phasor(vec2 value, int map) {
-    return viewer_colour(map, 0.5 + 0.5 * value.y / max(length(value), 1.0e-6));
-}
-
-// The share of the variance that a filter keeps.
-vec3 viewer_variance(float removed, int map) {
-    return viewer_colour(map, 1.0 - removed);
 }

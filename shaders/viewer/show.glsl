@@ -5,8 +5,8 @@
 #include "passes/light.glsl"
 
 // Specialization constants, because CPUs run every branch.
-// 0 value, 1 gradient, 2 phase, 3 intensity, 4 variance, 5 phasor, 6 a lit height, 7 colours; for materials: 8 lit,
-// 9 colour, 10 height, 11 normal, 12 roughness, 13 metalness
+// 0 value, 1 gradient, 2 phase, 3 intensity, 4 variance, 5 stripes, 6 a lit height, 7 lit stripes, 8 colours; for
+// materials: 9 lit, 10 colour, 11 height, 12 normal, 13 roughness, 14 metalness
 layout(constant_id = 0) const int output_shown = 0;
 layout(constant_id = 1) const int colours = 0;      // the colour map
 layout(constant_id = 2) const int channels = 1;
@@ -15,6 +15,7 @@ layout(constant_id = 4) const int normal_at = -1;   // channel of a body's norma
 layout(constant_id = 5) const int coverage_at = -1; // channel of the coverage, -1 for none
 layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
 layout(constant_id = 7) const bool tiles = false;   // whether to repeat the canvas two by two
+layout(constant_id = 8) const int profile = 0;      // of stripes
 
 // A channel at a pixel.
 float value_at(vec2 pixel, int channel);
@@ -28,60 +29,88 @@ vec3 srgb(vec3 light) {
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
 }
 
-// The noise as a height. A body has its own normal, stored after the gradient.
-vec3 lit_noise(vec2 pixel, vec3 colour) {
+// The colour of a share from 0 to 1.
+vec3 mapped(float share) {
+    if (colours != own_colours)
+        return viewer_colour(colours, share);
+    vec4 stop = unpackUnorm4x8(ramp_low.x);
+    vec3 colour = stop.rgb;
+    for (int i = 1; i < 8; ++i) {
+        vec4 next = unpackUnorm4x8(i < 4 ? ramp_low[i] : ramp_high[i - 4]);
+        colour = mix(colour, next.rgb, clamp((share - stop.a) / max(next.a - stop.a, 0.001), 0.0, 1.0));
+        stop = next;
+    }
+    return colour;
+}
+
+// A surface of that colour. `slope`: along x and y of the view, or in space for a body, which has its own normal, stored after
+// the gradient.
+vec3 lit_surface(vec2 pixel, vec3 colour, vec3 slope) {
     vec3 normal = vec3(0.0, 0.0, 1.0);
-    vec3 bump = vec3(value_at(pixel, companion), value_at(pixel, companion + 1), 0.0);
     if (normal_at >= 0) {
         normal = normalize(three_at(pixel, normal_at));
-        bump.z = value_at(pixel, normal_at + 3);
-        bump -= dot(bump, normal) * normal;
+        slope -= dot(slope, normal) * normal;
     }
-    normal = normalize(normal - bump * (0.5 * contrast / deviation));
+    normal = normalize(normal - slope * (0.5 * contrast / deviation));
     vec2 whole = tiles ? 2.0 * size : size;
     vec2 place = (pixel - 0.5 * whole) / max(whole.x, whole.y);
     vec3 linear = pow(colour, vec3(2.2));
     return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, lamp)));
 }
 
+float stripes(vec2 pixel) {
+    return viewer_stripes(vec2(value_at(pixel, companion), value_at(pixel, 0)), profile, turns);
+}
+
+vec3 lit_stripes(vec2 pixel) {
+    float height = stripes(pixel);
+    vec2 slope = height - vec2(stripes(pixel - vec2(stride, 0.0)), stripes(pixel - vec2(0.0, stride)));
+    return lit_surface(pixel, mapped(height), vec3(2.0 * slope / spacing, 0.0));
+}
+
 vec3 material(vec2 pixel) {
     const int height = 3;
-    if (output_shown == 8)
-        return srgb(three_at(pixel, 6));
     if (output_shown == 9)
-        return srgb(three_at(pixel, 0));
+        return srgb(three_at(pixel, 6));
     if (output_shown == 10)
+        return srgb(three_at(pixel, 0));
+    if (output_shown == 11)
         return vec3(0.5 + value_at(pixel, height) / (0.1 * contrast));
-    if (output_shown == 11) {
-        float across = value_at(pixel + vec2(stride, 0.0), height) - value_at(pixel - vec2(stride, 0.0), height);
-        float down = value_at(pixel + vec2(0.0, stride), height) - value_at(pixel - vec2(0.0, stride), height);
-        return viewer_normal(normalize(vec3(-across, -down, 2.0 * spacing)), green);
+    if (output_shown == 12) { // from the slopes, or on a body from the heights
+        vec2 slope = companion > 0 ? vec2(value_at(pixel, companion), value_at(pixel, companion + 1))
+                                   : (value_at(pixel, height) - vec2(value_at(pixel - vec2(stride, 0.0), height),
+                                                                     value_at(pixel - vec2(0.0, stride), height))) / spacing;
+        return viewer_normal(normalize(vec3(-slope, 1.0)), green);
     }
-    return vec3(value_at(pixel, output_shown == 12 ? 4 : 5));
+    return vec3(value_at(pixel, output_shown == 13 ? 4 : 5));
 }
 
 vec3 shown(vec2 pixel) {
     float noise = value_at(pixel, 0);
     vec3 seen;
-    if (output_shown >= 8)
+    if (output_shown >= 9)
         seen = material(pixel);
-    else if (output_shown == 7)
+    else if (output_shown == 8)
         seen = three_at(pixel, 0);
     else if (output_shown == 1)
         seen = viewer_gradient(vec2(value_at(pixel, companion), value_at(pixel, companion + 1)), deviation, contrast, green);
     else if (output_shown == 2)
         seen = viewer_phase(vec2(value_at(pixel, companion), noise), colours);
     else if (output_shown == 3)
-        seen = viewer_intensity(vec2(value_at(pixel, companion), noise), contrast, colours);
+        seen = mapped(viewer_intensity(vec2(value_at(pixel, companion), noise), contrast));
     else if (output_shown == 4)
-        seen = viewer_variance(companion > 0 ? value_at(pixel, companion) : 0.0, colours);
+        seen = mapped(viewer_variance(companion > 0 ? value_at(pixel, companion) : 0.0));
     else if (output_shown == 5)
-        seen = viewer_phasor(vec2(value_at(pixel, companion), noise), colours);
+        seen = mapped(stripes(pixel));
     else if (output_shown == 6)
-        seen = lit_noise(pixel, viewer_value(noise, contrast, colours));
+        seen = lit_surface(pixel, mapped(viewer_value(noise, contrast)),
+                           vec3(value_at(pixel, companion), value_at(pixel, companion + 1),
+                                normal_at >= 0 ? value_at(pixel, normal_at + 3) : 0.0));
+    else if (output_shown == 7)
+        seen = lit_stripes(pixel);
     else
-        seen = viewer_value(noise, contrast, colours);
+        seen = mapped(viewer_value(noise, contrast));
     // Light passes around a body.
-    float coverage = coverage_at >= 0 && output_shown != 8 ? value_at(pixel, coverage_at) : 1.0;
+    float coverage = coverage_at >= 0 && output_shown != 9 ? value_at(pixel, coverage_at) : 1.0;
     return mix(vec3(0.05, 0.05, 0.055), clamp(seen, 0.0, 1.0), coverage);
 }

@@ -8,6 +8,7 @@
 GABOR_INTERFACE_BEGIN
 
 const uint show_group = 256; // pixels, in files
+const int own_colours = 5;  // the number of the user's colour map
 
 GABOR_PUSH_CONSTANTS(ShowPush) {
     vec2 origin;     // of the canvas in the framebuffer, pixels
@@ -21,6 +22,9 @@ GABOR_PUSH_CONSTANTS(ShowPush) {
     float green;     // of normals: 1 for up, as in OpenGL, -1 for down, as in DirectX
     int first_row;   // of the band, in files
     int count;       // number of its pixels
+    float turns;     // of the stripes' phase, per pixel
+    uvec4 ramp_low;  // the user's colour map: eight stops of 8 bits for red, green, blue and place
+    uvec4 ramp_high;
 };
 
 GABOR_INTERFACE_END

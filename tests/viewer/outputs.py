@@ -9,10 +9,12 @@ from exr import Exr
 from png import read_colour_png
 
 WIDTH, HEIGHT = 480, 320
-OUTPUTS = ("value", "gradient", "phase", "intensity", "variance", "phasor", "lit")
-VALUE, GRADIENT, PHASE, INTENSITY, VARIANCE, _, LIT = range(7)
-NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "complex", VARIANCE: "removed", LIT: "relief"}
-COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea")
+OUTPUTS = ("value", "gradient", "phase", "intensity", "variance", "stripes", "lit", "lit stripes")
+VALUE, GRADIENT, PHASE, INTENSITY, VARIANCE, STRIPES, LIT, LIT_STRIPES = range(8)
+NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "complex", VARIANCE: "removed", LIT: "relief",
+         STRIPES: "complex", LIT_STRIPES: "complex"}
+COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea", "own")
+RAMP = [[0.1, "#203060"], [0.4, "#a04020"], [0.45, "#ffffff"], [1, "#c0ff40"]]
 LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
 # Two lobes become colours by two components.
 COLOURED = {
@@ -35,9 +37,10 @@ class OutputsTest(ViewerTest):
         """Copies, shows and exports each case in one viewer whose view has the picture's size."""
         script = ["key h"]
         for number, (parameters, output, colours, contrast) in enumerate(cases.values()):
-            shown = {"output": OUTPUTS[output], "colours": COLOURS[colours], "contrast": contrast}
+            shown = {"output": OUTPUTS[output], "colours": COLOURS[colours], "contrast": contrast, "ramp": RAMP}
             (self.folder / f"{number}.json").write_text(
-                json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters, "viewer": shown}))
+                json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters,
+                            "viewer": {**shown, **parameters.get("viewer", {})}}))
             script += [f"open {number}.json", "key ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png",
                        f"export {number}-out.exr", "exported"]
         self.play("\n".join(script + ["quit"]), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
@@ -60,7 +63,7 @@ class OutputsTest(ViewerTest):
                 self.assertLess(np.quantile(off, 0.999), quantile * max(1, expected.std()))
                 self.assertLess(off.max(), largest * max(1, expected.std()))
                 shift = np.abs(colours - seen)[covered]
-                if output == PHASE: # which ends where it begins, and is anything where the intensity is none
+                if output in (PHASE, STRIPES, LIT_STRIPES): # which ends where it begins, and is anything where the intensity is none
                     shift = shift[np.hypot(expected[..., 0], expected[..., 1])[covered] > 0.1]
                 self.assertLess(np.quantile(shift, 0.99), quantile + 1 / 255)
                 # The file shows the same as the window, but for the outline of a body.
@@ -112,6 +115,6 @@ def quantity(channels, output):
         return np.stack([channels["gradient.x"], channels["gradient.y"]], axis=-1)
     if output == LIT:
         return np.stack([channels["gradient.x"], channels["gradient.y"], channels["Y"]], axis=-1)
-    if output in (PHASE, INTENSITY):
+    if output in (PHASE, INTENSITY, STRIPES, LIT_STRIPES):
         return np.stack([channels["quadrature"], channels["Y"]], axis=-1)
     return channels["removed" if output == VARIANCE else "Y"]

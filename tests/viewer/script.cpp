@@ -225,7 +225,7 @@ void Script::set(const Command& command, Session& session) {
     Document& document = session.document();
     const std::string& name = command.words[0];
     if (name == "output") {
-        document.output = static_cast<Output>(std::clamp(static_cast<int>(command.number(1)), 0, 6));
+        document.output = static_cast<Output>(std::clamp(static_cast<int>(command.number(1)), 0, 7));
     } else if (name == "look") {
         document.look = static_cast<Look>(std::clamp(static_cast<int>(command.number(1)), 0, 5));
     } else if (name == "colours") {

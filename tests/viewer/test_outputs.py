@@ -2,7 +2,8 @@
 
 import unittest
 
-from outputs import COLOURED, GRADIENT, INTENSITY, LIT, LOBES, NAMES, PHASE, VALUE, VARIANCE, OutputsTest, padded
+from outputs import (COLOURED, GRADIENT, INTENSITY, LIT, LIT_STRIPES, LOBES, NAMES, PHASE, STRIPES, VALUE, VARIANCE,
+                     OutputsTest, padded)
 
 NOISES = {
     "lattice-2": {"recipe": "lattice-2", "frequency": 3, "orientation": 20},
@@ -33,6 +34,11 @@ PLANES = {
     "grey phase": ({"time": 0.3}, PHASE, 0, 2),
     "intensity": ({"recipe": "lattice-2", "tileable": True}, INTENSITY, 3, 2),
     "filtered intensity": ({"frequency": 7, "filter": True}, INTENSITY, 4, 1),
+    "own colours": ({"orientation": 40}, VALUE, 5, 2),
+    **{f"stripes, {profile}": ({"frequency": 2, "orientation": 30, "viewer": {"profile": profile}}, STRIPES, 3, 2)
+       for profile in ("sine", "triangle", "sawtooth", "bands", "ridges")},
+    "lit stripes": ({"frequency": 2, "orientation": 30}, LIT_STRIPES, 5, 1),
+    "lit ridges": ({"frequency": 2, "orientation": 30, "filter": True, "viewer": {"profile": "ridges"}}, LIT_STRIPES, 4, 2),
     "colours": ({**COLOURED, "tileable": True}, VALUE, 0, 2),
     "colours on a horizon": ({**COLOURED, "filter": True, "view": "horizon"}, VALUE, 0, 2),
     "variance on a horizon": ({"frequency": 2, "orientation": 60, "filter": True, "view": "horizon"}, VARIANCE, 1, 2),
