@@ -251,6 +251,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
         push.depth = static_cast<float>(slice->depth);
     } else {
         push_body(push, request, viewport);
+        push.share = 1.0f / static_cast<float>(viewport.stride); // else noise would vanish while a body turns
     }
     Constants constants = constants_of(request);
     constants[passes::isotropic_id] = std::ranges::any_of(request.lobes, is_isotropic);

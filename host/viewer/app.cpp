@@ -116,9 +116,9 @@ void App::save_session() {
     if (session_.playing)
         document.request.time = 0; // playing alone must not cause a save
     const bool unsaved = session_.closing != Closing::now && is_changed(session_);
-    Settings settings{window_.placement(), session_.panels,         session_.ui_scale,
-                      to_json(document),   document.path,           session_.export_target.path,
-                      session_.recent,     unsaved ? ::getpid() : 0};
+    Settings settings{
+        window_.placement(), session_.panels || small_,   session_.ui_scale, to_json(document),
+        document.path,       session_.export_target.path, session_.recent,   unsaved ? ::getpid() : 0};
     if (settings != settings_)
         save_settings(settings_ = std::move(settings));
 }
@@ -219,8 +219,16 @@ float App::view_width() const {
     return ImGui::GetIO().DisplaySize.x - (session_.panels ? panel_width * ImGui::GetFontSize() : 0);
 }
 
+// Folds the panel away when the window becomes small, and unfolds it when it grows again.
+void App::fold_panel() {
+    const bool small = ImGui::GetIO().DisplaySize.x < 1.6f * panel_width * ImGui::GetFontSize();
+    if (small != std::exchange(small_, small))
+        session_.panels = !small;
+}
+
 void App::panels() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
+    fold_panel();
     const float view = view_width();
     if (session_.gallery) {
         gallery_window(session_, view, size.y);
@@ -232,8 +240,11 @@ void App::panels() {
     }
     message_overlay(session_, size.y);
     help_window(session_);
-    if (!session_.panels)
+    if (!session_.panels) {
+        if (small_)
+            unfold_button(session_);
         return;
+    }
     ImGui::SetNextWindowPos({view, 0});
     ImGui::SetNextWindowSize({size.x - view, size.y});
     ImGui::Begin("panels", nullptr,

@@ -56,6 +56,7 @@ class App {
     void measure(const Drawing& drawing, bool rested);
     std::string value_under_pointer();
     float view_width() const; ///< in Dear ImGui's units
+    void fold_panel();
     void panels();
     void draw(const Target& target);
     void paint(vk::CommandBuffer commands, const Area& view);
@@ -90,6 +91,7 @@ class App {
     double saved_at_ = 0; ///< when the session was last saved
     bool busy_ = true;
     bool remember_;         ///< save the session
+    bool small_ = false;    ///< the window, so that the panel folds away
     bool offering_ = false; ///< to restore a session that was not saved
 };
 

@@ -450,6 +450,17 @@ void side_panel(Session& session) {
     }
 }
 
+void unfold_button(Session& session) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(size, ImGuiCond_Always, {1, 1});
+    ImGui::Begin("unfold", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_AlwaysAutoResize);
+    if (ImGui::Button("Controls"))
+        session.panels = true;
+    ImGui::End();
+}
+
 void view_overlay(const Session& session) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const float margin = ImGui::GetStyle().WindowPadding.x;

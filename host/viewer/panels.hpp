@@ -11,6 +11,8 @@ namespace gabor::viewer {
 
 /// Draws the panel beside the view, and does what the user does there. Sizes are in Dear ImGui's units.
 void side_panel(Session& session);
+/// Brings it back: a button at the lower right of the window.
+void unfold_button(Session& session);
 /// Parts of it.
 void spectrum_panel(Session& session);
 void ramp_editor(Session& session);

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gabor::viewer {
 
@@ -20,7 +21,16 @@ Camera in_radii(const Camera& camera, double times) {
     return {coordinate(camera.x), coordinate(camera.y), camera.zoom};
 }
 
+// A picture as large as the photograph, but no larger than is quick to export.
+void limit_size(render::Request& request) {
+    constexpr double most = 4096;
+    const double shrunk = std::min(1.0, most / std::max(request.width, request.height));
+    request.width = static_cast<int>(std::lround(shrunk * request.width));
+    request.height = static_cast<int>(std::lround(shrunk * request.height));
+}
+
 void take(Session& session, FittedPreset fitted) {
+    limit_size(fitted.request);
     Document next = session.document();
     const render::Request before = std::exchange(next.request, fitted.request);
     const bool again = session.fitted && session.fitted_path == session.fitter.path() &&

@@ -113,6 +113,9 @@ double slope_deviation(const render::Request& request) {
 std::string reading(const Document& document, std::array<double, 2> from_middle,
                     std::span<const std::string> channels, std::span<const float> values) {
     const render::Request& request = document.request;
+    const auto covered = std::ranges::find(channels, "A") - channels.begin();
+    if (covered < std::ssize(values) && values[static_cast<std::size_t>(covered)] == 0)
+        return {};
     std::string text;
     if (render::is_flat(request.view)) {
         const double scale = request.scale * document.camera.zoom;
@@ -132,7 +135,7 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
                 std::lround(255 * std::clamp(linear ? render::srgb(values[i]) : values[i], 0.0f, 1.0f)));
     }
     for (; i < channels.size(); ++i)
-        if (!channels[i].starts_with("lit.") && !channels[i].starts_with("slope."))
+        if (channels[i].find('.') == std::string::npos && channels[i] != "A") // no vectors
             text += fmt::format("  {} {:.3g}", channels[i] == "Y" ? "value" : channels[i], values[i]);
     return text;
 }

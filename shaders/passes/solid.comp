@@ -130,5 +130,5 @@ void main() {
             picture[at + i] = 0.0;
         return;
     }
-    write_pixel(at, values_at(unit * seen.p, seen.normal, unit * seen.dx, unit * seen.dy), seen.normal, seen.coverage, axes);
+    write_pixel(at, values_at(unit * seen.p, seen.normal, share * unit * seen.dx, share * unit * seen.dy), seen.normal, seen.coverage, axes);
 }

@@ -31,6 +31,7 @@ GABOR_PUSH_CONSTANTS(SolidPush) {
                  // the eye
     float unit;  // radius of the sphere in kernel radii
     float depth; // z of the slice, kernel radii
+    float share; // side of the filter's pixel on a body, relative to that of a coarse view
     float time;
     int waves;
 };

@@ -35,7 +35,7 @@ class OutputsTest(ViewerTest):
 
     def take(self, cases):
         """Copies, shows and exports each case in one viewer whose view has the picture's size."""
-        script = ["key h"]
+        script = []
         for number, (parameters, output, colours, contrast) in enumerate(cases.values()):
             shown = {"output": OUTPUTS[output], "colours": COLOURS[colours], "contrast": contrast, "ramp": RAMP}
             (self.folder / f"{number}.json").write_text(

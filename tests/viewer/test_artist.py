@@ -34,8 +34,6 @@ class Artist(EventsTest):
             screenshot normal.png
             set look 1
             screenshot colour.png
-            key h
-            wait 3
             key ctrl+c
             copy material.glsl
             quit""", "--window", "480x320")

@@ -1,10 +1,12 @@
-"""Copied code and exported files reproduce what the window shows, for noise in space."""
+"""Noise in space: copied code and exported files reproduce what the window shows, which keeps its contrast while it turns."""
 
+import json
 import math
 import unittest
 
 import numpy as np
 
+from events import EventsTest  # noqa: I001 (it finds the next one)
 from outputs import COLOURED, GRADIENT, HEIGHT, INTENSITY, LOBES, NAMES, PHASE, VALUE, WIDTH, OutputsTest, padded
 
 BODIES = {
@@ -74,6 +76,29 @@ def places(parameters):
         ring[..., :2] = large * p[..., :2] / np.linalg.norm(p[..., :2], axis=-1, keepdims=True)
     normal = (p - ring) / np.linalg.norm(p - ring, axis=-1, keepdims=True)
     return unit * p, normal
+
+
+class Turning(EventsTest):
+    def test_noise_keeps_its_contrast_while_a_body_turns(self):
+        for view in ("sphere", "torus"):
+            (self.folder / f"{view}.json").write_text(json.dumps({"view": view, "filter": True}))
+            self.open("--window", "1280x800", f"{view}.json")
+            self.wait_for(lambda state: state["fine"])
+            self.frames(3)
+            still = self.screen(300, 450, 300, 200).std()
+            self.point(400, 300)
+            self.xdotool("mousedown", 1)
+            self.frames(2)
+            moving = []
+            for x in range(410, 500, 10):
+                self.point(x, 300)
+                self.frames(1)
+                moving.append(self.screen(300, 450, 300, 200).std())
+            self.xdotool("mouseup", 1)
+            self.wait_for(lambda state: state["fine"])
+            print(f"{view}: standard deviation {still:.0f}, and {min(moving):.0f} or more while it turns")
+            self.assertGreater(min(moving), 0.4 * still)
+            self.close()
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ VIEWS = {"terrain": {**TERRAIN, "view": "terrain"}, "landscape": {**TERRAIN, "vi
 
 class Copied(OutputsTest):
     def test_the_window_the_file_and_the_copied_code_agree(self):
-        script = ["key h"]
+        script = []
         for name, parameters in VIEWS.items():
             (self.folder / f"{name}.json").write_text(json.dumps(parameters))
             script += [f"open {name}.json", "key ctrl+c", f"copy {name}.glsl", f"screenshot {name}.png"]
