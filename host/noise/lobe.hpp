@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,8 +24,14 @@ struct Lobe {
     double frequency_spread = 0;   ///< waves are evenly spread within frequency (1 +- this), in [0, 1]
     double orientation_spread = 0; ///< and within orientation +- this: degrees in [0, 90]; 90 is isotropic
     double power = 1;              ///< relative to the other lobes
-    double radius = 1; ///< of its kernel, in kernel radii; its bandwidth is proportional to the inverse
+    double radius =
+        1; ///< of its kernel along x, in kernel radii; its bandwidth is proportional to the inverse
+    double stretch = 1; ///< the kernel's radius along y, divided by that along x
 
+    /// Returns the kernel's radii along x and y.
+    std::array<double, 2> radii() const { return {radius, radius * stretch}; }
+    /// Returns the longer of them.
+    double longest_radius() const { return radius * std::max(stretch, 1.0); }
     /// Tells whether all its waves have one frequency and one orientation.
     bool is_one_wave() const { return frequency_spread == 0 && orientation_spread == 0; }
     /// Returns radians in [-pi, pi].

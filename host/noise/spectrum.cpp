@@ -41,17 +41,18 @@ std::vector<Piece> pieces(double count) {
 // A kernel's bandwidth, proportional to the inverse of its radius, fills the gaps. This many pieces give an
 // even range.
 std::vector<Piece> frequencies(const Lobe& lobe) {
-    return pieces(std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.radius + 0.8, 1.0, 16.0));
+    return pieces(
+        std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.longest_radius() + 0.8, 1.0, 16.0));
 }
 
 std::vector<Piece> orientations(const Lobe& lobe, double frequency) {
     const double quarters = lobe.orientation_spread / 90;
-    return pieces(std::clamp(quarters * (4.44 * frequency * lobe.radius + 0.6) + 0.8, 1.0, 64.0));
+    return pieces(std::clamp(quarters * (4.44 * frequency * lobe.longest_radius() + 0.6) + 0.8, 1.0, 64.0));
 }
 
 void add_lobe(std::vector<Wave>& waves, const Lobe& lobe, double share, std::uint32_t seed, bool in_space) {
     if (lobe.is_one_wave()) {
-        waves.push_back({lobe.frequency, lobe.angle(), lobe.radius, share, seed});
+        waves.push_back({lobe.frequency, lobe.angle(), lobe.radii(), share, seed});
         return;
     }
     const bool isotropic = in_space && lobe.orientation_spread == 90;
@@ -59,14 +60,20 @@ void add_lobe(std::vector<Wave>& waves, const Lobe& lobe, double share, std::uin
         const double frequency = lobe.frequency * (1 + lobe.frequency_spread * along.place);
         if (isotropic) {
             const std::uint32_t own = lobe.frequency_spread == 0 ? seed : lobe_seed(seed, 128 * along.index);
-            waves.push_back({frequency, 0, lobe.radius, share * along.share, own, true});
+            waves.push_back({frequency, 0, lobe.radii(), share * along.share, own, true});
             continue;
         }
         for (const Piece& around : orientations(lobe, frequency))
             waves.push_back({frequency, lobe.angle() + radians(lobe.orientation_spread) * around.place,
-                             lobe.radius, share * along.share * around.share,
+                             lobe.radii(), share * along.share * around.share,
                              lobe_seed(seed, 128 * along.index + around.index)});
     }
+}
+
+Lobe with_round_kernel(Lobe lobe) {
+    lobe.radius *= std::sqrt(lobe.stretch);
+    lobe.stretch = 1;
+    return lobe;
 }
 
 std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed, bool in_space) {
@@ -76,7 +83,7 @@ std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed, bool in
     std::vector<Wave> all;
     for (std::size_t i = 0; i < lobes.size(); ++i)
         if (lobes[i].power > 0)
-            add_lobe(all, lobes[i], lobes[i].power / power,
+            add_lobe(all, in_space ? with_round_kernel(lobes[i]) : lobes[i], lobes[i].power / power,
                      lobes.size() == 1 ? seed : lobe_seed(seed, static_cast<int>(i)), in_space);
     return all;
 }
@@ -91,8 +98,12 @@ std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed
     return waves(lobes, seed, true);
 }
 
-std::vector<double> radii(std::span<const Wave> waves) {
-    std::vector<double> all;
+std::array<double, 2> Wave::in_kernels() const {
+    return {frequency * radius[0] * std::cos(angle), frequency * radius[1] * std::sin(angle)};
+}
+
+std::vector<std::array<double, 2>> radii(std::span<const Wave> waves) {
+    std::vector<std::array<double, 2>> all;
     for (const Wave& wave : waves)
         if (std::ranges::find(all, wave.radius) == all.end())
             all.push_back(wave.radius);

@@ -2,6 +2,7 @@
 
 #include "noise/lobe.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,13 +11,16 @@ namespace gabor::noise {
 
 /// A noise with one wave vector. Sums of independent ones have any spectrum.
 struct Wave {
-    double frequency = 4; ///< cycles per unit of length
-    double angle = 0;     ///< of the wave vector: radians
-    double radius = 1;    ///< of its kernels, in units of length
-    double share = 1;     ///< of the variance
+    double frequency = 4;               ///< cycles per unit of length
+    double angle = 0;                   ///< of the wave vector: radians
+    std::array<double, 2> radius{1, 1}; ///< of its kernels along x and y, in units of length
+    double share = 1;                   ///< of the variance
     std::uint32_t seed = 0;
     /// In space: whether waves go in all directions. `angle` is then unused.
     bool isotropic = false;
+
+    /// Returns the wave vector in cycles per kernel radius along each axis.
+    std::array<double, 2> in_kernels() const;
 };
 
 /// Returns the noises whose sum has this power spectrum in the plane, as in shaders/gabor_spectrum.glsl. A
@@ -24,10 +28,10 @@ struct Wave {
 std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed);
 
 /// The same in space, where an orientation spread of 90 degrees covers all directions, and smaller ones lie
-/// in the plane z = 0.
+/// in the plane z = 0. Kernels are round, with the geometric mean of both radii.
 std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed);
 
 /// Returns their different kernel radii, in order of appearance.
-std::vector<double> radii(std::span<const Wave> waves);
+std::vector<std::array<double, 2>> radii(std::span<const Wave> waves);
 
 } // namespace gabor::noise

@@ -30,23 +30,22 @@ passes::vec2 turn(double turns) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-// `scale`: pixels per radius of the wave's kernels.
+// `scale`: pixels per kernel radius of the picture.
 passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
                            const Axis& y, double scale) {
     const noise::Recipe recipe = drawing_recipe(request);
-    const double frequency = wave.frequency * wave.radius;
-    const double wave_x = frequency * std::cos(wave.angle);
-    const double wave_y = frequency * std::sin(wave.angle);
+    const auto [wave_x, wave_y] = wave.in_kernels();
     // The variance of sparse noise is proportional to its impulses per unit area.
     const double normalized =
         recipe.is_lattice()
             ? 1
             : recipe.radius / std::sqrt(x.radius * y.radius *
-                                        noise::variance(recipe, frequency, wave.angle, request.time));
+                                        noise::variance(recipe, wave.frequency * wave.radius[0], wave.angle,
+                                                        request.time));  // round kernels
     const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours use weights
     passes::BakeWave result{{static_cast<float>(wave_x), static_cast<float>(wave_y)},
-                            turn(wave_x / scale),
-                            turn(wave_y / scale),
+                            turn(wave_x / (scale * wave.radius[0])),
+                            turn(wave_y / (scale * wave.radius[1])),
                             static_cast<float>(amplitude * normalized),
                             wave.seed,
                             {}};
@@ -97,46 +96,47 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
     std::vector<passes::Run> columns;
     std::vector<passes::Run> rows;
     std::vector<passes::BakeWave> wave_table;
-    for (const double radius : noise::radii(waves)) {
-        const Axis x = axis_along(request, request.width, radius);
-        const Axis y = axis_along(request, request.height, radius);
-        const double scale = values_per_radius * radius;
-        const Block block = block_for(recipe, device, viewport.blocks, scale);
-        const auto runs = [&](const Axis& axis, const Coordinate& corner, int first, int count, int longest) {
+    for (const std::array<double, 2>& radius : noise::radii(waves)) {
+        const Axis x = axis_along(request, request.width, radius[0]);
+        const Axis y = axis_along(request, request.height, radius[1]);
+        const Block block = block_for(recipe, device, viewport.blocks, values_per_radius * radius[0]);
+        const auto runs = [&](const Axis& axis, double radius_along, const Coordinate& corner, int first,
+                              int count, int longest) {
             // The lattice's windows stretch with its nodes to fit a period.
             const double reach = recipe.is_lattice() ? double{recipe.radius} : axis.radius;
-            const auto [cell, place] = cell_at(corner, axis.radius / radius);
-            std::vector<passes::Run> made =
-                make_runs(first, count, axis.radius / scale, reach, longest, place);
+            const auto [cell, place] = cell_at(corner, axis.radius / radius_along);
+            std::vector<passes::Run> made = make_runs(
+                first, count, axis.radius / (values_per_radius * radius_along), reach, longest, place);
             for (passes::Run& run : made) // cells wrap around at 2^31
                 run.cell = static_cast<std::int32_t>(static_cast<std::uint32_t>(run.cell) +
                                                      static_cast<std::uint32_t>(cell));
             return made;
         };
         const std::vector<passes::Run> across =
-            runs(x, corner_of(viewport.camera.x, viewport.width, request, viewport), region.x, region.width,
-                 block.columns);
+            runs(x, radius[0], corner_of(viewport.camera.x, viewport.width, request, viewport), region.x,
+                 region.width, block.columns);
         const std::vector<passes::Run> down =
-            runs(y, corner_of(viewport.camera.y, viewport.height, request, viewport), region.y, region.height,
-                 block.rows);
+            runs(y, radius[1], corner_of(viewport.camera.y, viewport.height, request, viewport), region.y,
+                 region.height, block.rows);
         passes::BakePush push{};
         push.width = region.width;
         push.height = region.height;
         push.radius = {static_cast<float>(x.radius), static_cast<float>(y.radius)};
         push.period = {x.period, y.period};
         push.time = wrapped_time(request);
-        push.pixel = static_cast<float>(1 / scale);
-        push.stretch = static_cast<float>(1 / radius);
+        push.stretch = {static_cast<float>(1 / radius[0]), static_cast<float>(1 / radius[1])};
+        push.pixel = {static_cast<float>(1 / (values_per_radius * radius[0])),
+                      static_cast<float>(1 / (values_per_radius * radius[1]))};
         if (const Slice* slice = std::get_if<Slice>(&request.view)) {
             const double nodes = double{recipe.radius};
-            const double place = slice->depth / radius * nodes;
+            const double place = slice->depth / radius[0] * nodes;
             push.first_slice = static_cast<int>(std::floor(place - nodes)) + 1;
             push.slice_offset = static_cast<float>(place - push.first_slice - 1);
         }
         push.first_wave = static_cast<std::uint32_t>(wave_table.size());
         for (std::size_t i = 0; i < waves.size(); ++i)
             if (waves[i].radius == radius) {
-                passes::BakeWave wave = make_wave(request, i, waves[i], x, y, scale);
+                passes::BakeWave wave = make_wave(request, i, waves[i], x, y, values_per_radius);
                 wave.amplitude *= share_left(request, viewport, waves[i].frequency);
                 wave_table.push_back(wave);
             }

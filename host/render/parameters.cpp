@@ -146,6 +146,8 @@ constexpr std::array of_lobe{
              &Lobe::power),
     lobe_row("radius", Kind::number, "kernel radii", {0.01, 100}, {0.1, 10},
              "Radius of its kernels; a larger radius makes the lobe narrower", &Lobe::radius),
+    lobe_row("stretch", Kind::number, "", {0.01, 100}, {0.1, 10},
+             "Radius of its kernels along y, divided by that along x", &Lobe::stretch),
 };
 
 Parameter single_lobe_row(const LobeParameter& p) {
@@ -333,6 +335,12 @@ const std::array exclusions{
     Exclusion{"values", "recipe",
               [](const Request& r) { return r.values > 1 && !in_space(r) && !r.recipe.is_lattice(); },
               "several values require a lattice recipe"},
+    Exclusion{"lobes", "recipe",
+              [](const Request& r) {
+                  return !r.recipe.is_lattice() &&
+                         std::ranges::any_of(r.lobes, [](const Lobe& lobe) { return lobe.stretch != 1; });
+              },
+              "stretched kernels require a lattice recipe"},
     Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
               "in a plane the filter requires the recipe lattice"},
     Exclusion{"view", "recipe",
@@ -715,7 +723,7 @@ void check(const Request& request) {
                         "least four kernel radii, {} pixels",
                         request.width, request.height, request.scale, std::ceil(4 * request.scale)));
     const Plane* plane = std::get_if<Plane>(&request.view);
-    const double radius = std::ranges::max(request.lobes, {}, &Lobe::radius).radius;
+    const double radius = std::ranges::max(request.lobes, {}, &Lobe::longest_radius).longest_radius();
     const double least = std::ceil(2 * radius * request.scale);
     if (plane && plane->tileable && !has_material(request) && std::min(request.width, request.height) < least)
         throw RequestError(

@@ -74,9 +74,9 @@ double pixel_length(const Request& request, int height) {
 
 // The places of pixels along an axis, for kernels of each radius. In perspective the cell is the camera's,
 // and places count pixels from the middle of the horizon, `origin` pixels from the edge of the view.
-std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, const Coordinate& middle,
-                                int view, int side, int first, int count, double origin) {
-    const std::vector<double> radii = noise::radii(noise::waves(request.lobes, request.seed));
+std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, std::size_t axis,
+                                const Coordinate& middle, int view, int side, int first, int count,
+                                double origin) {
     const double scale = request.scale * viewport.camera.zoom;
     const Coordinate start = in_perspective(request) ? middle : corner_of(middle, view, request, viewport);
     struct Table {
@@ -85,7 +85,8 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
         double step;  // cells
     };
     std::vector<Table> tables;
-    for (const double radius : radii) {
+    for (const auto& radii : noise::radii(noise::waves(request.lobes, request.seed))) {
+        const double radius = radii[axis];
         const double cells = axis_along(request, side, radius).radius;
         const auto [cell, place] = cell_at(start, cells / radius);
         tables.push_back({cell, place, cells / (scale * radius) * viewport.stride});
@@ -115,23 +116,24 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
         lobes.front().orientation = 0;
     }
     const std::vector<noise::Wave> waves = noise::waves(lobes, request.seed);
-    const std::vector<double> tables = noise::radii(noise::waves(request.lobes, request.seed));
+    const auto tables = noise::radii(noise::waves(request.lobes, request.seed));
     std::vector<passes::PixelsWave> result;
     for (std::size_t i = 0; i < waves.size(); ++i) {
         const noise::Wave& wave = waves[i];
-        const Axis x = axis_along(request, request.width, wave.radius);
-        const Axis y = axis_along(request, request.height, wave.radius);
-        const auto camera = [&](const Coordinate& at, const Axis& axis) {
-            return in_perspective(request) ? static_cast<float>(cell_at(at, axis.radius / wave.radius).second)
-                                           : 0.0f;
+        const auto [radius_x, radius_y] = wave.radius;
+        const Axis x = axis_along(request, request.width, radius_x);
+        const Axis y = axis_along(request, request.height, radius_y);
+        const auto camera = [&](const Coordinate& at, double cells) {
+            return in_perspective(request) ? static_cast<float>(cell_at(at, cells).second) : 0.0f;
         };
         passes::PixelsWave& made = result.emplace_back(passes::PixelsWave{
             .nodes = {static_cast<float>(x.radius), static_cast<float>(y.radius)},
             .period = {x.period, y.period},
-            .camera = {camera(viewport.camera.x, x), camera(viewport.camera.y, y)},
-            .frequency = static_cast<float>(wave.frequency / unit * wave.radius),
+            .camera = {camera(viewport.camera.x, x.radius / radius_x),
+                       camera(viewport.camera.y, y.radius / radius_y)},
+            .frequency = static_cast<float>(wave.frequency / unit * radius_x),
             .orientation = static_cast<float>(wave.angle),
-            .radius = static_cast<float>(wave.radius),
+            .radius = {static_cast<float>(radius_x), static_cast<float>(radius_y)},
             .amplitude = static_cast<float>(std::sqrt(wave.share)),
             .seed = wave.seed,
             .table = static_cast<int>(std::ranges::find(tables, wave.radius) - tables.begin()),
@@ -170,9 +172,9 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     push.paint_scale = {scale(paint.width, request.width), scale(paint.height, request.height)};
     push.paint_corner = {first(camera.x, viewport.width, region.x) * push.paint_scale.x,
                          first(camera.y, viewport.height, region.y) * push.paint_scale.y};
-    plan.tables = {bytes_of(lines(request, viewport, camera.x, viewport.width, request.width, region.x,
+    plan.tables = {bytes_of(lines(request, viewport, 0, camera.x, viewport.width, request.width, region.x,
                                   region.width, viewport.width / 2.0)),
-                   bytes_of(lines(request, viewport, camera.y, viewport.height, request.height, region.y,
+                   bytes_of(lines(request, viewport, 1, camera.y, viewport.height, request.height, region.y,
                                   region.height, sky_rows(viewport.height))),
                    bytes_of(waves), bytes_of(paint.samples), bytes_of(colour_of(request))};
     plan.steps = {
@@ -222,8 +224,8 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     for (const noise::Wave& wave : noise::waves_in_space(request.lobes, request.seed)) {
         passes::SolidWave& made = waves.emplace_back(
             passes::SolidWave{.direction = direction(wave.angle),
-                              .frequency = static_cast<float>(wave.frequency * wave.radius),
-                              .radius = static_cast<float>(wave.radius),
+                              .frequency = static_cast<float>(wave.frequency * wave.radius[0]),
+                              .radius = static_cast<float>(wave.radius[0]),
                               .amplitude = static_cast<float>(std::sqrt(wave.share)),
                               .seed = wave.seed,
                               .isotropic = wave.isotropic,

@@ -32,12 +32,11 @@ std::optional<Variances> variances(const Request& request) {
     Variances sum;
     for (const noise::Wave& wave : noise::waves(request.lobes, request.seed)) {
         // Windows stretch with the nodes to fit a period: kernels per kernel radius of the picture.
-        const auto kernels = [&](int side) {
-            return axis_along(request, side, wave.radius).radius / double{request.recipe.radius} /
-                   wave.radius;
+        const auto kernels = [&](int side, double radius) {
+            return axis_along(request, side, radius).radius / double{request.recipe.radius} / radius;
         };
-        const double x = kernels(request.width);
-        const double y = kernels(request.height);
+        const double x = kernels(request.width, wave.radius[0]);
+        const double y = kernels(request.height, wave.radius[1]);
         const double deviation = 0.5 / request.scale;
         if (request.filter && deviation * std::max(x, y) > 0.5)
             return {};

@@ -75,7 +75,7 @@ render::Request value_request(const Drawing& drawing) {
 
 render::Plan random_points(render::Request request, Extent grid, std::uint32_t draw) {
     request.seed = draw * 0x9e3779b1u;
-    const double widest = std::ranges::max(request.lobes, {}, &noise::Lobe::radius).radius;
+    const double widest = std::ranges::max(request.lobes, {}, &noise::Lobe::longest_radius).longest_radius();
     if (render::in_space(request)) {
         // Points too far apart to share a kernel, at all places of a cell, and on bodies at all normals.
         request.width = grid.width;
@@ -98,10 +98,10 @@ render::Plan random_points(render::Request request, Extent grid, std::uint32_t d
         return plan;
     // Too far apart to share a kernel: a diameter and a cell.
     std::mt19937 generator(draw);
-    const auto lines = [&](int count, int side) {
+    const auto lines = [&](int count, int side, std::size_t axis) {
         std::vector<double> cells; // per kernel radius
-        for (const double radius : noise::radii(noise::waves(request.lobes, request.seed)))
-            cells.push_back(render::axis_along(request, side, radius).radius / radius);
+        for (const auto& radius : noise::radii(noise::waves(request.lobes, request.seed)))
+            cells.push_back(render::axis_along(request, side, radius[axis]).radius / radius[axis]);
         const double cell = 1 / std::ranges::min(cells);
         const double apart = std::ceil(2 * widest / cell) + 2;
         std::vector<passes::Line> points;
@@ -115,8 +115,8 @@ render::Plan random_points(render::Request request, Extent grid, std::uint32_t d
         }
         return render::bytes_of(points);
     };
-    plan.tables[0] = lines(grid.width, request.width);
-    plan.tables[1] = lines(grid.height, request.height);
+    plan.tables[0] = lines(grid.width, request.width, 0);
+    plan.tables[1] = lines(grid.height, request.height, 1);
     return plan;
 }
 

@@ -99,6 +99,15 @@ std::string sums(const Quantity& of, std::string_view type) {
     return fmt::format("    {0} sum = {0}(0.0);\n", type);
 }
 
+// The factor of a wave's derivatives, which are per radius of its kernels.
+std::string per_radius(double amplitude, float radius) {
+    return literal(amplitude / radius);
+}
+
+std::string per_radius(double amplitude, const passes::vec2& radius) {
+    return vec2(amplitude / radius.x, amplitude / radius.y);
+}
+
 // Adds a wave, a passes::PixelsWave or SolidWave; `call` computes its quantity.
 template <typename Wave>
 std::string added(const Quantity& of, const Wave& wave, const std::string& call) {
@@ -113,15 +122,13 @@ std::string added(const Quantity& of, const Wave& wave, const std::string& call)
             weights([](const passes::vec2& w) { return w.x * w.x + w.y * w.y; }));
     }
     const double amplitude = wave.amplitude;
-    if (&of == &quantities::relief) {
-        const double slope = amplitude / wave.radius;
-        return fmt::format("    sum += vec3({0}, {0}, {1}) * {2};\n", literal(slope), literal(amplitude),
-                           call);
-    }
-    const double weight = &of == &quantities::gradient  ? amplitude / wave.radius
-                          : &of == &quantities::removed ? amplitude * amplitude
-                                                        : amplitude;
-    return fmt::format("    sum += {}{};\n", weight == 1 ? "" : literal(weight) + " * ", call);
+    if (&of == &quantities::relief)
+        return fmt::format("    sum += vec3({}, {}) * {};\n", per_radius(amplitude, wave.radius),
+                           literal(amplitude), call);
+    const std::string factor = &of == &quantities::gradient  ? per_radius(amplitude, wave.radius)
+                               : &of == &quantities::removed ? literal(amplitude * amplitude)
+                                                             : literal(amplitude);
+    return fmt::format("    sum += {}{};\n", factor == literal(1) ? "" : factor + " * ", call);
 }
 
 std::string_view summed(const Quantity& of) {
@@ -202,8 +209,8 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
     for (const passes::PixelsWave& wave : waves_of<passes::PixelsWave>(request, 2)) {
         if (wave.table != table) { // another kernel radius
             table = wave.table;
-            const double x_cells = double{wave.nodes.x} / wave.radius; // per kernel radius of the picture
-            const double y_cells = double{wave.nodes.y} / wave.radius;
+            const double x_cells = double{wave.nodes.x} / wave.radius.x; // per kernel radius of the picture
+            const double y_cells = double{wave.nodes.y} / wave.radius.y;
             const auto [x, x_place] = corner(document.camera.x, extent.width, x_cells);
             const auto [y, y_place] = corner(document.camera.y, extent.height, y_cells);
             text +=
@@ -216,10 +223,13 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
                 text += fmt::format("    footprint = gabor_footprint(dx * {0}, dy * {0});\n", unit);
             }
         }
-        text += added(of, wave,
-                      fmt::format("{}_of_wave(place,{} {}, {}, {}u)", of.name,
-                                  request.filter ? " footprint," : "", literal(wave.frequency),
-                                  literal(wave.orientation), wave.seed));
+        // The wave vector per kernel radius along each axis.
+        const double x = std::cos(double{wave.orientation});
+        const double y = std::sin(double{wave.orientation}) * wave.radius.y / wave.radius.x;
+        text += added(
+            of, wave,
+            fmt::format("{}_of_wave(place,{} {}, {}, {}u)", of.name, request.filter ? " footprint," : "",
+                        literal(wave.frequency * std::hypot(x, y)), literal(std::atan2(y, x)), wave.seed));
     }
     return text.append(summed(of));
 }

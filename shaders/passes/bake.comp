@@ -126,7 +126,7 @@ void fill(Run across, Run down, uint index) {
     vec4 across_slopes[block_columns];
     vec2 turned[block_columns]; // e^(2 pi i F.x (x - x_0)), x_0 the first column
     [[unroll]] for (int k = 0; k < block_columns; ++k) {
-        gabor_impl_windows(local.x + float(k) * pixel * radius.x - 1.0, across_windows[k], across_slopes[k]);
+        gabor_impl_windows(local.x + float(k) * pixel.x * radius.x - 1.0, across_windows[k], across_slopes[k]);
         across_slopes[k] *= radius.x / GABOR_RADIUS;
         turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
     }
@@ -166,7 +166,7 @@ void fill(Run across, Run down, uint index) {
         vec2 z = amplitude * impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
         distance_y[c] = d.y;
         [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            vec2 window = gabor_impl_window(d.x + float(k) * pixel);
+            vec2 window = gabor_impl_window(d.x + float(k) * pixel.x);
             bracket[c * block_columns + k] = z * window.x;
             if (with_gradient)
                 bracket_slope[c * block_columns + k] = z * window.y;
@@ -191,13 +191,13 @@ void fill(Run across, Run down, uint index) {
 #ifdef GABOR_TAPS
         vec4 down_windows;
         vec4 down_slopes;
-        gabor_impl_windows(local.y + float(r) * pixel * radius.y - 1.0, down_windows, down_slopes);
+        gabor_impl_windows(local.y + float(r) * pixel.y * radius.y - 1.0, down_windows, down_slopes);
 #endif
         [[unroll]] for (int c = 0; c < terms; ++c) {
 #ifdef GABOR_TAPS
             vec2 q = vec2(down_windows[c], down_slopes[c] * (radius.y / GABOR_RADIUS));
 #else
-            vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel);
+            vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel.y);
 #endif
             [[unroll]] for (int k = 0; k < block_columns; ++k) {
                 envelope[k] += q.x * bracket[c * block_columns + k];
@@ -226,8 +226,8 @@ void fill(Run across, Run down, uint index) {
                 if (with_gradient) {
                     vec2 slopes = vec2(rotated(slope_x[k], carrier).y, rotated(slope_y[k], carrier).y)
                                 + 6.2831853 * wave * value.x;
-                    put(at + gradient_at, stretch * slopes.x, index);
-                    put(at + gradient_at + 1, stretch * slopes.y, index);
+                    put(at + gradient_at, stretch.x * slopes.x, index);
+                    put(at + gradient_at + 1, stretch.y * slopes.y, index);
                 }
                 if (slice)
                     picture[at + channels - 1] = 1.0; // coverage

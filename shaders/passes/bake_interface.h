@@ -32,9 +32,9 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     GABOR_BAND
     vec2 radius;   // as in GaborPlace
     ivec2 period;  // as in GaborPlace
+    vec2 pixel;    // kernel radii per pixel
+    vec2 stretch;  // kernel radii per unit of length of the derivatives
     float time;    // as in GaborPlace, within [0, 1)
-    float pixel;   // kernel radii per pixel
-    float stretch; // kernel radii per unit of length of the derivatives
     uint first_wave;
     uint wave_count;
     uint first_column_run;

@@ -68,6 +68,7 @@ Values wave_at(PixelsWave wave, Footprint here) {
     vec2 paint_here = painted ? painted_at(vec2(here.pixel)) : vec2(1.0, 0.0);
     GaborKernel kernel = gabor_kernel(paint_here.x * wave.frequency, paint_here.y + wave.orientation);
 #ifdef GABOR_TAPS
+    kernel.wave.y *= wave.radius.y / wave.radius.x;
     GaborPlace place = GaborPlace(cell, local, wave.nodes, wave.period, animated, time);
 #else
     GaborPlace place = GaborPlace(cell, local, wave.nodes, wave.period, time);

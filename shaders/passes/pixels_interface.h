@@ -16,9 +16,9 @@ struct PixelsWave {
     vec2 nodes;        // as in GaborPlace.radius
     ivec2 period;      // as in GaborPlace
     vec2 camera;       // in perspective: its place in its cell
-    float frequency;   // of the wave; a factor of the painted frequency, if any
+    float frequency;   // of the wave, per radius along x; a factor of the painted frequency, if any
     float orientation; // radians, added to the painted orientation, if any
-    float radius;      // of its kernels, in kernel radii of the picture
+    vec2 radius;       // of its kernels along x and y, in kernel radii of the picture
     float amplitude;   // the square root of its share of the variance
     uint seed;
     int table;       // index of its table of lines

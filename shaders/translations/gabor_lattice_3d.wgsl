@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every place: for WGSL.
 //
-// Digest of the GLSL and of this file: 0371892a56787a31
+// Digest of the GLSL and of this file: f6f54a29b4ad29bd
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
@@ -25,7 +25,7 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var period_11: vec3<f32>;
     var nodes_1: vec3<f32>;
-    var place_33: GaborPlace3d;
+    var place_34: GaborPlace3d;
 
     period_11 = period;
     let _e6 = period_11;
@@ -37,26 +37,26 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     let _e34 = nodes_1;
     let _e35 = period_11;
     let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
-    place_33 = _e38;
+    place_34 = _e38;
     let _e41 = nodes_1;
     let _e42 = period_11;
-    place_33.radius = (_e41 / _e42);
+    place_34.radius = (_e41 / _e42);
     let _e45 = nodes_1;
-    place_33.period = vec3<i32>(_e45);
-    let _e47 = place_33;
+    place_34.period = vec3<i32>(_e45);
+    let _e47 = place_34;
     let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
     return _e48.noise;
 }
 
 // As gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_34: GaborPlace3d;
+    var place_35: GaborPlace3d;
 
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_34 = _e12;
-    place_34.animated = true;
-    place_34.time = time;
-    let _e17 = place_34;
+    place_35 = _e12;
+    place_35.animated = true;
+    place_35.time = time;
+    let _e17 = place_35;
     let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
     return _e18.noise;
 }
@@ -73,6 +73,19 @@ fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed:
 }
 
 fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var field_16: GaborField3d;
+
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    field_16 = _e12;
+    let _e14 = field_16;
+    let _e16 = field_16;
+    return vec2<f32>(_e14.quadrature, _e16.noise);
+}
+
+// (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For bumps, subtract the gradient's part
+// along the normal.
+fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
     var field_15: GaborField3d;
 
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
@@ -80,19 +93,6 @@ fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, se
     field_15 = _e12;
     let _e14 = field_15;
     let _e16 = field_15;
-    return vec2<f32>(_e14.quadrature, _e16.noise);
-}
-
-// (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For bumps, subtract the gradient's part
-// along the normal.
-fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var field_14: GaborField3d;
-
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    field_14 = _e12;
-    let _e14 = field_14;
-    let _e16 = field_14;
     return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
 }
 
@@ -101,13 +101,13 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
 // whole one. Continuous in p, dx and dy. On GPUs it costs 1.4 times as much as gabor_noise_3d for steps up to 0.18
 // (27 nodes), 4.2 times from 0.2 on (64 nodes), and at most 6.6 times (125 nodes).
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var field_16: GaborField3d;
+    var field_17: GaborField3d;
 
     let _e6 = gabor_impl_place_of_pixel(p, dx, dy);
     let _e7 = gabor_field_3d(_e6, frequency, direction, seed);
-    field_16 = _e7;
-    let _e9 = field_16;
-    let _e11 = field_16;
+    field_17 = _e7;
+    let _e9 = field_17;
+    let _e11 = field_17;
     return vec2<f32>(_e9.noise, _e11.removed);
 }
 
@@ -123,13 +123,13 @@ fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
 
 // (noise, d/dx, d/dy, d/dz), per kernel radius.
 fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) -> vec4<f32> {
-    var field_17: GaborField3d;
+    var field_18: GaborField3d;
 
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
-    field_17 = _e11;
-    let _e13 = field_17;
-    let _e15 = field_17;
+    field_18 = _e11;
+    let _e13 = field_18;
+    let _e15 = field_18;
     return vec4<f32>(_e13.noise, _e15.gradient.x, _e15.gradient.y, _e15.gradient.z);
 }
 
@@ -137,13 +137,13 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
 // 0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root
 // mean square. Beyond, only the variance is right.
 fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
-    var field_18: GaborField3d;
+    var field_19: GaborField3d;
 
     let _e5 = gabor_impl_place_of_pixel(p, dx, dy);
     let _e6 = gabor_isotropic_3d(_e5, frequency, seed);
-    field_18 = _e6;
-    let _e8 = field_18;
-    let _e10 = field_18;
+    field_19 = _e6;
+    let _e8 = field_19;
+    let _e10 = field_19;
     return vec2<f32>(_e8.noise, _e10.removed);
 }
 
@@ -487,7 +487,7 @@ fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec
     var y_10: GaborAxis;
     var j_5: i32 = 0i;
     var slice_3: vec4<f32>;
-    var slope_10: vec4<f32>;
+    var slope_9: vec4<f32>;
 
     y_10 = y;
     loop {
@@ -506,21 +506,21 @@ fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec
         }
     }
     let _e30 = y_10;
-    gabor_impl_sum(x, _e30, place.animated, place.time, (&slice_3), (&slope_10));
+    gabor_impl_sum(x, _e30, place.animated, place.time, (&slice_3), (&slope_9));
     let _e38 = slice_3;
     gabor_impl_add(sum, _e38, z.node[k].xy);
     let _e43 = (*slopes);
-    let _e44 = slope_10;
+    let _e44 = slope_9;
     let _e49 = gabor_impl_product(_e44.xy, z.node[k].xy);
     let _e50 = slice_3;
     let _e55 = gabor_impl_product(_e50.xy, z.node[k].zw);
     (*slopes) = (_e43 + vec4<f32>(_e49.x, _e49.y, _e55.x, _e55.y));
     if place.filtered {
         let _e63 = (*sum);
-        let _e65 = slope_10;
+        let _e65 = slope_9;
         let _e69 = slice_3;
         let _e76 = gabor_impl_product(((mixed.x * _e65.xy) + (mixed.y * _e69.zw)), z.node[k].zw);
-        let _e78 = slope_10;
+        let _e78 = slope_9;
         let _e83 = gabor_impl_product(_e78.zw, z.node[k].xy);
         let _e85 = (_e76 + (mixed.z * _e83));
         (*sum) = (_e63 + vec4<f32>(_e85.x, _e85.y, 0f, 0f));
@@ -724,14 +724,14 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
 
 // Adds one of two independent noises; it replaces the other as its x goes from 0 to 1.
 fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
-    var power_4: f32;
+    var power_5: f32;
 
     let _e3 = gabor_impl_takeover(x);
-    power_4 = _e3;
-    let _e6 = power_4;
+    power_5 = _e3;
+    let _e6 = power_5;
     gabor_impl_accumulate_3d(sum, term, sqrt(_e6), vec3(1f));
     let _e12 = (*sum);
-    let _e14 = power_4;
+    let _e14 = power_5;
     (*sum).removed = (_e12.removed + (_e14 * term.removed));
     return;
 }
@@ -745,7 +745,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     var cosine_1: vec3<f32>;
     var sine: vec3<f32>;
     var h: vec3<f32>;
-    var slope_11: vec3<f32>;
+    var slope_10: vec3<f32>;
     var turned_2: vec3<f32> = vec3(0f);
     var value_11: vec2<f32>;
     var s_7: vec3<f32>;
@@ -771,7 +771,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     let _e34 = sine;
     let _e35 = h;
     let _e37 = h;
-    slope_11 = (_e34 * (_e35.yzx * _e37.zxy));
+    slope_10 = (_e34 * (_e35.yzx * _e37.zxy));
     let _e45 = h;
     let _e47 = h;
     let _e49 = h;
@@ -839,7 +839,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
             let _e191 = real_4;
             let _e193 = i_slope;
             let _e194 = imaginary_4;
-            slope_11 = (((_e188 * _e189) * _e191) - (_e193 * _e194));
+            slope_10 = (((_e188 * _e189) * _e191) - (_e193 * _e194));
             let _e197 = even_3;
             let _e198 = sine;
             let _e200 = imaginary_4;
@@ -852,7 +852,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     let _e209 = value_11;
     (*sum).noise = (_e207.noise + _e209.y);
     let _e213 = (*sum);
-    let _e215 = slope_11;
+    let _e215 = slope_10;
     let _e216 = a_7;
     let _e219 = turned_2;
     let _e220 = a_7;
@@ -862,7 +862,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     let _e235 = value_11;
     (*sum).quadrature = (_e233.quadrature + _e235.x);
     let _e239 = (*sum);
-    let _e241 = slope_11;
+    let _e241 = slope_10;
     let _e242 = a_7;
     let _e245 = turned_2;
     let _e246 = a_7;
@@ -1237,7 +1237,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
 }
 
 fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
-    var frequency_30: f32;
+    var frequency_31: f32;
     var stretch_6: vec3<f32>;
     var local_48: f32;
     var local_49: f32;
@@ -1249,10 +1249,10 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     var resolved_1: GaborPixelAxes;
     var sum_25: GaborField3d;
 
-    frequency_30 = frequency;
+    frequency_31 = frequency;
     stretch_6 = (place.radius / vec3(1.5f));
-    let _e13 = frequency_30;
-    frequency_30 = min(abs(_e13), 1000000f);
+    let _e13 = frequency_31;
+    frequency_31 = min(abs(_e13), 1000000f);
     if tangents.only {
         local_48 = 2f;
     } else {
@@ -1279,13 +1279,13 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
             let _e61 = whole_1;
             let _e63 = gabor_impl_resolved(_e61, 0.5f);
             resolved_1 = _e63;
-            let _e65 = frequency_30;
+            let _e65 = frequency_31;
             let _e66 = whole_1;
             let _e67 = gabor_impl_transmitted_isotropic(_e65, _e66, tangents);
             transmitted_2 = _e67;
             let _e68 = amplitude_6;
             let _e69 = transmitted_2;
-            let _e70 = frequency_30;
+            let _e70 = frequency_31;
             let _e71 = resolved_1;
             let _e72 = gabor_impl_transmitted_isotropic(_e70, _e71, tangents);
             amplitude_6 = (_e68 * sqrt((_e69 / _e72)));
@@ -1306,7 +1306,7 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     let _e102 = transmitted_2;
     if (_e102 > 0f) {
         let _e106 = pixel_14;
-        let _e107 = frequency_30;
+        let _e107 = frequency_31;
         let _e108 = stretch_6;
         let _e111 = gabor_impl_salt(seed);
         let _e112 = gabor_impl_sum_isotropic(place, _e106, (vec3(_e107) / _e108), tangents, _e111);

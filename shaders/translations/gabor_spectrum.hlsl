@@ -30,11 +30,11 @@
 struct GaborLobe {
     float frequency;
     float orientation;
-    float radius;
+    float2 radius;
     float power;
 };
 
-GaborLobe GaborLobe_of(float frequency, float orientation, float radius, float power)
+GaborLobe GaborLobe_of(float frequency, float orientation, float2 radius, float power)
 {
     GaborLobe made;
     made.frequency = frequency;
@@ -56,6 +56,9 @@ struct GaborLobes {
 //       radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
 //                               radius cycles per unit of p
 //       power                   relative to other lobes, not negative
+
+// GaborLobe gabor_lobe_elliptical(float frequency, float orientation, float2 radius, float power)
+//     The same with a kernel radius along x and another along y, at the same cost.
 
 // float gabor_noise_lobes(float2 p, GaborLobes lobes, uint seed)
 //     The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1.
@@ -178,8 +181,9 @@ struct GaborLobes {
 // ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
-//     The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is
-//     rounded to a float, within the period if there is one.
+// GaborPlace gabor_place_stretched(GaborPlace place, float2 radius)
+//     The same place, period and time for a kernel with `radius` times the place's kernel radius, along both axes or
+//     along x and y. Its position is rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 //     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
@@ -220,13 +224,13 @@ struct GaborFootprint {
 // Private implementation
 // ====================================================================================================================
 
-void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitude, float slope) {
+void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitude) {
     sum.value += amplitude * field.value;
-    sum.slope_x += slope * field.slope_x;
-    sum.slope_y += slope * field.slope_y;
+    sum.slope_x += amplitude * field.slope_x;
+    sum.slope_y += amplitude * field.slope_y;
 }
 
-GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
+GaborPlace gabor_place_stretched(GaborPlace place, float2 radius) {
     int2 cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     float2 unit = 1.0 / (place.radius * radius);
     GaborPlace scaled = gabor_place_tiled(((float2)(cell) + place.local) * unit, (float2)(place.period) * unit);
@@ -235,15 +239,27 @@ GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
     return scaled;
 }
 
+GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
+    return gabor_place_stretched(place, (float2)(radius));
+}
+
+// A lobe's wave in cycles per kernel radius along each axis.
+GaborKernel gabor_impl_lobe_kernel(GaborLobe lobe) {
+    GaborKernel kernel_ = gabor_kernel(lobe.frequency * lobe.radius.x, lobe.orientation);
+    kernel_.wave.y *= lobe.radius.y / lobe.radius.x;
+    return kernel_;
+}
+
 GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
     GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
     float power = 0.0;
     for (int i = 0; i < min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
-        GaborPlace scaled = gabor_place_scaled(place, lobe.radius);
-        GaborKernel kernel_ = gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation);
-        GaborField field = gabor_field(scaled, kernel_, gabor_lobe_seed(seed, i));
-        gabor_impl_accumulate(sum, field, sqrt(lobe.power), sqrt(lobe.power) / lobe.radius);
+        GaborPlace stretched = gabor_place_stretched(place, lobe.radius);
+        GaborField field = gabor_field(stretched, gabor_impl_lobe_kernel(lobe), gabor_lobe_seed(seed, i));
+        field.slope_x /= lobe.radius.x;
+        field.slope_y /= lobe.radius.y;
+        gabor_impl_accumulate(sum, field, sqrt(lobe.power));
         power += lobe.power;
     }
     float scale = power > 0.0 ? rsqrt(power) : 0.0;
@@ -299,7 +315,7 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
             GaborKernel kernel_ = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
             GaborField field = gabor_field(place, kernel_, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
             float amplitude = sqrt(shell.y * direction.y);
-            gabor_impl_accumulate(sum, field, amplitude, amplitude);
+            gabor_impl_accumulate(sum, field, amplitude);
         }
     }
     return sum;
@@ -621,12 +637,10 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFoot
     float deviation = sqrt(max(s.x, s.y));
     float wide = clamp(100.0 * deviation - 9.0, 0.0, 1.0);
     if (wide < 1.0) {
-        float share = (1.0 - wide) * amplitude;
-        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude);
     }
     if (wide > 0.0) {
-        float share = wide * amplitude;
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0, salt), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0, salt), wide * amplitude);
     }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
@@ -903,6 +917,10 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, Gab
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
+    return GaborLobe_of(frequency, orientation, (float2)(radius), power);
+}
+
+GaborLobe gabor_lobe_elliptical(float frequency, float orientation, float2 radius, float power) {
     return GaborLobe_of(frequency, orientation, radius, power);
 }
 
@@ -1013,10 +1031,13 @@ float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy, Gabor
     float power = 0.0;
     for (int i = 0; i < min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
-        float unit = 1.0 / lobe.radius;
-        float4 noise = gabor_noise_filtered_gradient(p * unit, dx * unit, dy * unit, lobe.frequency * lobe.radius,
-                                                   lobe.orientation, gabor_lobe_seed(seed, i));
-        sum += float4(sqrt(lobe.power) * float3(1.0, unit, unit), lobe.power) * noise;
+        float2 unit = 1.0 / lobe.radius;
+        float removed;
+        GaborField field = gabor_field_filtered(gabor_place((int2)(0), p * unit * GABOR_RADIUS),
+                                                gabor_impl_lobe_kernel(lobe), gabor_footprint(dx * unit, dy * unit),
+                                                gabor_lobe_seed(seed, i), removed);
+        float3 noise = float3(field.value.y, unit * float2(field.slope_x.y, field.slope_y.y));
+        sum += float4(sqrt(lobe.power) * noise, lobe.power * removed);
         power += lobe.power;
     }
     return power > 0.0 ? sum * float4((float3)(rsqrt(power)), 1.0 / power) : (float4)(0.0);

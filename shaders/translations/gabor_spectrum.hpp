@@ -31,7 +31,7 @@
 struct GaborLobe {
     float frequency;
     float orientation;
-    float radius;
+    gabor_vec2 radius;
     float power;
 };
 
@@ -47,6 +47,9 @@ struct GaborLobes {
 //       radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
 //                               radius cycles per unit of p
 //       power                   relative to other lobes, not negative
+
+// GaborLobe gabor_lobe_elliptical(float frequency, float orientation, vec2 radius, float power)
+//     The same with a kernel radius along x and another along y, at the same cost.
 
 // float gabor_noise_lobes(vec2 p, GaborLobes lobes, uint seed)
 //     The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1.
@@ -169,8 +172,9 @@ struct GaborLobes {
 // ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
-//     The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is
-//     rounded to a float, within the period if there is one.
+// GaborPlace gabor_place_stretched(GaborPlace place, vec2 radius)
+//     The same place, period and time for a kernel with `radius` times the place's kernel radius, along both axes or
+//     along x and y. Its position is rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 //     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
@@ -211,13 +215,13 @@ struct GaborFootprint {
 // Private implementation
 // ====================================================================================================================
 
-GABOR_INLINE void gabor_impl_accumulate(GaborField& sum, GaborField field, float amplitude, float slope) {
+GABOR_INLINE void gabor_impl_accumulate(GaborField& sum, GaborField field, float amplitude) {
     sum.value += amplitude * field.value;
-    sum.slope_x += slope * field.slope_x;
-    sum.slope_y += slope * field.slope_y;
+    sum.slope_x += amplitude * field.slope_x;
+    sum.slope_y += amplitude * field.slope_y;
 }
 
-GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
+GABOR_INLINE GaborPlace gabor_place_stretched(GaborPlace place, gabor_vec2 radius) {
     gabor_ivec2 cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     gabor_vec2 unit = 1.0f / (place.radius * radius);
     GaborPlace scaled = gabor_place_tiled((gabor_vec2(cell) + place.local) * unit, gabor_vec2(place.period) * unit);
@@ -226,15 +230,27 @@ GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
     return scaled;
 }
 
+GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
+    return gabor_place_stretched(place, gabor_vec2(radius));
+}
+
+// A lobe's wave in cycles per kernel radius along each axis.
+GABOR_INLINE GaborKernel gabor_impl_lobe_kernel(GaborLobe lobe) {
+    GaborKernel kernel = gabor_kernel(lobe.frequency * lobe.radius.x, lobe.orientation);
+    kernel.wave.y *= lobe.radius.y / lobe.radius.x;
+    return kernel;
+}
+
 GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, std::uint32_t seed) {
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     float power = 0.0f;
     for (int i = 0; i < gabor_cpp_min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
-        GaborPlace scaled = gabor_place_scaled(place, lobe.radius);
-        GaborKernel kernel = gabor_kernel(lobe.frequency * lobe.radius, lobe.orientation);
-        GaborField field = gabor_field(scaled, kernel, gabor_lobe_seed(seed, i));
-        gabor_impl_accumulate(sum, field, gabor_cpp_sqrt(lobe.power), gabor_cpp_sqrt(lobe.power) / lobe.radius);
+        GaborPlace stretched = gabor_place_stretched(place, lobe.radius);
+        GaborField field = gabor_field(stretched, gabor_impl_lobe_kernel(lobe), gabor_lobe_seed(seed, i));
+        field.slope_x /= lobe.radius.x;
+        field.slope_y /= lobe.radius.y;
+        gabor_impl_accumulate(sum, field, gabor_cpp_sqrt(lobe.power));
         power += lobe.power;
     }
     float scale = power > 0.0f ? gabor_cpp_inversesqrt(power) : 0.0f;
@@ -290,7 +306,7 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
             GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
             GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0f * shell.z + direction.z)));
             float amplitude = gabor_cpp_sqrt(shell.y * direction.y);
-            gabor_impl_accumulate(sum, field, amplitude, amplitude);
+            gabor_impl_accumulate(sum, field, amplitude);
         }
     }
     return sum;
@@ -604,12 +620,10 @@ GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kerne
     float deviation = gabor_cpp_sqrt(gabor_cpp_max(s.x, s.y));
     float wide = gabor_cpp_clamp(100.0f * deviation - 9.0f, 0.0f, 1.0f);
     if (wide < 1.0f) {
-        float share = (1.0f - wide) * amplitude;
-        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0f - wide) * amplitude);
     }
     if (wide > 0.0f) {
-        float share = wide * amplitude;
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0f, salt), share, share);
+        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0f, salt), wide * amplitude);
     }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
@@ -869,6 +883,10 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, float f
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GABOR_INLINE GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power) {
+    return GaborLobe{frequency, orientation, gabor_vec2(radius), power};
+}
+
+GABOR_INLINE GaborLobe gabor_lobe_elliptical(float frequency, float orientation, gabor_vec2 radius, float power) {
     return GaborLobe{frequency, orientation, radius, power};
 }
 
@@ -979,10 +997,13 @@ GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_
     float power = 0.0f;
     for (int i = 0; i < gabor_cpp_min(lobes.count, GABOR_LOBES); ++i) {
         GaborLobe lobe = lobes.lobe[i];
-        float unit = 1.0f / lobe.radius;
-        gabor_vec4 noise = gabor_noise_filtered_gradient(p * unit, dx * unit, dy * unit, lobe.frequency * lobe.radius,
-                                                   lobe.orientation, gabor_lobe_seed(seed, i));
-        sum += gabor_vec4(gabor_cpp_sqrt(lobe.power) * gabor_vec3(1.0f, unit, unit), lobe.power) * noise;
+        gabor_vec2 unit = 1.0f / lobe.radius;
+        float removed;
+        GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * unit * GABOR_RADIUS),
+                                                gabor_impl_lobe_kernel(lobe), gabor_footprint(dx * unit, dy * unit),
+                                                gabor_lobe_seed(seed, i), removed);
+        gabor_vec3 noise = gabor_vec3(field.value.y, unit * gabor_vec2(field.slope_x.y, field.slope_y.y));
+        sum += gabor_vec4(gabor_cpp_sqrt(lobe.power) * noise, lobe.power * removed);
         power += lobe.power;
     }
     return power > 0.0f ? sum * gabor_vec4(gabor_vec3(gabor_cpp_inversesqrt(power)), 1.0f / power) : gabor_vec4(0.0f);

@@ -14,11 +14,11 @@ struct Field {
     std::complex<double> slope_y;
     std::array<double, 4> four{}; ///< independent noises, the first the noise itself; of lattices alone
 
-    /// Adds a noise whose kernel radius is `radius` of these.
-    void add(double weight, const Field& other, double radius = 1) {
+    /// Adds a noise whose kernel radii along x and y are `radius` of these.
+    void add(double weight, const Field& other, std::array<double, 2> radius = {1, 1}) {
         value += weight * other.value;
-        slope_x += weight / radius * other.slope_x;
-        slope_y += weight / radius * other.slope_y;
+        slope_x += weight / radius[0] * other.slope_x;
+        slope_y += weight / radius[1] * other.slope_y;
         for (std::size_t i = 0; i < four.size(); ++i)
             four[i] += weight * other.four[i];
     }

@@ -60,7 +60,9 @@ std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, dou
         const double magnitude = frequency * (1 + frequency_spread * along.middle);
         const double count = orientation_spread * 2 / pi * (4.44 * magnitude + 0.6) + 0.8;
         for (const Piece& around : pieces(std::clamp(count, 1.0, 64.0)))
-            lobes.push_back({magnitude, orientation + orientation_spread * around.middle, 1,
+            lobes.push_back({magnitude,
+                             orientation + orientation_spread * around.middle,
+                             {1, 1},
                              along.share * around.share,
                              lattice_lobe_seed(seed, 128 * along.index + around.index)});
     }
@@ -68,10 +70,10 @@ std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, dou
 }
 
 // Converts a place to a lobe's own kernel radius and lattice.
-static LatticePlace placed(const LatticePlace& place, double radius) {
+static LatticePlace placed(const LatticePlace& place, std::array<double, 2> radii) {
     LatticePlace result = place;
-    const auto along = [&](std::int32_t cell, std::int32_t period, double nodes, double& local,
-                           double& lobe_nodes, std::int32_t& lobe_period) {
+    const auto along = [](std::int32_t cell, std::int32_t period, double nodes, double radius, double& local,
+                          double& lobe_nodes, std::int32_t& lobe_period) {
         const double length = period / (nodes * radius);
         if (period) {
             lobe_period = std::max(3, static_cast<int>(std::lround(1.5 * length)));
@@ -81,22 +83,28 @@ static LatticePlace placed(const LatticePlace& place, double radius) {
         }
         local = (cell + local) / (nodes * radius) * lobe_nodes;
     };
-    along(place.cell_x, place.period_x, place.radius_x, result.local_x, result.radius_x, result.period_x);
-    along(place.cell_y, place.period_y, place.radius_y, result.local_y, result.radius_y, result.period_y);
+    along(place.cell_x, place.period_x, place.radius_x, radii[0], result.local_x, result.radius_x,
+          result.period_x);
+    along(place.cell_y, place.period_y, place.radius_y, radii[1], result.local_y, result.radius_y,
+          result.period_y);
     result.cell_x = result.cell_y = 0;
     return result;
 }
 
-// Each lobe is a noise of its own, in units of its own kernel radius.
+// Each lobe is a noise of its own, in units of its own kernel radii.
 Spectrum::Field Spectrum::field(const LatticePlace& place) const {
     double power = 0;
     for (const SpectrumLobe& lobe : lobes_)
         power += lobe.power;
     Field sum{};
     for (const SpectrumLobe& lobe : lobes_) {
-        const Lattice lattice(taps, lobe.frequency * lobe.radius, lobe.orientation, lobe.seed);
-        const Lattice::Field field = lattice.field(lobe.radius == 1 ? place : placed(place, lobe.radius));
-        sum.add(std::sqrt(lobe.power / power), field, lobe.radius);
+        const Lattice lattice(taps,
+                              {lobe.frequency * std::cos(lobe.orientation) * lobe.radius[0],
+                               lobe.frequency * std::sin(lobe.orientation) * lobe.radius[1]},
+                              lobe.seed);
+        const bool standard = lobe.radius == std::array{1.0, 1.0};
+        sum.add(std::sqrt(lobe.power / power), lattice.field(standard ? place : placed(place, lobe.radius)),
+                lobe.radius);
     }
     return sum;
 }
@@ -111,7 +119,7 @@ Spectrum::Field Spectrum::field(double x, double y) const {
 Spectrum::Field Spectrum::filtered(double x, double y, Vector dx, Vector dy) const {
     double step = 1;
     for (const SpectrumLobe& lobe : lobes_)
-        step = std::min({step, 0.06 * lobe.radius, 0.15 / (lobe.frequency + 1e-9)});
+        step = std::min({step, 0.06 * std::ranges::min(lobe.radius), 0.15 / (lobe.frequency + 1e-9)});
     const auto [longer, shorter] = principal_axes(dx, dy);
     Field mean{};
     for (const auto& [u, v, weight] : normal_points({length(longer), length(shorter)}, step))
@@ -129,12 +137,12 @@ double Spectrum::removed(Vector dx, Vector dy) const {
     for (const SpectrumLobe& lobe : lobes_) {
         const double fx = lobe.frequency * std::cos(lobe.orientation);
         const double fy = lobe.frequency * std::sin(lobe.orientation);
-        for (const auto& [u, v, weight] :
-             normal_points({apart * length(longer), apart * length(shorter)}, 0.03 * lobe.radius)) {
+        for (const auto& [u, v, weight] : normal_points({apart * length(longer), apart * length(shorter)},
+                                                        0.03 * std::ranges::min(lobe.radius))) {
             const double x = apart * (u * longer[0] + v * shorter[0]);
             const double y = apart * (u * longer[1] + v * shorter[1]);
-            kept += weight * lobe.power * hann_correlation(x / lobe.radius) *
-                    hann_correlation(y / lobe.radius) * std::cos(2 * pi * (fx * x + fy * y));
+            kept += weight * lobe.power * hann_correlation(x / lobe.radius[0]) *
+                    hann_correlation(y / lobe.radius[1]) * std::cos(2 * pi * (fx * x + fy * y));
         }
         power += lobe.power;
     }

@@ -13,7 +13,7 @@ namespace gabor::noise {
 struct SpectrumLobe {
     double frequency = 4; ///< cycles per unit of length
     double orientation = 0;
-    double radius = 1; ///< of its kernel
+    std::array<double, 2> radius{1, 1}; ///< of its kernel along x and y
     double power = 1;
     std::uint32_t seed = 0;
 };

@@ -47,15 +47,16 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
                                        : noise::lattice_lobe_seed(request.seed, static_cast<int>(i));
         const double angle = noise::radians(lobe.orientation);
         if (lobe.is_one_wave()) {
-            terms.push_back({lobe.frequency, angle, lobe.radius, lobe.power, seed});
+            terms.push_back({lobe.frequency, angle, lobe.radii(), lobe.power, seed});
             continue;
         }
-        // A spread uses the lobe's own kernel radius as unit.
+        // A spread uses the longer of the lobe's own kernel radii as unit.
+        const double unit = std::ranges::max(lobe.radii());
         for (noise::SpectrumLobe term :
-             noise::spread_lobes(lobe.frequency * lobe.radius, angle, lobe.frequency_spread,
+             noise::spread_lobes(lobe.frequency * unit, angle, lobe.frequency_spread,
                                  noise::radians(lobe.orientation_spread), seed)) {
-            term.frequency /= lobe.radius;
-            term.radius = lobe.radius;
+            term.frequency /= unit;
+            term.radius = lobe.radii();
             term.power *= lobe.power;
             terms.push_back(term);
         }
@@ -91,16 +92,17 @@ noise::Field expected(const render::Request& request, const std::vector<noise::S
         power += term.power;
     noise::Field sum{};
     for (const noise::SpectrumLobe& term : terms) {
-        const Nodes across(request, request.width, x, term.radius);
-        const Nodes down(request, request.height, y, term.radius);
-        const double frequency = term.frequency * term.radius;
+        const Nodes across(request, request.width, x, term.radius[0]);
+        const Nodes down(request, request.height, y, term.radius[1]);
+        const double wave_x = term.frequency * std::cos(term.orientation) * term.radius[0];
+        const double wave_y = term.frequency * std::sin(term.orientation) * term.radius[1];
         const double scale = std::sqrt(term.power / power);
         const noise::Field field =
             request.recipe.is_lattice()
-                ? noise::Lattice(request.recipe.taps, frequency, term.orientation, term.seed)
+                ? noise::Lattice(request.recipe.taps, {wave_x, wave_y}, term.seed)
                       .field({across.cell, down.cell, across.local, down.local, across.per_radius,
                               down.per_radius, across.period, down.period, time != 0, time})
-                : noise::Reference(request.recipe, frequency, term.orientation, term.seed)
+                : noise::Reference(request.recipe, std::hypot(wave_x, wave_y), term.orientation, term.seed)
                       .field({across.cell, down.cell, static_cast<float>(across.local),
                               static_cast<float>(down.local), static_cast<float>(across.per_radius),
                               static_cast<float>(down.per_radius), across.period, down.period,
@@ -120,7 +122,7 @@ void compare(test::Largest& largest, const vulkan::Device& device, const render:
     REQUIRE(pixels.size() == channels.size() * static_cast<std::size_t>(region.width * region.height));
     double highest = 0;
     for (const noise::SpectrumLobe& term : terms)
-        highest = std::max(highest, term.frequency * term.radius);
+        highest = std::max(highest, term.frequency * std::ranges::max(term.radius));
     const double tolerance =
         1.5e-5 * std::max({1.0, highest / 4, request.recipe.phases == 2 ? 0.1 / highest : 0});
     const double of_slopes = tolerance * (2 * pi * highest + 2);
@@ -162,6 +164,10 @@ const std::vector<noise::Lobe> several{
     {.frequency = 5, .orientation = -70, .power = 1, .radius = 0.6},
     {.frequency = 1, .orientation_spread = 90, .power = 0.5, .radius = 1.7},
     {.frequency = 9, .power = 0, .radius = 0.9}};
+const std::vector<noise::Lobe> stretched{
+    {.frequency = 3, .orientation = 20, .power = 2, .stretch = 2.5},
+    {.frequency = 5, .orientation = -70, .power = 1, .radius = 0.6, .stretch = 2.9},
+    {.frequency = 1, .orientation_spread = 90, .power = 0.5, .radius = 1.7, .stretch = 0.7}};
 
 } // namespace
 
@@ -191,7 +197,9 @@ TEST_CASE("every channel of a picture or a tile is the sum of its lobes' noises,
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
         test::Largest largest;
-        for (const std::vector<noise::Lobe>& lobes : {one_wave, one_spread, several}) {
+        for (const std::vector<noise::Lobe>& lobes : {one_wave, one_spread, several, stretched}) {
+            if (lobes == stretched && !recipe.is_lattice())
+                continue;
             const bool is_wave = lobes == one_wave;
             render::Request near{.width = 101,
                                  .height = 94,
@@ -374,7 +382,7 @@ TEST_CASE("colours of space through the filter keep their mean", "[render]") {
 
 TEST_CASE("a region has the bits of the whole, whatever the bands", "[render]") {
     const vulkan::Device device;
-    std::vector<render::Request> requests{{.width = 1500, .height = 4000, .scale = 20, .lobes = several}};
+    std::vector<render::Request> requests{{.width = 1500, .height = 4000, .scale = 20, .lobes = stretched}};
     for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) // more than two bands
         requests.push_back({.width = 2500,
                             .height = 4000,
@@ -415,9 +423,7 @@ TEST_CASE("a filtered spectrum is the sum of its lobes through the filter", "[re
     const vulkan::Device device;
     for (const bool horizon : {false, true}) {
         render::Request request{
-            .width = 40, .height = 40, .scale = 5, .lobes = several, .seed = 3, .filter = true};
-        request.lobes.resize(2);
-        request.lobes.push_back({.frequency = 1, .orientation_spread = 90, .power = 0.5, .radius = 1.7});
+            .width = 40, .height = 40, .scale = 5, .lobes = stretched, .seed = 3, .filter = true};
         if (horizon)
             request.view = render::Horizon();
         const std::vector<float> pixels = rendered(device, request, {0, 0, 40, 40});
@@ -455,6 +461,8 @@ TEST_CASE("the filter in a plane takes one recipe, and tiles two of the widest k
     CHECK_THROWS_WITH(render::check(request), Catch::Contains("recipe lattice"));
     request.view = render::Slice();
     CHECK_NOTHROW(render::check(request));
+    request = {.recipe = noise::find_recipe("one"), .lobes = stretched};
+    CHECK_THROWS_WITH(render::check(request), Catch::Contains("stretched kernels require a lattice recipe"));
     render::Request tile{
         .width = 54, .height = 54, .scale = 16, .lobes = several, .view = render::Plane{true}};
     CHECK_THROWS_WITH(render::check(tile), Catch::Contains("widest lobe"));

@@ -26,7 +26,7 @@ constexpr double pi = std::numbers::pi;
 struct SampleLobe {
     float frequency;
     float orientation;
-    float radius;
+    float radius[2];
     float power;
 };
 
@@ -42,6 +42,7 @@ struct Sample {
     std::uint32_t seed;
     float padding;
     SampleLobe lobes[3];
+    float padding_lobes;
     std::int32_t cell[2];
     float local[2];
     float period[2];
@@ -74,7 +75,8 @@ struct Answer {
 std::string to_string(const Sample& s) {
     std::string lobes;
     for (const SampleLobe& l : s.lobes)
-        lobes += fmt::format(" ({} {} {} {})", l.frequency, l.orientation, l.radius, l.power);
+        lobes +=
+            fmt::format(" ({} {} {} {} {})", l.frequency, l.orientation, l.radius[0], l.radius[1], l.power);
     return fmt::format("({}, {}), footprint ({}, {}), ({}, {}), frequency {} +- {}, orientation {} +- {}, "
                        "seed {}, lobes{}, cell ({}, {}) + ({}, {}), period ({}, {}), time {}",
                        s.p[0], s.p[1], s.dx[0], s.dx[1], s.dy[0], s.dy[1], s.frequency, s.frequency_spread,
@@ -94,13 +96,16 @@ struct Sampler : test::Probe<Sample, Answer> {
 std::vector<noise::SpectrumLobe> lobes_of(const Sample& s) {
     std::vector<noise::SpectrumLobe> lobes;
     for (const SampleLobe& l : s.lobes)
-        lobes.push_back({l.frequency, l.orientation, l.radius, l.power,
+        lobes.push_back({l.frequency,
+                         l.orientation,
+                         {l.radius[0], l.radius[1]},
+                         l.power,
                          noise::lattice_lobe_seed(s.seed, static_cast<int>(lobes.size()))});
     return lobes;
 }
 
 noise::Spectrum one_wave(const Sample& s) {
-    return noise::Spectrum({{s.frequency, s.orientation, 1, 1, s.seed}});
+    return noise::Spectrum({{s.frequency, s.orientation, {1, 1}, 1, s.seed}});
 }
 
 // Makes a footprint with standard deviations `deviation` and `ratio` times that, its longer axis at an angle.
@@ -133,7 +138,9 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[oracle]
         s.orientation_spread = draw.uniform(most ? 1.4f : 0, static_cast<float>(pi / 2));
         s.seed = draw.word();
         for (SampleLobe& lobe : s.lobes)
-            lobe = {draw.uniform(0, 8), draw.uniform(-8, 8), std::exp2(draw.uniform(-1.5, 1.5)),
+            lobe = {draw.uniform(0, 8),
+                    draw.uniform(-8, 8),
+                    {std::exp2(draw.uniform(-1.5, 1.5)), std::exp2(draw.uniform(-1.5, 1.5))},
                     &lobe != s.lobes && draw.word() % 8 == 0 ? 0 : draw.uniform(0.1f, 3)};
     }
     Differences of;
@@ -180,8 +187,9 @@ void draw_footprint(Sample& s, Draw& draw, float largest) {
 } // namespace
 
 // Of each wave 4 pi^2 F^2, and pi^2 / 3 of the window along each axis.
-static double gradient_variance(double frequency, double radius) {
-    return 4 * pi * pi * frequency * frequency + 2 * pi * pi / 3 / (radius * radius);
+static double gradient_variance(double frequency, std::array<double, 2> radius) {
+    return 4 * pi * pi * frequency * frequency +
+           pi * pi / 3 * (std::pow(radius[0], -2) + std::pow(radius[1], -2));
 }
 
 TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "[oracle]") {
@@ -197,8 +205,10 @@ TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "
         s.orientation_spread = draw.uniform(0, 0.5);
         s.seed = draw.word();
         for (SampleLobe& lobe : s.lobes)
-            lobe = {draw.uniform(0, 4), draw.uniform(-3, 3),
-                    &lobe != s.lobes ? std::exp2(draw.uniform(-1, 1)) : 1, draw.uniform(0.1f, 1)};
+            lobe = {draw.uniform(0, 4), draw.uniform(-3, 3), {1, 1}, draw.uniform(0.1f, 1)};
+        for (std::size_t k = 1; k < std::size(s.lobes); ++k)
+            for (float& radius : s.lobes[k].radius)
+                radius = std::exp2(draw.uniform(-1, 1));
         for (int k = 0; k < 2; ++k) {
             s.local[k] = draw.uniform(0, 1);
             s.period[k] = draw.word() % 2 ? draw.uniform(3, 12) : 0;
@@ -252,6 +262,7 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
     constexpr std::size_t count = 600;
     Sampler sampler(device, count);
     Draw draw(36);
+    Draw along_y(38);
     for (Sample& s : sampler.samples()) {
         s = {};
         s.p[0] = draw.uniform(-50, 50);
@@ -261,7 +272,10 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
         s.seed = draw.word();
         draw_footprint(s, draw, -1);
         for (SampleLobe& lobe : s.lobes) // wide kernels keep their relative filter small
-            lobe = {draw.uniform(0, 2), draw.uniform(-3, 3), draw.uniform(1, 2), draw.uniform(0, 1)};
+            lobe = {draw.uniform(0, 2),
+                    draw.uniform(-3, 3),
+                    {draw.uniform(1, 2), along_y.uniform(1, 2)},
+                    draw.uniform(0, 1)};
     }
     struct Error {
         double squares = 0;
@@ -315,7 +329,7 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[oracle][filter]") 
         const double length = std::hypot(s.dx[0], s.dx[1], std::hypot(s.dy[0], s.dy[1]));
         Error& error = length < 1.0 / 3 ? small : large;
         error.see_four(answers[i], error.see(answers[i].filtered, answers[i].filtered_gradient,
-                                             gradient_variance(s.frequency, 1), one_wave(s), s));
+                                             gradient_variance(s.frequency, {1, 1}), one_wave(s), s));
         if (i % 4 == 0) {
             const auto sum = lobes_of(s);
             double variance = 0;

@@ -208,7 +208,7 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var uneven: f32;
     var light: f32;
     var local_39: f32;
-    var share_2: f32;
+    var share: f32;
     var colour_2: vec3<f32>;
     var height_2: f32;
 
@@ -320,8 +320,8 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     }
     let _e241 = local_39;
     let _e242 = kept_1;
-    share_2 = mix(0.5f, _e241, _e242);
-    let _e247 = share_2;
+    share = mix(0.5f, _e241, _e242);
+    let _e247 = share;
     let _e252 = light;
     colour_2 = (mix(fabric.weft, fabric.warp, vec3(_e247)) * mix(0.18f, 1f, _e252));
     let _e256 = colour_2;
@@ -721,8 +721,8 @@ fn gabor_ripples_default() -> GaborRipples {
 fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborMaterial {
     var height_5: f32 = 0f;
     var crest_1: f32 = 0f;
-    var removed_10: f32 = 0f;
-    var power_5: f32 = 0f;
+    var removed_11: f32 = 0f;
+    var power_6: f32 = 0f;
     var i_8: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
@@ -761,15 +761,15 @@ fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> Gabo
             let _e80 = amplitude_6;
             let _e81 = wave_20;
             crest_1 = (_e79 + (_e80 * _e81.x));
-            let _e85 = removed_10;
+            let _e85 = removed_11;
             let _e86 = amplitude_6;
             let _e87 = amplitude_6;
             let _e89 = wave_20;
-            removed_10 = (_e85 + ((_e86 * _e87) * _e89.z));
-            let _e93 = power_5;
+            removed_11 = (_e85 + ((_e86 * _e87) * _e89.z));
+            let _e93 = power_6;
             let _e94 = amplitude_6;
             let _e95 = amplitude_6;
-            power_5 = (_e93 + (_e94 * _e95));
+            power_6 = (_e93 + (_e94 * _e95));
         }
         continuing {
             let _e17 = i_8;
@@ -777,9 +777,9 @@ fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> Gabo
         }
     }
     let _e98 = crest_1;
-    let _e99 = power_5;
-    let _e102 = removed_10;
-    let _e103 = power_5;
+    let _e99 = power_6;
+    let _e102 = removed_11;
+    let _e103 = power_6;
     let _e107 = gabor_impl_above((_e98 * inverseSqrt(_e99)), (_e102 / _e103), 0.5f, 1f);
     light_1 = _e107;
     let _e111 = light_1;
@@ -995,7 +995,7 @@ fn gabor_zebra_default() -> GaborZebra {
 
 fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMaterial {
     var skin_1: GaborPixel;
-    var place_23: GaborPlace;
+    var place_24: GaborPlace;
     var lean: f32;
     var stripe: vec3<f32>;
     var hair_1: vec3<f32>;
@@ -1009,8 +1009,8 @@ fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMater
     let _e9 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), _e8);
     skin_1 = _e9;
     let _e13 = gabor_impl_place(pixel, vec2(0.6f));
-    place_23 = _e13;
-    let _e15 = place_23;
+    place_24 = _e13;
+    let _e15 = place_24;
     let _e18 = gabor_kernel(0f, 0f);
     let _e20 = gabor_lobe_seed(seed, 1i);
     let _e21 = gabor_field(_e15, _e18, _e20);
@@ -1472,38 +1472,38 @@ fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
 //   density  kernels per unit along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     var density_2: vec2<f32>;
-    var place_22: GaborPlace;
+    var place_23: GaborPlace;
     var kernel_8: GaborKernel;
-    var removed_6: f32;
+    var removed_7: f32;
     var footprint_4: GaborFootprint;
     var value_11: vec2<f32>;
 
     density_2 = density;
     let _e6 = density_2;
     let _e7 = gabor_impl_place(pixel, _e6);
-    place_22 = _e7;
+    place_23 = _e7;
     let _e9 = gabor_kernel(frequency, orientation);
     kernel_8 = _e9;
     if !(pixel.filtered) {
-        let _e13 = place_22;
+        let _e13 = place_23;
         let _e14 = kernel_8;
         let _e15 = gabor_field(_e13, _e14, seed);
         return vec3<f32>(_e15.value.x, _e15.value.y, 0f);
     }
     let _e22 = density_2;
-    let _e23 = place_22;
+    let _e23 = place_23;
     density_2 = (_e22 * (_e23.radius / vec2(1.5f)));
     let _e32 = density_2;
     let _e35 = density_2;
     let _e38 = gabor_footprint((_e32 * pixel.dx), (_e35 * pixel.dy));
     footprint_4 = _e38;
-    let _e40 = place_22;
+    let _e40 = place_23;
     let _e41 = kernel_8;
     let _e42 = footprint_4;
-    let _e45 = gabor_field_filtered(_e40, _e41, _e42, seed, (&removed_6));
+    let _e45 = gabor_field_filtered(_e40, _e41, _e42, seed, (&removed_7));
     value_11 = _e45.value;
     let _e48 = value_11;
-    let _e49 = removed_6;
+    let _e49 = removed_7;
     return vec3<f32>(_e48.x, _e48.y, _e49);
 }
 
@@ -1517,7 +1517,7 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_5: vec2<f32>;
     var sum_15: vec3<f32> = vec3(0f);
-    var power_4: f32 = 0f;
+    var power_5: f32 = 0f;
     var amplitude_4: f32 = 1f;
     var i_7: i32 = 0i;
 
@@ -1538,10 +1538,10 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
             sum_15 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
-            let _e34 = power_4;
+            let _e34 = power_5;
             let _e35 = amplitude_4;
             let _e36 = amplitude_4;
-            power_4 = (_e34 + (_e35 * _e36));
+            power_5 = (_e34 + (_e35 * _e36));
             let _e39 = amplitude_4;
             amplitude_4 = (_e39 * gain);
             let _e41 = density_5;
@@ -1553,27 +1553,27 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
         }
     }
     let _e44 = sum_15;
-    let _e45 = power_4;
+    let _e45 = power_5;
     let _e47 = vec2(sqrt(_e45));
-    let _e48 = power_4;
+    let _e48 = power_5;
     return (_e44 / vec3<f32>(_e47.x, _e47.y, _e48));
 }
 
 // Moves the place by two noises, and its steps accordingly.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var field_13: GaborField;
+    var field_14: GaborField;
     var along_x: vec2<f32>;
     var along_y: vec2<f32>;
 
     let _e4 = gabor_impl_place(pixel, density);
     let _e7 = gabor_kernel(0f, 0f);
     let _e8 = gabor_field(_e4, _e7, seed);
-    field_13 = _e8;
-    let _e12 = field_13;
+    field_14 = _e8;
+    let _e12 = field_14;
     along_x = ((amplitude * density.x) * _e12.slope_x);
-    let _e18 = field_13;
+    let _e18 = field_14;
     along_y = ((amplitude * density.y) * _e18.slope_y);
-    let _e23 = field_13;
+    let _e23 = field_14;
     let _e30 = along_x;
     let _e35 = along_y;
     let _e41 = along_x;

@@ -17,7 +17,7 @@
 struct GaborLobe {
     frequency: f32,
     orientation: f32,
-    radius: f32,
+    radius: vec2<f32>,
     power: f32,
 }
 
@@ -33,6 +33,11 @@ struct GaborLobes {
 //                           radius cycles per unit of p
 //   power                   relative to other lobes, not negative
 fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
+    return GaborLobe(frequency, orientation, vec2(radius), power);
+}
+
+// The same with a kernel radius along x and another along y, at the same cost.
+fn gabor_lobe_elliptical(frequency: f32, orientation: f32, radius: vec2<f32>, power: f32) -> GaborLobe {
     return GaborLobe(frequency, orientation, radius, power);
 }
 
@@ -154,27 +159,27 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 // rounded down, up to 16. For a fifth of all arguments, where a count changes, both counts run.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
-        var place_13: GaborPlace;
+        var place_14: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_13 = _e13;
-        let _e15 = place_13;
+        place_14 = _e13;
+        let _e15 = place_14;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     } else if GABOR_TAPS == 4 {
-        var place_13: GaborPlace;
+        var place_14: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_13 = _e13;
-        let _e15 = place_13;
+        place_14 = _e13;
+        let _e15 = place_14;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     } else {
-        var place_17: GaborPlace;
+        var place_18: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_17 = _e13;
-        let _e15 = place_17;
+        place_18 = _e13;
+        let _e15 = place_18;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     }
@@ -183,12 +188,12 @@ fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
 // With its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
-        var place_14: GaborPlace;
+        var place_15: GaborPlace;
         var field_7: GaborField;
 
         let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_14 = _e13;
-        let _e15 = place_14;
+        place_15 = _e13;
+        let _e15 = place_15;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         field_7 = _e16;
         let _e18 = field_7;
@@ -196,12 +201,12 @@ fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, f
         let _e24 = field_7;
         return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
     } else if GABOR_TAPS == 4 {
-        var place_14: GaborPlace;
+        var place_15: GaborPlace;
         var field_7: GaborField;
 
         let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_14 = _e13;
-        let _e15 = place_14;
+        place_15 = _e13;
+        let _e15 = place_15;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         field_7 = _e16;
         let _e18 = field_7;
@@ -209,12 +214,12 @@ fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, f
         let _e24 = field_7;
         return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
     } else {
-        var place_18: GaborPlace;
+        var place_19: GaborPlace;
         var field_7: GaborField;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_18 = _e13;
-        let _e15 = place_18;
+        place_19 = _e13;
+        let _e15 = place_19;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         field_7 = _e16;
         let _e18 = field_7;
@@ -227,27 +232,27 @@ fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, f
 // With its quadrature, as gabor_noise_complex.
 fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
-        var place_15: GaborPlace;
+        var place_16: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_15 = _e13;
-        let _e15 = place_15;
+        place_16 = _e13;
+        let _e15 = place_16;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     } else if GABOR_TAPS == 4 {
-        var place_15: GaborPlace;
+        var place_16: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_15 = _e13;
-        let _e15 = place_15;
+        place_16 = _e13;
+        let _e15 = place_16;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     } else {
-        var place_19: GaborPlace;
+        var place_20: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_19 = _e13;
-        let _e15 = place_19;
+        place_20 = _e13;
+        let _e15 = place_20;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     }
@@ -311,27 +316,27 @@ fn gabor_noise_isotropic_gradient(p: vec2<f32>, frequency: f32, seed: u32) -> ve
 // With a period, as gabor_noise_tiled.
 fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
-        var place_16: GaborPlace;
+        var place_17: GaborPlace;
 
         let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-        place_16 = _e9;
-        let _e11 = place_16;
+        place_17 = _e9;
+        let _e11 = place_17;
         let _e12 = gabor_field_isotropic(_e11, frequency, seed);
         return _e12.value.y;
     } else if GABOR_TAPS == 4 {
-        var place_16: GaborPlace;
+        var place_17: GaborPlace;
 
         let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-        place_16 = _e9;
-        let _e11 = place_16;
+        place_17 = _e9;
+        let _e11 = place_17;
         let _e12 = gabor_field_isotropic(_e11, frequency, seed);
         return _e12.value.y;
     } else {
-        var place_20: GaborPlace;
+        var place_21: GaborPlace;
 
         let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-        place_20 = _e9;
-        let _e11 = place_20;
+        place_21 = _e9;
+        let _e11 = place_21;
         let _e12 = gabor_field_isotropic(_e11, frequency, seed);
         return _e12.value.y;
     }
@@ -433,14 +438,14 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
 // The noise of gabor_noise_lobes, filtered: (noise, removed).
 fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
     var lobes_11: GaborLobes;
-    var field_12: vec4<f32>;
+    var field_13: vec4<f32>;
 
     lobes_11 = lobes;
     let _e6 = lobes_11;
     let _e7 = gabor_noise_lobes_filtered_gradient(p, dx, dy, _e6, seed);
-    field_12 = _e7;
-    let _e9 = field_12;
-    let _e11 = field_12;
+    field_13 = _e7;
+    let _e9 = field_13;
+    let _e11 = field_13;
     return vec2<f32>(_e9.x, _e11.w);
 }
 
@@ -448,11 +453,13 @@ fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes:
 fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
     var lobes_9: GaborLobes;
     var sum_14: vec4<f32> = vec4(0f);
-    var power_2: f32 = 0f;
+    var power_3: f32 = 0f;
     var i_6: i32 = 0i;
-    var lobe_1: GaborLobe;
-    var unit_3: f32;
-    var noise_3: vec4<f32>;
+    var lobe_2: GaborLobe;
+    var unit_3: vec2<f32>;
+    var removed_5: f32;
+    var field_12: GaborField;
+    var noise_3: vec3<f32>;
     var local_29: vec4<f32>;
 
     lobes_9 = lobes;
@@ -465,48 +472,54 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
         {
             let _e23 = i_6;
             let _e26 = lobes_9.lobe[_e23];
-            lobe_1 = _e26;
-            let _e29 = lobe_1;
-            unit_3 = (1f / _e29.radius);
-            let _e33 = unit_3;
-            let _e35 = unit_3;
+            lobe_2 = _e26;
+            let _e29 = lobe_2;
+            unit_3 = (vec2(1f) / _e29.radius);
             let _e37 = unit_3;
-            let _e39 = lobe_1;
-            let _e41 = lobe_1;
-            let _e44 = lobe_1;
-            let _e46 = i_6;
-            let _e47 = gabor_lobe_seed(seed, _e46);
-            let _e48 = gabor_noise_filtered_gradient((p * _e33), (dx * _e35), (dy * _e37), (_e39.frequency * _e41.radius), _e44.orientation, _e47);
-            noise_3 = _e48;
-            let _e50 = sum_14;
-            let _e51 = lobe_1;
-            let _e55 = unit_3;
-            let _e56 = unit_3;
-            let _e58 = (sqrt(_e51.power) * vec3<f32>(1f, _e55, _e56));
-            let _e59 = lobe_1;
-            let _e65 = noise_3;
-            sum_14 = (_e50 + (vec4<f32>(_e58.x, _e58.y, _e58.z, _e59.power) * _e65));
-            let _e68 = power_2;
-            let _e69 = lobe_1;
-            power_2 = (_e68 + _e69.power);
+            let _e44 = gabor_place(vec2(0i), ((p * _e37) * 1.5f));
+            let _e45 = lobe_2;
+            let _e46 = gabor_impl_lobe_kernel(_e45);
+            let _e47 = unit_3;
+            let _e49 = unit_3;
+            let _e51 = gabor_footprint((dx * _e47), (dy * _e49));
+            let _e52 = i_6;
+            let _e53 = gabor_lobe_seed(seed, _e52);
+            let _e56 = gabor_field_filtered(_e44, _e46, _e51, _e53, (&removed_5));
+            field_12 = _e56;
+            let _e58 = field_12;
+            let _e61 = unit_3;
+            let _e62 = field_12;
+            let _e65 = field_12;
+            let _e69 = (_e61 * vec2<f32>(_e62.slope_x.y, _e65.slope_y.y));
+            noise_3 = vec3<f32>(_e58.value.y, _e69.x, _e69.y);
+            let _e74 = sum_14;
+            let _e75 = lobe_2;
+            let _e78 = noise_3;
+            let _e79 = (sqrt(_e75.power) * _e78);
+            let _e80 = lobe_2;
+            let _e82 = removed_5;
+            sum_14 = (_e74 + vec4<f32>(_e79.x, _e79.y, _e79.z, (_e80.power * _e82)));
+            let _e89 = power_3;
+            let _e90 = lobe_2;
+            power_3 = (_e89 + _e90.power);
         }
         continuing {
             let _e20 = i_6;
             i_6 = (_e20 + 1i);
         }
     }
-    let _e72 = power_2;
-    if (_e72 > 0f) {
-        let _e75 = sum_14;
-        let _e76 = power_2;
-        let _e78 = vec3(inverseSqrt(_e76));
-        let _e80 = power_2;
-        local_29 = (_e75 * vec4<f32>(_e78.x, _e78.y, _e78.z, (1f / _e80)));
+    let _e93 = power_3;
+    if (_e93 > 0f) {
+        let _e96 = sum_14;
+        let _e97 = power_3;
+        let _e99 = vec3(inverseSqrt(_e97));
+        let _e101 = power_3;
+        local_29 = (_e96 * vec4<f32>(_e99.x, _e99.y, _e99.z, (1f / _e101)));
     } else {
         local_29 = vec4(0f);
     }
-    let _e90 = local_29;
-    return _e90;
+    let _e111 = local_29;
+    return _e111;
 }
 
 // gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
@@ -735,9 +748,14 @@ fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
     }
 }
 
-// The same place, period and time for a kernel with `radius` times the place's kernel radius. Its position is
-// rounded to a float, within the period if there is one.
+// The same place, period and time for a kernel with `radius` times the place's kernel radius, along both axes or
+// along x and y. Its position is rounded to a float, within the period if there is one.
 fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
+    let _e3 = gabor_place_stretched(place, vec2(radius));
+    return _e3;
+}
+
+fn gabor_place_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
     var cell_3: vec2<i32>;
     var unit: vec2<f32>;
     var scaled: GaborPlace;
@@ -764,9 +782,8 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
-        var lobe: GaborLobe;
-        var scaled_1: GaborPlace;
-        var kernel_4: GaborKernel;
+        var lobe_1: GaborLobe;
+        var stretched: GaborPlace;
         var field_3: GaborField;
         var local_12: f32;
         var scale_1: f32;
@@ -781,59 +798,58 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
             {
                 let _e26 = i;
                 let _e29 = lobes_1.lobe[_e26];
-                lobe = _e29;
-                let _e31 = lobe;
-                let _e33 = gabor_place_scaled(place, _e31.radius);
-                scaled_1 = _e33;
-                let _e35 = lobe;
-                let _e37 = lobe;
-                let _e40 = lobe;
-                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
-                kernel_4 = _e42;
-                let _e44 = scaled_1;
-                let _e45 = kernel_4;
-                let _e46 = i;
-                let _e47 = gabor_lobe_seed(seed, _e46);
-                let _e48 = gabor_field(_e44, _e45, _e47);
-                field_3 = _e48;
+                lobe_1 = _e29;
+                let _e31 = lobe_1;
+                let _e33 = gabor_place_stretched(place, _e31.radius);
+                stretched = _e33;
+                let _e35 = stretched;
+                let _e36 = lobe_1;
+                let _e37 = gabor_impl_lobe_kernel(_e36);
+                let _e38 = i;
+                let _e39 = gabor_lobe_seed(seed, _e38);
+                let _e40 = gabor_field(_e35, _e37, _e39);
+                field_3 = _e40;
+                let _e43 = field_3;
+                let _e45 = lobe_1;
+                field_3.slope_x = (_e43.slope_x / vec2(_e45.radius.x));
                 let _e51 = field_3;
-                let _e52 = lobe;
-                let _e55 = lobe;
-                let _e58 = lobe;
-                gabor_impl_accumulate((&sum_5), _e51, sqrt(_e52.power), (sqrt(_e55.power) / _e58.radius));
-                let _e62 = power;
-                let _e63 = lobe;
-                power = (_e62 + _e63.power);
+                let _e53 = lobe_1;
+                field_3.slope_y = (_e51.slope_y / vec2(_e53.radius.y));
+                let _e59 = field_3;
+                let _e60 = lobe_1;
+                gabor_impl_accumulate((&sum_5), _e59, sqrt(_e60.power));
+                let _e64 = power;
+                let _e65 = lobe_1;
+                power = (_e64 + _e65.power);
             }
             continuing {
                 let _e23 = i;
                 i = (_e23 + 1i);
             }
         }
-        let _e66 = power;
-        if (_e66 > 0f) {
-            let _e69 = power;
-            local_12 = inverseSqrt(_e69);
+        let _e68 = power;
+        if (_e68 > 0f) {
+            let _e71 = power;
+            local_12 = inverseSqrt(_e71);
         } else {
             local_12 = 0f;
         }
-        let _e73 = local_12;
-        scale_1 = _e73;
-        let _e75 = scale_1;
-        let _e76 = sum_5;
-        let _e79 = scale_1;
-        let _e80 = sum_5;
-        let _e83 = scale_1;
-        let _e84 = sum_5;
-        return GaborField((_e75 * _e76.value), (_e79 * _e80.slope_x), (_e83 * _e84.slope_y));
+        let _e75 = local_12;
+        scale_1 = _e75;
+        let _e77 = scale_1;
+        let _e78 = sum_5;
+        let _e81 = scale_1;
+        let _e82 = sum_5;
+        let _e85 = scale_1;
+        let _e86 = sum_5;
+        return GaborField((_e77 * _e78.value), (_e81 * _e82.slope_x), (_e85 * _e86.slope_y));
     } else if GABOR_TAPS == 4 {
         var lobes_1: GaborLobes;
         var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
-        var lobe: GaborLobe;
-        var scaled_1: GaborPlace;
-        var kernel_4: GaborKernel;
+        var lobe_1: GaborLobe;
+        var stretched: GaborPlace;
         var field_3: GaborField;
         var local_12: f32;
         var scale: f32;
@@ -848,59 +864,58 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
             {
                 let _e26 = i;
                 let _e29 = lobes_1.lobe[_e26];
-                lobe = _e29;
-                let _e31 = lobe;
-                let _e33 = gabor_place_scaled(place, _e31.radius);
-                scaled_1 = _e33;
-                let _e35 = lobe;
-                let _e37 = lobe;
-                let _e40 = lobe;
-                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
-                kernel_4 = _e42;
-                let _e44 = scaled_1;
-                let _e45 = kernel_4;
-                let _e46 = i;
-                let _e47 = gabor_lobe_seed(seed, _e46);
-                let _e48 = gabor_field(_e44, _e45, _e47);
-                field_3 = _e48;
+                lobe_1 = _e29;
+                let _e31 = lobe_1;
+                let _e33 = gabor_place_stretched(place, _e31.radius);
+                stretched = _e33;
+                let _e35 = stretched;
+                let _e36 = lobe_1;
+                let _e37 = gabor_impl_lobe_kernel(_e36);
+                let _e38 = i;
+                let _e39 = gabor_lobe_seed(seed, _e38);
+                let _e40 = gabor_field(_e35, _e37, _e39);
+                field_3 = _e40;
+                let _e43 = field_3;
+                let _e45 = lobe_1;
+                field_3.slope_x = (_e43.slope_x / vec2(_e45.radius.x));
                 let _e51 = field_3;
-                let _e52 = lobe;
-                let _e55 = lobe;
-                let _e58 = lobe;
-                gabor_impl_accumulate((&sum_5), _e51, sqrt(_e52.power), (sqrt(_e55.power) / _e58.radius));
-                let _e62 = power;
-                let _e63 = lobe;
-                power = (_e62 + _e63.power);
+                let _e53 = lobe_1;
+                field_3.slope_y = (_e51.slope_y / vec2(_e53.radius.y));
+                let _e59 = field_3;
+                let _e60 = lobe_1;
+                gabor_impl_accumulate((&sum_5), _e59, sqrt(_e60.power));
+                let _e64 = power;
+                let _e65 = lobe_1;
+                power = (_e64 + _e65.power);
             }
             continuing {
                 let _e23 = i;
                 i = (_e23 + 1i);
             }
         }
-        let _e66 = power;
-        if (_e66 > 0f) {
-            let _e69 = power;
-            local_12 = inverseSqrt(_e69);
+        let _e68 = power;
+        if (_e68 > 0f) {
+            let _e71 = power;
+            local_12 = inverseSqrt(_e71);
         } else {
             local_12 = 0f;
         }
-        let _e73 = local_12;
-        scale = _e73;
-        let _e75 = scale;
-        let _e76 = sum_5;
-        let _e79 = scale;
-        let _e80 = sum_5;
-        let _e83 = scale;
-        let _e84 = sum_5;
-        return GaborField((_e75 * _e76.value), (_e79 * _e80.slope_x), (_e83 * _e84.slope_y));
+        let _e75 = local_12;
+        scale = _e75;
+        let _e77 = scale;
+        let _e78 = sum_5;
+        let _e81 = scale;
+        let _e82 = sum_5;
+        let _e85 = scale;
+        let _e86 = sum_5;
+        return GaborField((_e77 * _e78.value), (_e81 * _e82.slope_x), (_e85 * _e86.slope_y));
     } else {
         var lobes_1: GaborLobes;
         var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
         var power: f32 = 0f;
         var i: i32 = 0i;
-        var lobe: GaborLobe;
-        var scaled_1: GaborPlace;
-        var kernel_4: GaborKernel;
+        var lobe_1: GaborLobe;
+        var stretched: GaborPlace;
         var field_3: GaborField;
         var local_12: f32;
         var scale: f32;
@@ -915,51 +930,51 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
             {
                 let _e26 = i;
                 let _e29 = lobes_1.lobe[_e26];
-                lobe = _e29;
-                let _e31 = lobe;
-                let _e33 = gabor_place_scaled(place, _e31.radius);
-                scaled_1 = _e33;
-                let _e35 = lobe;
-                let _e37 = lobe;
-                let _e40 = lobe;
-                let _e42 = gabor_kernel((_e35.frequency * _e37.radius), _e40.orientation);
-                kernel_4 = _e42;
-                let _e44 = scaled_1;
-                let _e45 = kernel_4;
-                let _e46 = i;
-                let _e47 = gabor_lobe_seed(seed, _e46);
-                let _e48 = gabor_field(_e44, _e45, _e47);
-                field_3 = _e48;
+                lobe_1 = _e29;
+                let _e31 = lobe_1;
+                let _e33 = gabor_place_stretched(place, _e31.radius);
+                stretched = _e33;
+                let _e35 = stretched;
+                let _e36 = lobe_1;
+                let _e37 = gabor_impl_lobe_kernel(_e36);
+                let _e38 = i;
+                let _e39 = gabor_lobe_seed(seed, _e38);
+                let _e40 = gabor_field(_e35, _e37, _e39);
+                field_3 = _e40;
+                let _e43 = field_3;
+                let _e45 = lobe_1;
+                field_3.slope_x = (_e43.slope_x / vec2(_e45.radius.x));
                 let _e51 = field_3;
-                let _e52 = lobe;
-                let _e55 = lobe;
-                let _e58 = lobe;
-                gabor_impl_accumulate((&sum_5), _e51, sqrt(_e52.power), (sqrt(_e55.power) / _e58.radius));
-                let _e62 = power;
-                let _e63 = lobe;
-                power = (_e62 + _e63.power);
+                let _e53 = lobe_1;
+                field_3.slope_y = (_e51.slope_y / vec2(_e53.radius.y));
+                let _e59 = field_3;
+                let _e60 = lobe_1;
+                gabor_impl_accumulate((&sum_5), _e59, sqrt(_e60.power));
+                let _e64 = power;
+                let _e65 = lobe_1;
+                power = (_e64 + _e65.power);
             }
             continuing {
                 let _e23 = i;
                 i = (_e23 + 1i);
             }
         }
-        let _e66 = power;
-        if (_e66 > 0f) {
-            let _e69 = power;
-            local_12 = inverseSqrt(_e69);
+        let _e68 = power;
+        if (_e68 > 0f) {
+            let _e71 = power;
+            local_12 = inverseSqrt(_e71);
         } else {
             local_12 = 0f;
         }
-        let _e73 = local_12;
-        scale = _e73;
-        let _e75 = scale;
-        let _e76 = sum_5;
-        let _e79 = scale;
-        let _e80 = sum_5;
-        let _e83 = scale;
-        let _e84 = sum_5;
-        return GaborField((_e75 * _e76.value), (_e79 * _e80.slope_x), (_e83 * _e84.slope_y));
+        let _e75 = local_12;
+        scale = _e75;
+        let _e77 = scale;
+        let _e78 = sum_5;
+        let _e81 = scale;
+        let _e82 = sum_5;
+        let _e85 = scale;
+        let _e86 = sum_5;
+        return GaborField((_e77 * _e78.value), (_e81 * _e82.slope_x), (_e85 * _e86.slope_y));
     }
 }
 
@@ -1046,8 +1061,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
                     amplitude_2 = sqrt((_e116.y * _e118.y));
                     let _e124 = field_4;
                     let _e125 = amplitude_2;
-                    let _e126 = amplitude_2;
-                    gabor_impl_accumulate((&sum_6), _e124, _e125, _e126);
+                    gabor_impl_accumulate((&sum_6), _e124, _e125);
                 }
                 continuing {
                     let _e89 = i_3;
@@ -1060,8 +1074,8 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
             j_1 = (_e49 + 1i);
         }
     }
-    let _e128 = sum_6;
-    return _e128;
+    let _e127 = sum_6;
+    return _e127;
 }
 
 // Isotropic noise at a place, with quadrature and derivatives. At each place the quadrature is independent of the
@@ -1204,26 +1218,26 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 
 // gabor_stripes_filtered at a place, with a footprint as for gabor_field_filtered.
 fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
-    var removed_5: f32;
+    var removed_6: f32;
     var value_10: vec2<f32>;
-    var power_3: f32;
+    var power_4: f32;
     var reach: f32;
 
     let _e6 = gabor_kernel_wave(wave);
-    let _e9 = gabor_field_filtered(place, _e6, footprint, seed, (&removed_5));
+    let _e9 = gabor_field_filtered(place, _e6, footprint, seed, (&removed_6));
     value_10 = _e9.value;
     let _e12 = value_10;
     let _e13 = value_10;
-    power_3 = dot(_e12, _e13);
-    let _e16 = power_3;
-    let _e18 = removed_5;
+    power_4 = dot(_e12, _e13);
+    let _e16 = power_4;
+    let _e18 = removed_6;
     reach = sqrt((_e16 + (2.546479f * max(_e18, 0f))));
     let _e25 = reach;
     let _e30 = value_10;
     let _e31 = ((sharpness / max((sharpness * _e25), 1f)) * _e30);
-    let _e32 = power_3;
-    let _e34 = removed_5;
-    let _e40 = removed_5;
+    let _e32 = power_4;
+    let _e34 = removed_6;
+    let _e40 = removed_6;
     return vec4<f32>(_e31.x, _e31.y, sqrt((_e32 + (1.5707963f * max(_e34, 0f)))), _e40);
 }
 
@@ -1241,8 +1255,6 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     var amplitude_3: f32 = 1f;
     var deviation_2: f32;
     var wide: f32;
-    var share: f32;
-    var share_1: f32;
 
     kernel_7 = kernel;
     stretch_1 = (place.radius / vec2(1.5f));
@@ -1278,42 +1290,36 @@ fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: Gabor
     let _e72 = wide;
     if (_e72 < 1f) {
         {
-            let _e76 = wide;
-            let _e78 = amplitude_3;
-            share = ((1f - _e76) * _e78);
-            let _e82 = wave_15;
-            let _e83 = s_4;
-            let _e84 = salt_7;
-            let _e85 = gabor_impl_filtered_narrow(place, _e82, _e83, _e84);
-            let _e86 = share;
-            let _e87 = share;
-            gabor_impl_accumulate((&sum_9), _e85, _e86, _e87);
+            let _e76 = wave_15;
+            let _e77 = s_4;
+            let _e78 = salt_7;
+            let _e79 = gabor_impl_filtered_narrow(place, _e76, _e77, _e78);
+            let _e81 = wide;
+            let _e83 = amplitude_3;
+            gabor_impl_accumulate((&sum_9), _e79, ((1f - _e81) * _e83));
         }
     }
-    let _e89 = wide;
-    if (_e89 > 0f) {
+    let _e86 = wide;
+    if (_e86 > 0f) {
         {
+            let _e90 = wave_15;
+            let _e91 = s_4;
             let _e92 = wide;
-            let _e93 = amplitude_3;
-            share_1 = (_e92 * _e93);
-            let _e97 = wave_15;
-            let _e98 = s_4;
-            let _e99 = wide;
-            let _e102 = salt_7;
-            let _e103 = gabor_impl_filtered_wide(place, _e97, _e98, (_e99 > 0f), _e102);
-            let _e104 = share_1;
-            let _e105 = share_1;
-            gabor_impl_accumulate((&sum_9), _e103, _e104, _e105);
+            let _e95 = salt_7;
+            let _e96 = gabor_impl_filtered_wide(place, _e90, _e91, (_e92 > 0f), _e95);
+            let _e97 = wide;
+            let _e98 = amplitude_3;
+            gabor_impl_accumulate((&sum_9), _e96, (_e97 * _e98));
         }
     }
+    let _e102 = sum_9;
+    let _e104 = stretch_1;
+    sum_9.slope_x = (_e102.slope_x * _e104.x);
     let _e108 = sum_9;
     let _e110 = stretch_1;
-    sum_9.slope_x = (_e108.slope_x * _e110.x);
-    let _e114 = sum_9;
-    let _e116 = stretch_1;
-    sum_9.slope_y = (_e114.slope_y * _e116.y);
-    let _e119 = sum_9;
-    return _e119;
+    sum_9.slope_y = (_e108.slope_y * _e110.y);
+    let _e113 = sum_9;
+    return _e113;
 }
 
 // The same for isotropic noise.
@@ -1364,14 +1370,26 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: 
 // Private implementation
 // ====================================================================================================================
 
-fn gabor_impl_accumulate(sum: ptr<function, GaborField>, field: GaborField, amplitude: f32, slope: f32) {
-    let _e5 = (*sum);
-    (*sum).value = (_e5.value + (amplitude * field.value));
-    let _e11 = (*sum);
-    (*sum).slope_x = (_e11.slope_x + (slope * field.slope_x));
-    let _e17 = (*sum);
-    (*sum).slope_y = (_e17.slope_y + (slope * field.slope_y));
+fn gabor_impl_accumulate(sum: ptr<function, GaborField>, field: GaborField, amplitude: f32) {
+    let _e4 = (*sum);
+    (*sum).value = (_e4.value + (amplitude * field.value));
+    let _e10 = (*sum);
+    (*sum).slope_x = (_e10.slope_x + (amplitude * field.slope_x));
+    let _e16 = (*sum);
+    (*sum).slope_y = (_e16.slope_y + (amplitude * field.slope_y));
     return;
+}
+
+// A lobe's wave in cycles per kernel radius along each axis.
+fn gabor_impl_lobe_kernel(lobe: GaborLobe) -> GaborKernel {
+    var kernel_4: GaborKernel;
+
+    let _e6 = gabor_kernel((lobe.frequency * lobe.radius.x), lobe.orientation);
+    kernel_4 = _e6;
+    let _e10 = kernel_4;
+    kernel_4.wave.y = (_e10.wave.y * (lobe.radius.y / lobe.radius.x));
+    let _e19 = kernel_4;
+    return _e19;
 }
 
 // The power of a sum that replaces another as x goes from 0 to 1. With x itself, the amplitudes, its square roots,
@@ -1489,7 +1507,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var fade: vec2<f32>;
     var turn_6: vec2<f32>;
     var value_6: vec4<f32>;
-    var slope_8: vec4<f32>;
+    var slope_7: vec4<f32>;
 
     rise = exp((19.739208f * blurred));
     let _e13 = rise;
@@ -1510,21 +1528,21 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     let _e65 = gabor_impl_wave(_e63.turns);
     turn_6 = _e65;
     let _e69 = (*axis);
-    gabor_impl_windows(_e69.offset, (&value_6), (&slope_8));
+    gabor_impl_windows(_e69.offset, (&value_6), (&slope_7));
     let _e78 = value_6;
-    let _e80 = slope_8;
+    let _e80 = slope_7;
     let _e82 = part_1;
     let _e83 = fade;
     let _e85 = turn_6;
     let _e87 = gabor_impl_filtered_node(_e78.x, _e80.x, _e82, (_e83.x * _e85));
     (*axis).node[0i] = _e87;
     let _e91 = value_6;
-    let _e93 = slope_8;
+    let _e93 = slope_7;
     let _e95 = part_1;
     let _e99 = gabor_impl_filtered_node(_e91.y, _e93.y, _e95, vec2<f32>(1f, 0f));
     (*axis).node[1i] = _e99;
     let _e103 = value_6;
-    let _e105 = slope_8;
+    let _e105 = slope_7;
     let _e107 = part_1;
     let _e108 = fade;
     let _e110 = turn_6;
@@ -1541,7 +1559,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     var rows: GaborAxis;
     var turn_7: vec2<f32>;
     var sum_7: vec4<f32>;
-    var slope_9: vec4<f32>;
+    var slope_8: vec4<f32>;
 
     let _e4 = gabor_impl_symmetric(s, wave);
     blurred_1 = _e4;
@@ -1561,13 +1579,13 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     gabor_impl_filter((&rows), s.y, _e54.y);
     let _e59 = columns;
     let _e60 = rows;
-    gabor_impl_sum(_e59, _e60, place.animated, place.time, (&sum_7), (&slope_9));
+    gabor_impl_sum(_e59, _e60, place.animated, place.time, (&sum_7), (&slope_8));
     let _e67 = sum_7;
-    let _e69 = slope_9;
+    let _e69 = slope_8;
     let _e71 = (s.z * _e69.zw);
     sum_7 = (_e67 + vec4<f32>(_e71.x, _e71.y, 0f, 0f));
     let _e78 = sum_7;
-    let _e79 = slope_9;
+    let _e79 = slope_8;
     let _e82 = blurred_1;
     let _e86 = turn_7;
     let _e90 = gabor_impl_field(_e78, _e79, (exp((-19.739208f * dot(wave, _e82))) * _e86), wave, vec2(1f));

@@ -20,7 +20,7 @@ struct Sample {
     float orientation_spread;
     uint seed;
     float padding;
-    float lobes[12]; // frequency, orientation, radius, power of each
+    float lobes[15]; // frequency, orientation, radii along x and y, power of each
     ivec2 cell;      // of a place
     vec2 local;
     vec2 period;     // kernel radii
@@ -69,7 +69,8 @@ void main() {
     GaborLobes lobes;
     lobes.count = 2 * GABOR_LOBES; // those beyond do not count
     for (int k = 0; k < GABOR_LOBES; ++k)
-        lobes.lobe[k] = gabor_lobe(s.lobes[4 * k], s.lobes[4 * k + 1], s.lobes[4 * k + 2], s.lobes[4 * k + 3]);
+        lobes.lobe[k] = gabor_lobe_elliptical(s.lobes[5 * k], s.lobes[5 * k + 1],
+                                              vec2(s.lobes[5 * k + 2], s.lobes[5 * k + 3]), s.lobes[5 * k + 4]);
     if (wanted != SPREAD)
         answers[i].filtered = gabor_noise_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed);
     if (wanted != FILTERED)
