@@ -1001,7 +1001,7 @@ vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lo
         GaborField field = gabor_field_filtered(gabor_place(ivec2(0), p * unit * GABOR_RADIUS),
                                                 gabor_impl_lobe_kernel(lobe), gabor_footprint(dx * unit, dy * unit),
                                                 gabor_lobe_seed(seed, i), removed);
-        vec3 noise = vec3(field.value.y, unit * vec2(field.slope_x.y, field.slope_y.y));
+        vec3 noise = vec3(field.value.y, unit.x * field.slope_x.y, unit.y * field.slope_y.y);
         sum += vec4(sqrt(lobe.power) * noise, lobe.power * removed);
         power += lobe.power;
     }

@@ -1002,7 +1002,7 @@ GABOR_INLINE gabor_vec4 gabor_noise_lobes_filtered_gradient(gabor_vec2 p, gabor_
         GaborField field = gabor_field_filtered(gabor_place(gabor_ivec2(0), p * unit * GABOR_RADIUS),
                                                 gabor_impl_lobe_kernel(lobe), gabor_footprint(dx * unit, dy * unit),
                                                 gabor_lobe_seed(seed, i), removed);
-        gabor_vec3 noise = gabor_vec3(field.value.y, unit * gabor_vec2(field.slope_x.y, field.slope_y.y));
+        gabor_vec3 noise = gabor_vec3(field.value.y, unit.x * field.slope_x.y, unit.y * field.slope_y.y);
         sum += gabor_vec4(gabor_cpp_sqrt(lobe.power) * noise, lobe.power * removed);
         power += lobe.power;
     }

@@ -1005,7 +1005,7 @@ inline float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy
         GaborField field = gabor_field_filtered(gabor_place(int2(0), p * unit * GABOR_RADIUS),
                                                 gabor_impl_lobe_kernel(lobe), gabor_footprint(dx * unit, dy * unit),
                                                 gabor_lobe_seed(seed, i), removed);
-        float3 noise = float3(field.value.y, unit * float2(field.slope_x.y, field.slope_y.y));
+        float3 noise = float3(field.value.y, unit.x * field.slope_x.y, unit.y * field.slope_y.y);
         sum += float4(sqrt(lobe.power) * noise, lobe.power * removed);
         power += lobe.power;
     }

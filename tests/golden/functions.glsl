@@ -222,6 +222,12 @@ void see_all(int i) {
     SEE(gabor_stripes_sawtooth(stripes))
     SEE(gabor_stripes_pulse(stripes, 0.3f))
     SEE(gabor_stripes_ridges(stripes))
+    GaborPlace stretched = gabor_place_stretched(place, vec2(1.3f, 0.6f));
+    SEE(kept(gabor_field(stretched, gabor_kernel(s.frequency, s.orientation), s.seed)))
+    GaborLobes ellipses = lobes;
+    ellipses.lobe[1] = gabor_lobe_elliptical(2.0f, 1.6f, vec2(0.7f, drawn(i, 30, 0.5f, 2.0f)), 1.0f);
+    SEE(kept_gradient(gabor_noise_lobes_gradient(p, ellipses, s.seed)))
+    SEE(kept(gabor_noise_lobes_filtered(p, s.dx, s.dy, ellipses, s.seed)))
 #endif
 #if defined GOLDEN_DIRECTION
     vec2 p = i / 4 % 4 == 3 ? 1.0e-3f * s.p : s.p; // the map grows with p

@@ -488,38 +488,38 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             field_12 = _e56;
             let _e58 = field_12;
             let _e61 = unit_3;
-            let _e62 = field_12;
-            let _e65 = field_12;
-            let _e69 = (_e61 * vec2<f32>(_e62.slope_x.y, _e65.slope_y.y));
-            noise_3 = vec3<f32>(_e58.value.y, _e69.x, _e69.y);
-            let _e74 = sum_14;
-            let _e75 = lobe_2;
-            let _e78 = noise_3;
-            let _e79 = (sqrt(_e75.power) * _e78);
-            let _e80 = lobe_2;
-            let _e82 = removed_5;
-            sum_14 = (_e74 + vec4<f32>(_e79.x, _e79.y, _e79.z, (_e80.power * _e82)));
-            let _e89 = power_3;
-            let _e90 = lobe_2;
-            power_3 = (_e89 + _e90.power);
+            let _e63 = field_12;
+            let _e67 = unit_3;
+            let _e69 = field_12;
+            noise_3 = vec3<f32>(_e58.value.y, (_e61.x * _e63.slope_x.y), (_e67.y * _e69.slope_y.y));
+            let _e75 = sum_14;
+            let _e76 = lobe_2;
+            let _e79 = noise_3;
+            let _e80 = (sqrt(_e76.power) * _e79);
+            let _e81 = lobe_2;
+            let _e83 = removed_5;
+            sum_14 = (_e75 + vec4<f32>(_e80.x, _e80.y, _e80.z, (_e81.power * _e83)));
+            let _e90 = power_3;
+            let _e91 = lobe_2;
+            power_3 = (_e90 + _e91.power);
         }
         continuing {
             let _e20 = i_6;
             i_6 = (_e20 + 1i);
         }
     }
-    let _e93 = power_3;
-    if (_e93 > 0f) {
-        let _e96 = sum_14;
-        let _e97 = power_3;
-        let _e99 = vec3(inverseSqrt(_e97));
-        let _e101 = power_3;
-        local_29 = (_e96 * vec4<f32>(_e99.x, _e99.y, _e99.z, (1f / _e101)));
+    let _e94 = power_3;
+    if (_e94 > 0f) {
+        let _e97 = sum_14;
+        let _e98 = power_3;
+        let _e100 = vec3(inverseSqrt(_e98));
+        let _e102 = power_3;
+        local_29 = (_e97 * vec4<f32>(_e100.x, _e100.y, _e100.z, (1f / _e102)));
     } else {
         local_29 = vec4(0f);
     }
-    let _e111 = local_29;
-    return _e111;
+    let _e112 = local_29;
+    return _e112;
 }
 
 // gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
