@@ -14,10 +14,13 @@ layout(local_size_x = bake_group) in;
 layout(std430, set = 0, binding = 0) buffer Picture { float picture[]; };
 
 void main() {
-    if (gl_GlobalInvocationID.x >= uint(width))
-        return;
-    int at = (before + int(gl_GlobalInvocationID.y) * width + int(gl_GlobalInvocationID.x)) * channels;
+    // Without an early return, lavapipe loads the colour once instead of once for each invocation.
+    bool inside = gl_GlobalInvocationID.x < uint(width);
+    int column = min(int(gl_GlobalInvocationID.x), width - 1);
+    int at = (before + int(gl_GlobalInvocationID.y) * width + column) * channels;
     vec3 value = colour_of(vec3(picture[at], picture[at + 1], picture[at + 2]), vec3(0.0));
-    for (int i = 0; i < 3; ++i)
-        picture[at + i] = value[i];
+    if (inside) {
+        for (int i = 0; i < 3; ++i)
+            picture[at + i] = value[i];
+    }
 }
