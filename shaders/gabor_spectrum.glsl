@@ -602,8 +602,13 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     return GaborField(scale * value, scale * vec2(-x.y, x.x), scale * vec2(-y.y, y.x));
 }
 
-GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
-                                out float removed) {
+// The share of seven waves in the filtered noise; the others are three.
+float gabor_impl_wide_share(GaborFootprint footprint) {
+    return clamp(100.0 * sqrt(max(footprint.resolved.x, footprint.resolved.y)) - 9.0, 0.0, 1.0);
+}
+
+GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, float wide, uint seed,
+                               out float removed) {
     vec2 stretch = place.radius / GABOR_RADIUS;
     vec2 wave = kernel.wave / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -616,17 +621,18 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootp
     float amplitude = 1.0;
     if (any(notEqual(footprint.resolved, footprint.covariance)))
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
-    float deviation = sqrt(max(s.x, s.y));
-    float wide = clamp(100.0 * deviation - 9.0, 0.0, 1.0);
-    if (wide < 1.0) {
+    if (wide < 1.0)
         gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude);
-    }
-    if (wide > 0.0) {
+    if (wide > 0.0)
         gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0, salt), wide * amplitude);
-    }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
     return sum;
+}
+
+GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
+                                out float removed) {
+    return gabor_impl_filtered(place, kernel, footprint, gabor_impl_wide_share(footprint), seed, removed);
 }
 
 // ---- The filter in space -------------------------------------------------------------------------------------------

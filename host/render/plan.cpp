@@ -145,6 +145,9 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
     return result;
 }
 
+// Up to so many waves, the unrolled loop is worth the longer compilation.
+constexpr std::size_t few_waves = 16;
+
 void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, const Paint& paint) {
     const Camera& camera = viewport.camera;
     const image::Rect& region = viewport.region;
@@ -177,8 +180,19 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
                    bytes_of(lines(request, viewport, 1, camera.y, viewport.height, request.height, region.y,
                                   region.height, sky_rows(viewport.height))),
                    bytes_of(waves), bytes_of(paint.samples), bytes_of(colour_of(request))};
-    plan.steps = {
-        step_of(recipe_pass("pixels", request.recipe), constants_of(request), push, passes::pixels_group)};
+    Constants constants = constants_of(request);
+    if (waves.size() <= few_waves) {
+        constants[passes::few_waves_id] = vulkan::constant(push.waves);
+        // The deviation of a pixel's filter in kernel radii, for gabor_impl_wide_share.
+        for (std::size_t i = 0; i < waves.size() && request.filter && !in_perspective(request); ++i) {
+            const passes::PixelsWave& wave = waves[i];
+            const float deviation = 0.5f * push.pixel / request.recipe.radius *
+                                    std::max(wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y);
+            constants[passes::narrow_waves_id] |= std::uint32_t{deviation < 0.0899f} << i;
+            constants[passes::wide_waves_id] |= std::uint32_t{deviation > 0.1001f} << i;
+        }
+    }
+    plan.steps = {step_of(recipe_pass("pixels", request.recipe), constants, push, passes::pixels_group)};
 }
 
 // ---- Bodies and slices ----

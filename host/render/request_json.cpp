@@ -179,7 +179,8 @@ std::string to_json(const Request& request) {
     ordered_json object;
     // A single lobe is written as separate values if its other values are defaults.
     const Lobe& lobe = request.lobes.front();
-    const bool by_values = request.lobes.size() == 1 && lobe.power == 1 && lobe.radii() == std::array{1.0, 1.0};
+    const bool by_values =
+        request.lobes.size() == 1 && lobe.power == 1 && lobe.radii() == std::array{1.0, 1.0};
     for (const Parameter& p : parameters())
         if (const std::optional<Value> value = p.get(drawn); value && !(p.kind == Kind::lobes && by_values))
             object[std::string(p.name)] = json_of(p, *value);

@@ -30,11 +30,11 @@ struct BakeWave {
 // The noises of one kernel radius, whose pixels fall into the same runs.
 GABOR_PUSH_CONSTANTS(BakePush) {
     GABOR_BAND
-    vec2 radius;   // as in GaborPlace
-    ivec2 period;  // as in GaborPlace
-    vec2 pixel;    // kernel radii per pixel
-    vec2 stretch;  // kernel radii per unit of length of the derivatives
-    float time;    // as in GaborPlace, within [0, 1)
+    vec2 radius;  // as in GaborPlace
+    ivec2 period; // as in GaborPlace
+    vec2 pixel;   // kernel radii per pixel
+    vec2 stretch; // kernel radii per unit of length of the derivatives
+    float time;   // as in GaborPlace, within [0, 1)
     uint first_wave;
     uint wave_count;
     uint first_column_run;

@@ -42,7 +42,12 @@ const uint channels_id = 23;
 // passes/material.comp
 const uint tiled_id = 24;
 
-const uint constant_count = 25;
+// passes/pixels.comp
+const uint few_waves_id = 25;
+const uint narrow_waves_id = 26;
+const uint wide_waves_id = 27;
+
+const uint constant_count = 28;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

@@ -20,6 +20,10 @@ layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
 layout(constant_id = values_id) const int values = 1; // independent noises
 layout(constant_id = animated_id) const bool animated = false; // for the lattice: whether time is not 0
+layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves, if there are few: their loop is unrolled
+// Of few waves, which the filter evaluates in one of its forms alone: a bit for each.
+layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
+layout(constant_id = wide_waves_id) const uint wide_waves = 0u;
 layout(constant_id = coloured_id) const bool coloured = false; // red, green and blue instead of the noise
 const int channels = (coloured ? 3 : values) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
@@ -60,7 +64,7 @@ struct Footprint {
     vec2 dy;
 };
 
-Values wave_at(PixelsWave wave, Footprint here) {
+Values wave_at(PixelsWave wave, int index, Footprint here) {
     Line column = columns[here.pixel.x * tables + wave.table];
     Line row = rows[here.pixel.y * tables + wave.table];
     vec2 local = horizon ? here.from_camera * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
@@ -76,6 +80,9 @@ Values wave_at(PixelsWave wave, Footprint here) {
 #if GABOR_TAPS == 3
     vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
     GaborFootprint footprint = gabor_footprint(nodes * here.dx, nodes * here.dy);
+    bool narrow = few_waves > 0 && (narrow_waves >> index & 1u) == 1u;
+    bool wide = few_waves > 0 && (wide_waves >> index & 1u) == 1u;
+    float wide_share = narrow ? 0.0 : wide ? 1.0 : gabor_impl_wide_share(footprint);
 #endif
     Values result = nothing;
     for (int i = 0; i < values; ++i) {
@@ -87,7 +94,7 @@ Values wave_at(PixelsWave wave, Footprint here) {
 #endif
 #if GABOR_TAPS == 3
         if (filtered)
-            field = gabor_field_filtered(place, kernel, footprint, seed, result.removed);
+            field = gabor_impl_filtered(place, kernel, footprint, wide_share, seed, result.removed);
         else
 #endif
             field = gabor_field(place, kernel, seed);
@@ -100,26 +107,33 @@ Values wave_at(PixelsWave wave, Footprint here) {
     return result;
 }
 
+void add_wave(inout Values sum, int i, Footprint here) {
+    PixelsWave wave = wave_table[i];
+    Values one = wave_at(wave, i, here);
+    sum.values += wave.amplitude * one.values;
+    sum.complex += wave.amplitude * one.complex;
+    sum.slope += wave.amplitude / wave.radius * one.slope;
+    sum.removed += wave.amplitude * wave.amplitude * one.removed;
+    if (coloured)
+        add_to(sum.components, wave.weights, one.complex, one.removed);
+}
+
 Values values_at(Footprint here) {
     Values sum = nothing;
-    for (int i = 0; i < waves; ++i) {
-        PixelsWave wave = wave_table[i];
-        Values one = wave_at(wave, here);
-        sum.values += wave.amplitude * one.values;
-        sum.complex += wave.amplitude * one.complex;
-        sum.slope += wave.amplitude / wave.radius * one.slope;
-        sum.removed += wave.amplitude * wave.amplitude * one.removed;
-        if (coloured)
-            add_to(sum.components, wave.weights, one.complex, one.removed);
+    if (few_waves == 0) {
+        for (int i = 0; i < waves; ++i)
+            add_wave(sum, i, here);
     }
+    // No loop: drivers unroll none that has loops within.
+#define ADD(i) if (few_waves > i) add_wave(sum, i, here);
+    ADD(0) ADD(1) ADD(2) ADD(3) ADD(4) ADD(5) ADD(6) ADD(7) ADD(8) ADD(9) ADD(10) ADD(11) ADD(12) ADD(13) ADD(14) ADD(15)
     return sum;
 }
 
-void write_pixel(int at, Values here) {
+void write_pixel(int at, Values here, vec3 colour) {
     if (coloured) {
-        vec3 shown = colour_of(here.components.value, here.components.removed);
         for (int i = 0; i < 3; ++i)
-            picture[at++] = shown[i];
+            picture[at++] = colour[i];
     } else {
         for (int i = 0; i < values; ++i)
             picture[at++] = here.values[i];
@@ -139,24 +153,28 @@ void write_pixel(int at, Values here) {
         picture[at++] = here.removed;
 }
 
+// Without an early return, lavapipe loads what all invocations share once instead of once for each.
 void main() {
     ivec2 pixel_at = ivec2(gl_GlobalInvocationID.xy);
-    if (pixel_at.x >= width || pixel_at.y >= height)
-        return;
+    bool inside = pixel_at.x < width && pixel_at.y < height;
+    pixel_at = min(pixel_at, ivec2(width, height) - 1);
     int at = (before + pixel_at.y * width + pixel_at.x) * channels;
     pixel_at.y += first_row;
     Footprint here = Footprint(pixel_at, vec2(0.0), vec2(pixel, 0.0), vec2(0.0, pixel));
+    bool in_sky = false;
     if (horizon) {
         vec2 seen = vec2(columns[pixel_at.x * tables].local, rows[pixel_at.y * tables].local);
-        if (seen.y <= 0.0) { // the sky
-            write_pixel(at, Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0, Components(vec3(0.0), vec3(1.0))));
-            return;
-        }
+        in_sky = seen.y <= 0.0;
         // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
-        float near = pixel / seen.y;
+        float near = pixel / (in_sky ? 1.0 : seen.y);
         here.from_camera = near * vec2(seen.x, -focal_length);
         here.dx = vec2(near, 0.0);
-        here.dy = near / seen.y * vec2(-seen.x, focal_length);
+        here.dy = near / (in_sky ? 1.0 : seen.y) * vec2(-seen.x, focal_length);
     }
-    write_pixel(at, values_at(here));
+    Values sum = values_at(here);
+    if (in_sky)
+        sum = Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0, Components(vec3(0.0), vec3(1.0)));
+    vec3 colour = coloured ? colour_of(sum.components.value, sum.components.removed) : vec3(0.0);
+    if (inside)
+        write_pixel(at, sum, colour);
 }
