@@ -123,8 +123,8 @@ std::vector<float> halved(std::span<const float> level, int width, int height) {
     return half;
 }
 
-void write_levels(image::ExrTextureWriter& writer, std::span<const float> maps, int width, int height) {
-    writer.write_rows(maps);
+// Writes the levels below the first.
+void write_levels(image::ExrWriter& writer, std::span<const float> maps, int width, int height) {
     std::vector<float> level = averaged_from(maps);
     while (width > 1 || height > 1) {
         level = halved(level, width, height);
@@ -310,34 +310,24 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     for (const Png& png : pngs)
         writers.emplace_back(png_path(folder, png), request.width, request.height,
                              static_cast<int>(png.channels.size()), png.bits);
-    const std::filesystem::path together = folder / exr_name;
-    std::optional<image::ExrWriter> picture;
-    std::optional<image::ExrTextureWriter> texture;
-    if (format.texture)
-        texture.emplace(together,
-                        image::ExrTextureWriter::Description{.width = request.width,
-                                                             .height = request.height,
-                                                             .channels = map_channels,
-                                                             .half = format.half,
-                                                             .periodic = tileable,
-                                                             .parameters = to_json(request),
-                                                             .software = software(device),
-                                                             .colour_space = colour_space(request)});
-    else
-        picture.emplace(together,
-                        image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
-                                                      .window = {0, 0, request.width, request.height},
-                                                      .channels = map_channels,
-                                                      .parameters = to_json(request),
-                                                      .software = software(device),
-                                                      .colour_space = colour_space(request)});
+    const image::Rect whole{0, 0, request.width, request.height};
+    image::ExrWriter exr(folder / exr_name,
+                         {.picture = whole,
+                          .window = whole,
+                          .channels = map_channels,
+                          .parameters = to_json(request),
+                          .software = software(device),
+                          .colour_space = colour_space(request),
+                          .texture = format.texture
+                                         ? std::optional(image::ExrWriter::Texture{format.half, tileable})
+                                         : std::nullopt});
     image::OutputFile materialx(folder / materialx_name);
     image::OutputFile scene(folder / gltf_name);
 
     const double unit = terrain ? terrain_unit(request) : 1; // of heights, per kernel radius
     Maps maps{request.width, request.height, tileable, request.scale / unit, {}};
     maps.values.reserve(row * static_cast<std::size_t>(request.height));
-    render_region(device, request, {0, 0, request.width, request.height}, [&](std::span<const float> rows) {
+    render_region(device, request, whole, [&](std::span<const float> rows) {
         const std::size_t channels = terrain ? terrain_channels.size() : material_channels.size();
         advance(rows.size() / channels);
         for (std::size_t i = 0; i < rows.size(); i += channels) {
@@ -357,8 +347,7 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
         for (int x = 0; x < request.width; ++x)
             maps.add_occlusion(x, y);
         const std::span<const float> values(maps.at(0, y), row);
-        if (picture)
-            picture->write_rows(values);
+        exr.write_rows(values);
         for (std::size_t k = 0; k < pngs.size(); ++k) {
             shown.clear();
             for (std::size_t i = 0; i < row; i += map_channels.size())
@@ -373,8 +362,8 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
             writers[k].write_rows(shown);
         }
     }
-    if (texture)
-        write_levels(*texture, maps.values, request.width, request.height);
+    if (format.texture)
+        write_levels(exr, maps.values, request.width, request.height);
     const auto write = [&](image::OutputFile& file, std::string_view text) {
         const double longer = std::max(request.width, request.height);
         const std::string filled = fmt::format(
@@ -389,10 +378,7 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     write(scene, gltf);
     for (image::PngWriter& writer : writers)
         writer.commit();
-    if (picture)
-        picture->commit();
-    else
-        texture->commit();
+    exr.commit();
     materialx.commit();
     scene.commit();
 }
