@@ -72,7 +72,6 @@ std::uint64_t read_bands(const StatsOptions& options, const image::ExrReader& he
     std::vector<float> inside;
     std::uint64_t outside = 0;
     for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows)) {
-        check_interrupt();
         if (covered) {
             inside.clear();
             for (std::size_t i = 0; i < band.size(); i += 2) {

@@ -187,7 +187,7 @@ void ExrWriter::commit() {
         const std::string average =
             average_text(s.sums, double(s.description.window.width) * s.description.window.height);
         s.file.seek(average_place(s.header));
-        s.file.write(std::as_bytes(std::span(average)));
+        s.file.write(average);
     }
     s.file.commit();
 }
