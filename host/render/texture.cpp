@@ -24,10 +24,6 @@ bool is_power_of_two(int side) {
     return std::has_single_bit(static_cast<unsigned>(side));
 }
 
-bool same_extent(const Request& request, const image::Rect& region) {
-    return region.width == request.width && region.height == request.height;
-}
-
 } // namespace
 
 void check_texture(const Request& request, const image::Rect& region) {
@@ -63,16 +59,13 @@ image::ExrWriter make_writer(const std::filesystem::path& path, const Request& r
                              const image::Rect& region, const TextureFormat& format,
                              const std::string& made_by) {
     const image::Rect whole{0, 0, region.width, region.height};
-    return {path,
-            {.picture = whole,
-             .window = whole,
-             .channels = channels(request),
-             .compression = format.compression,
-             .parameters = to_json(request),
-             .software = made_by,
-             .colour_space = colour_space(request),
-             .texture = image::ExrWriter::Texture{format.half, std::get<Plane>(request.view).tileable &&
-                                                                   same_extent(request, region)}}};
+    image::ExrWriter::Description description = exr_description(request, whole, made_by);
+    description.picture = whole;
+    description.compression = format.compression;
+    const bool tile = std::get<Plane>(request.view).tileable && region.width == request.width &&
+                      region.height == request.height;
+    description.texture = image::ExrWriter::Texture{format.half, tile};
+    return {path, description};
 }
 
 using Write = std::function<void(std::span<const float>)>;
