@@ -1,7 +1,12 @@
 #pragma once
 
+#include <string_view>
+
 namespace CLI {
 class App;
+}
+namespace gabor::image {
+struct Rect;
 }
 
 namespace gabor::cli {
@@ -15,5 +20,9 @@ void add_fit_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_materials_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
+
+/// Throws RequestError, naming `whose` region it is, unless it lies within the `whole` of that size.
+void check_within(const image::Rect& region, int width, int height, std::string_view whose,
+                  std::string_view whole);
 
 } // namespace gabor::cli

@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "error.hpp"
 #include "image/exr.hpp"
@@ -115,16 +116,6 @@ render::HeightMap map_of(const ErodeOptions& options) {
     return map;
 }
 
-image::Rect region_within(const std::vector<int>& region, int width, int height) {
-    if (region.empty())
-        return {0, 0, width, height};
-    const image::Rect r{region[0], region[1], region[2], region[3]};
-    if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > width - r.x || r.height > height - r.y)
-        throw RequestError(fmt::format("--region {},{},{},{} is not within the map of {} x {} pixels", r.x,
-                                       r.y, r.width, r.height, width, height));
-    return r;
-}
-
 void erode(const ErodeOptions& options) {
     if (!(options.extent > 0 && options.extent < 1e9))
         throw RequestError(fmt::format("--extent {}: it takes the map's width, more than 0", options.extent));
@@ -138,7 +129,10 @@ void erode(const ErodeOptions& options) {
             fmt::format("-o '{}' is the map itself: it takes another file", options.output.string()));
     const render::Erosion erosion = options.gullies.erosion(options.extent / 2);
     render::HeightMap map = map_of(options);
-    const image::Rect region = region_within(options.region, map.width, map.height);
+    image::Rect region{0, 0, map.width, map.height};
+    if (!options.region.empty())
+        region = {options.region[0], options.region[1], options.region[2], options.region[3]};
+    check_within(region, map.width, map.height, "--region", "map");
 
     const bool floats = has_extension(options.map, ".exr");
     if (floats && !to_exr && options.elevation.empty())
@@ -174,7 +168,6 @@ void erode(const ErodeOptions& options) {
         Progress progress("eroding", static_cast<std::uint64_t>(region.width) *
                                          static_cast<std::uint64_t>(region.height));
         render::erode(device, map, erosion, options.seed, region, [&](std::span<const float> rows) {
-            check_interrupt();
             if (exr)
                 exr->write_rows(rows);
             else
@@ -226,10 +219,7 @@ void add_erode_command(CLI::App& app) {
     options->gullies.add_to(*command);
     command->add_option("--seed", options->seed, "Another seed gives other gullies [0]")->type_name("NUMBER");
     command->add_flag("--tileable", options->tileable, "The map is a tile, and so is what comes out");
-    command
-        ->add_option("--device", options->device,
-                     "Vulkan device: its index, or a part of its name [the fastest kind]")
-        ->type_name("NAME");
+    add_device_option(*command, options->device);
     command->callback([options] { erode(*options); });
 }
 

@@ -41,10 +41,7 @@ void join(const JoinOptions& options) {
     }
     note_interrupts();
     Progress progress("joining", pixels);
-    const auto advance = [&](std::uint64_t done) {
-        check_interrupt();
-        progress.advance(done);
-    };
+    const auto advance = [&](std::uint64_t done) { progress.advance(done); };
     const image::Rect picture =
         options.texture ? render::join_texture(options.regions, options.output, options.half, advance)
                         : image::join_exr(options.regions, options.output, advance);

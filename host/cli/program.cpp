@@ -115,6 +115,12 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
 
 } // namespace
 
+void add_device_option(CLI::App& command, std::string& device) {
+    command
+        .add_option("--device", device, "Vulkan device: its index, or a part of its name [the fastest kind]")
+        ->type_name("NAME");
+}
+
 int run(const Program& program, int argc, const char* const* argv) {
     // If a standard stream is closed, the next file to be opened would take its number and receive what is
     // printed. Fill the gap with a file that cannot be written, so that printing fails instead.

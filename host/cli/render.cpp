@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "error.hpp"
 #include "render/file.hpp"
@@ -6,6 +7,7 @@
 #include "render/maps.hpp"
 #include "render/parameters.hpp"
 #include "render/texture.hpp"
+#include "seconds.hpp"
 #include "vulkan/device.hpp"
 
 #include <CLI/CLI.hpp>
@@ -15,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -27,15 +28,10 @@ namespace gabor::cli {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Kind = render::Parameter::Kind;
 
 static_assert(render::most_frames == 9999);
 constexpr std::string_view frames_accepted = "a whole number from 1 to 9999";
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // The options on the command line. Others come from --like or --preset, or have their defaults.
 struct RenderOptions {
@@ -158,18 +154,13 @@ Work make_work(const RenderOptions& options) {
                               "X,Y,WIDTH,HEIGHT in pixels from the picture's upper left corner");
         region = image::Rect{x, y, width, height};
     }
-    const int picture_width = work.request.width;
-    const int picture_height = work.request.height;
-    work.region = region.value_or(image::Rect{0, 0, picture_width, picture_height});
-    const image::Rect& r = work.region;
-    if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > picture_width - r.x ||
-        r.height > picture_height - r.y)
-        throw RequestError(
-            fmt::format("{} {},{},{},{} is not within the picture of {} x {} pixels",
-                        options.region ? "--region" : fmt::format("--like '{}': its region", *options.like),
-                        r.x, r.y, r.width, r.height, picture_width, picture_height));
+    work.region = region.value_or(image::Rect{0, 0, work.request.width, work.request.height});
+    check_within(work.region, work.request.width, work.request.height,
+                 options.region ? "--region"
+                                : fmt::format("--like '{}': its region", options.like.value_or("")),
+                 "picture");
     if (options.texture)
-        render::check_texture(work.request, r);
+        render::check_texture(work.request, work.region);
     return work;
 }
 
@@ -292,10 +283,8 @@ void render_map_set(const RenderOptions& options) {
         Progress progress("rendering", static_cast<std::uint64_t>(work.request.width) *
                                            static_cast<std::uint64_t>(work.request.height));
         render::render_maps(device, work.request, *options.maps,
-                            {options.directx, options.texture, options.half}, [&](std::uint64_t done) {
-                                check_interrupt();
-                                progress.advance(done);
-                            });
+                            {options.directx, options.texture, options.half},
+                            [&](std::uint64_t done) { progress.advance(done); });
     }
     fmt::print("{}: maps of {} x {} pixels, {}, on {}\n", *options.maps, work.request.width,
                work.request.height, terrain ? "terrain" : "material " + work.request.material,
@@ -329,10 +318,7 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         for (std::optional<std::filesystem::path>* path : {&here.exr, &here.png, &here.heightmap})
             if (*path)
                 *path = render::frame_path(**path, frame, frames);
-        const auto advance = [&](std::uint64_t done) {
-            check_interrupt();
-            progress->advance(done);
-        };
+        const auto advance = [&](std::uint64_t done) { progress->advance(done); };
         const render::FileTimes times =
             options.texture ? render::render_texture(device, request, region, *here.exr,
                                                      {options.compression, options.half}, advance)
@@ -417,6 +403,13 @@ void add_parameters(CLI::App& command, RenderOptions& options) {
 
 } // namespace
 
+void check_within(const image::Rect& r, int width, int height, std::string_view whose,
+                  std::string_view whole) {
+    if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > width - r.x || r.height > height - r.y)
+        throw RequestError(fmt::format("{} {},{},{},{} is not within the {} of {} x {} pixels", whose, r.x,
+                                       r.y, r.width, r.height, whole, width, height));
+}
+
 void add_render_command(CLI::App& app) {
     const Clock::time_point start = Clock::now();
     auto options = std::make_shared<RenderOptions>();
@@ -466,10 +459,7 @@ void add_render_command(CLI::App& app) {
                      fmt::format("Compression of the EXR: {} [{}]",
                                  fmt::join(image::compression_names(), ", "), options->compression))
         ->type_name("NAME");
-    command
-        ->add_option("--device", options->device,
-                     "Vulkan device: its index, or a part of its name [the fastest kind]")
-        ->type_name("NAME");
+    add_device_option(*command, options->device);
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be "

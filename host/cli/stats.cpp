@@ -54,27 +54,31 @@ struct Measured {
     PictureReport report;
 };
 
+// One file may be any EXR; several are regions.
+image::ExrReader open_picture(const StatsOptions& options, const std::vector<std::string>& channels) {
+    return options.files.size() == 1 ? image::ExrReader(options.files.front(), channels)
+                                     : image::ExrReader(std::span(options.files), channels);
+}
+
 // Reads a channel. Sets pixels to NaN where a channel A is below 1, and returns their number.
 template <typename Use>
-std::uint64_t read_bands(const StatsOptions& options, const std::string& channel, Progress& progress,
+std::uint64_t read_bands(const StatsOptions& options, const image::ExrReader& header, Progress& progress,
                          Use use) {
-    image::ExrReader reader(options.files, channel);
-    std::optional<image::ExrReader> coverage;
-    if (channel != "A" && reader.has_channel("A"))
-        coverage.emplace(options.files, "A");
+    const std::string& channel = header.channels().front();
+    const bool covered = channel != "A" && header.has_channel("A");
+    image::ExrReader reader =
+        open_picture(options, covered ? std::vector{channel, std::string("A")} : std::vector{channel});
     const int rows = std::max(1, (1 << 20) / reader.window().width);
     std::vector<float> inside;
     std::uint64_t outside = 0;
     for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows)) {
-        check_interrupt();
-        if (coverage) {
-            const auto covered = coverage->read_rows(rows);
-            inside.assign(band.begin(), band.end());
-            for (std::size_t i = 0; i < inside.size(); ++i)
-                if (covered[i] < 1) {
-                    inside[i] = std::numeric_limits<float>::quiet_NaN();
-                    ++outside;
-                }
+        if (covered) {
+            inside.clear();
+            for (std::size_t i = 0; i < band.size(); i += 2) {
+                const bool out = band[i + 1] < 1;
+                inside.push_back(out ? std::numeric_limits<float>::quiet_NaN() : band[i]);
+                outside += out;
+            }
             band = inside;
         }
         use(band);
@@ -94,11 +98,13 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
 
 // If a channel's variance is unknown, reads the channel twice: first for its mean and variance.
 Measured measure(const StatsOptions& options) {
-    const image::ExrReader reader(options.files, options.channel);
+    const std::string channel =
+        options.channel ? *options.channel : image::ExrReader(options.files.front()).channels().front();
+    const image::ExrReader reader = open_picture(options, {channel});
     Measured measured;
     measured.width = reader.window().width;
     measured.height = reader.window().height;
-    measured.channel = reader.channel();
+    measured.channel = channel;
     const std::string& attribute = reader.parameters();
     bool deep = false;
     json parsed = json::parse(
@@ -118,13 +124,11 @@ Measured measure(const StatsOptions& options) {
         measured.expected = {0, std::sqrt(*variance), false};
     } else {
         statistics::Moments moments;
-        read_bands(options, measured.channel, progress,
-                   [&](auto band) { statistics::add_finite(moments, band); });
+        read_bands(options, reader, progress, [&](auto band) { statistics::add_finite(moments, band); });
         measured.expected = statistics::fitted_normal(moments);
     }
     statistics::PictureStatistics statistics(measured.width, measured.height, measured.expected);
-    measured.outside =
-        read_bands(options, measured.channel, progress, [&](auto band) { statistics.add_rows(band); });
+    measured.outside = read_bands(options, reader, progress, [&](auto band) { statistics.add_rows(band); });
     measured.report = statistics.report();
     measured.report.not_finite -= measured.outside;
     return measured;

@@ -29,6 +29,7 @@ Progress::~Progress() {
 
 void Progress::advance(std::uint64_t by) {
     using namespace std::chrono_literals;
+    check_interrupt();
     done_ += by;
     const Clock::time_point now = Clock::now();
     if (!terminal_ || now - drawn_ < (visible_ ? 100ms : 500ms))

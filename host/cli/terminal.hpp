@@ -6,6 +6,11 @@
 
 namespace gabor::cli {
 
+/// Thrown by Progress::advance and `check_interrupt` after SIGINT or SIGTERM.
+struct Interrupted {
+    int signal;
+};
+
 /// Shows the progress of long work and the remaining time on the terminal's last line. Prints nothing in the
 /// first half second, or if stderr is not a terminal.
 class Progress {
@@ -13,6 +18,7 @@ class Progress {
     Progress(std::string label, std::uint64_t total);
     ~Progress();
 
+    /// Throws Interrupted after a signal that `note_interrupts` notes.
     void advance(std::uint64_t by);
 
   private:
@@ -26,15 +32,10 @@ class Progress {
     bool visible_ = false;
 };
 
-/// Thrown by `check_interrupt` after SIGINT or SIGTERM.
-struct Interrupted {
-    int signal;
-};
-
 /// Makes SIGINT and SIGTERM set a flag instead of terminating the process.
 void note_interrupts();
 
-/// Throws Interrupted after such a signal. Call it regularly during long work.
+/// Throws Interrupted after such a signal, for work without progress.
 void check_interrupt();
 
 /// The largest resident memory of this process so far, in bytes.

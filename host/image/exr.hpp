@@ -23,19 +23,27 @@ struct Rect {
 /// Lists the accepted values of `ExrWriter::Description::compression` in the order of the help texts.
 std::span<const std::string_view> compression_names();
 
-/// Writes 32-bit float scanlines from top to bottom. The file appears under its name at `commit`; destroying
-/// the writer earlier leaves nothing behind and keeps an existing file.
+/// Writes a picture as 32-bit float scanlines, or a texture. The file appears under its name at `commit`;
+/// destroying the writer earlier leaves nothing behind and keeps an existing file.
 class ExrWriter {
   public:
+    /// A mip-mapped texture in tiles of 64 x 64 pixels. Each level has half the sides of the previous one,
+    /// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx.
+    struct Texture {
+        bool half = false;     ///< 16-bit floats instead of 32-bit
+        bool periodic = false; ///< wraps around; otherwise black beyond its edges
+    };
+
     struct Description {
         Rect picture;                      ///< EXR's display window: the whole picture
         Rect window;                       ///< EXR's data window: the part of it in this file
         std::vector<std::string> channels; ///< one float channel each
         std::string_view compression = "none";
-        std::string parameters;    ///< stored as the string attribute `gabor`
-        std::string software = {}; ///< stored as `software` unless empty: the program and driver
+        std::string parameters = {}; ///< stored as the string attribute `gabor`
+        std::string software = {};   ///< stored as `software` unless empty: the program and driver
         std::string colour_space =
             {}; ///< of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty
+        std::optional<Texture> texture = {}; ///< of a whole picture at 0, 0
     };
 
     /// Throws RequestError for an unknown compression or a path that cannot be created.
@@ -43,8 +51,8 @@ class ExrWriter {
     ~ExrWriter();
     ExrWriter(ExrWriter&&) noexcept;
 
-    /// Appends whole rows; `pixels` interleaves the channels and holds rows * width * channels values.
-    /// Throws std::runtime_error when the disk fails.
+    /// Appends whole rows from top to bottom; `pixels` interleaves the channels. The rows of a texture's
+    /// level follow those of the level before. Throws std::runtime_error when the disk fails.
     void write_rows(std::span<const float> pixels);
 
     /// Publishes the file after the last row. Throws std::runtime_error when the disk fails.
@@ -55,44 +63,11 @@ class ExrWriter {
     std::unique_ptr<State> state_;
 };
 
-/// Writes a mip-mapped texture in tiles of 64 x 64 pixels. Each level has half the sides of the previous one,
-/// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx. The file
-/// appears at `commit`, like ExrWriter's.
-class ExrTextureWriter {
-  public:
-    struct Description {
-        int width = 0;
-        int height = 0;
-        std::vector<std::string> channels;
-        bool half = false;     ///< 16-bit floats instead of 32-bit
-        bool periodic = false; ///< wraps around; otherwise black beyond its edges
-        std::string_view compression = "none";
-        std::string parameters; ///< as for ExrWriter
-        std::string software;
-        std::string colour_space = {}; ///< as for ExrWriter
-    };
-
-    /// Throws RequestError like ExrWriter.
-    ExrTextureWriter(const std::filesystem::path& path, const Description& description);
-    ~ExrTextureWriter();
-    ExrTextureWriter(ExrTextureWriter&&) noexcept;
-
-    /// Appends whole rows of the first incomplete level. Throws std::runtime_error when the disk fails.
-    void write_rows(std::span<const float> pixels);
-
-    /// Publishes the file after the last level. Throws std::runtime_error when the disk fails.
-    void commit();
-
-  private:
-    struct State;
-    std::unique_ptr<State> state_;
-};
-
 /// Joins regions of one picture, written by ExrWriter, into the file that a single render would have written.
 /// Copies the compressed blocks of full-width regions unchanged and decodes other regions a few rows at a
-/// time. Calls `advance` with the number of pixels written; an exception from it aborts and leaves no file.
-/// Returns the picture's rectangle. Throws RequestError if a file is not such a region, if regions differ in
-/// more than their position, or if they overlap or leave a gap.
+/// time. Calls `advance` with the number of pixels written; an exception from it aborts and
+/// leaves no file. Returns the picture's rectangle. Throws RequestError if a file is not such a region, if
+/// regions differ in more than their position, or if they overlap or leave a gap.
 Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
               const std::function<void(std::uint64_t)>& advance);
 
@@ -100,21 +75,23 @@ Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesys
 /// spread over several files.
 class ExrReader {
   public:
-    /// Without a channel name, reads `Y`, else `R`, else the first float or half channel.
-    /// Throws RequestError when the file is missing, truncated, not an EXR, has no such channel, or is larger
+    /// Reads `channels`, interleaved; without any, `Y`, else `R`, else the first float or half channel.
+    /// Throws RequestError when the file is missing, truncated, not an EXR, lacks a channel, or is larger
     /// than 65536 x 65536 pixels.
-    explicit ExrReader(const std::filesystem::path& path, const std::optional<std::string>& channel = {});
-    /// Reads regions as join_exr does, in any order, or a single file.
+    explicit ExrReader(const std::filesystem::path& path, const std::vector<std::string>& channels = {});
+    /// Reads regions that cover their picture, in any order; without `channels`, all of them. Throws
+    /// RequestError as join_exr does.
     explicit ExrReader(std::span<const std::filesystem::path> paths,
-                       const std::optional<std::string>& channel = {});
-    /// Reads several channels, interleaved, of regions that cover their picture.
-    ExrReader(std::span<const std::filesystem::path> paths, const std::vector<std::string>& channels);
+                       const std::vector<std::string>& channels = {});
     ~ExrReader();
     ExrReader(ExrReader&&) noexcept;
 
+    /// Returns the files, from the top of the picture down, and the part that each holds.
+    std::vector<std::pair<std::filesystem::path, Rect>> regions() const;
     const Rect& picture() const;
     const Rect& window() const;
-    const std::string& channel() const;
+    /// Returns the channels that are read.
+    const std::vector<std::string>& channels() const;
     /// Tells whether the file has a channel of that name.
     bool has_channel(const std::string& name) const;
     /// Returns the `gabor` attribute; empty if there is none.

@@ -1,10 +1,10 @@
 #include "image/exr_inspection.hpp"
 
 #include "error.hpp"
-#include "image/exr_context.hpp"
 
 #include <ImfThreading.h>
 #include <fmt/format.h>
+#include <openexr.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -33,7 +33,36 @@ constexpr std::uint64_t largest_block = 256u << 20;
 constexpr std::uint64_t decoding_memory = 4 * largest_block;
 
 // OpenEXR's C++ classes decode in parallel but trust sizes in the file when they allocate. So check the file
-// with the C library first.
+// with the C library first, which compares them with the file's own size.
+class ExrContext {
+  public:
+    // Keeps a reference to `path`.
+    explicit ExrContext(const std::filesystem::path& path) : path_(path) {
+        exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
+        settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
+        // Strict mode reports what the C++ classes cannot handle, and unfinished files.
+        settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
+        require(exr_start_read(&context_, path.c_str(), &settings));
+    }
+    ~ExrContext() { exr_finish(&context_); }
+    ExrContext(const ExrContext&) = delete;
+    ExrContext& operator=(const ExrContext&) = delete;
+
+    operator exr_const_context_t() const { return context_; }
+    void require(exr_result_t result) const {
+        if (result == EXR_ERR_FILE_ACCESS)
+            refuse_exr(path_, "permission denied");
+        if (result == EXR_ERR_FILE_BAD_HEADER)
+            refuse_exr(path_, "it is not an OpenEXR file");
+        if (result != EXR_ERR_SUCCESS)
+            refuse_damaged_exr(path_, exr_get_default_error_message(result));
+    }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    const std::filesystem::path& path_;
+    exr_context_t context_ = nullptr;
+};
 
 std::uint64_t row_of_tiles(const ExrContext& file, std::int64_t width) {
     std::uint32_t across = 0;
@@ -92,23 +121,6 @@ std::uint64_t inspect(const ExrContext& file) {
 }
 
 } // namespace
-
-ExrContext::ExrContext(const std::filesystem::path& path) : path_(path) {
-    exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-    // Strict mode reports what the C++ classes cannot handle, and unfinished files.
-    settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
-    require(exr_start_read(&context_, path.c_str(), &settings));
-}
-
-void ExrContext::require(exr_result_t result) const {
-    if (result == EXR_ERR_FILE_ACCESS)
-        refuse_exr(path_, "permission denied");
-    if (result == EXR_ERR_FILE_BAD_HEADER)
-        refuse_exr(path_, "it is not an OpenEXR file");
-    if (result != EXR_ERR_SUCCESS)
-        refuse_damaged_exr(path_, exr_get_default_error_message(result));
-}
 
 int inspect_exr(const std::filesystem::path& path) {
     std::error_code error;

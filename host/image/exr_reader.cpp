@@ -1,26 +1,151 @@
-#include "image/exr.hpp"
+// Reads a picture from one file, or from several that hold its regions.
 
+#include "error.hpp"
 #include "image/exr_inspection.hpp"
-#include "image/exr_mosaic.hpp"
-#include "image/exr_stream.hpp"
+#include "image/exr_parts.hpp"
 
 #include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
+#include <ImfVersion.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
 
 namespace gabor::image {
 
+namespace fs = std::filesystem;
+
+// A file, and the part of the picture that it holds.
+struct ExrRegion {
+    fs::path path;
+    Imath::Box2i window;
+    int threads;                          // that may decode it
+    std::unique_ptr<Imf::InputFile> file; // while it is being read
+};
+
 namespace {
 
-std::string list(const Imf::ChannelList& channels) {
-    std::string names;
+Rect to_rect(const Imath::Box2i& box) {
+    return {box.min.x, box.min.y, box.max.x - box.min.x + 1, box.max.y - box.min.y + 1};
+}
+
+[[noreturn]] void refuse_join(std::string_view what) {
+    throw RequestError(fmt::format("cannot join: {}", what));
+}
+
+std::unique_ptr<Imf::InputFile> open_file(const fs::path& path, int threads) try {
+    return std::make_unique<Imf::InputFile>(path.c_str(), threads);
+} catch (const Iex::BaseExc& error) {
+    refuse_damaged_exr(path, error.what());
+}
+
+std::string described(const fs::path& path, const Imath::Box2i& window) {
+    const Rect r = to_rect(window);
+    return fmt::format("'{}' ({},{},{},{})", path.string(), r.x, r.y, r.width, r.height);
+}
+
+// ---- Common attributes ----
+
+// Returns a header's attributes as serialized, without the data window.
+std::map<std::string, std::string> common_attributes(const Imf::Header& header) {
+    std::map<std::string, std::string> values;
+    for (auto i = header.begin(); i != header.end(); ++i) {
+        if (i.name() == std::string_view("dataWindow"))
+            continue;
+        Imf::StdOSStream stream;
+        i.attribute().writeValueTo(stream, Imf::EXR_VERSION);
+        values[i.name()] = stream.str();
+    }
+    return values;
+}
+
+void check_region(const fs::path& path, const Imf::Header& header) {
+    if (!header.findTypedAttribute<Imf::StringAttribute>("gabor"))
+        refuse_join(fmt::format("'{}' has no 'gabor' attribute; accepted are regions that gabor rendered",
+                                path.string()));
+    bool floats = !header.hasTileDescription() && !exr_compression_name(header.compression()).empty();
+    for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
+        floats &= i.channel() == Imf::Channel(Imf::FLOAT);
+    if (!floats)
+        refuse_join(fmt::format("'{}' has tiles, a lossy compression, or values that are no 32-bit floats; "
+                                "accepted are regions of flat "
+                                "pictures",
+                                path.string()));
+    const Imath::Box2i& picture = header.displayWindow();
+    const Imath::Box2i& window = header.dataWindow();
+    if (!picture.intersects(window.min) || !picture.intersects(window.max))
+        refuse_join(fmt::format("{} is not within its picture", described(path, window)));
+}
+
+void check_same(const fs::path& path, const Imf::Header& header, const fs::path& first_path,
+                const std::map<std::string, std::string>& first) {
+    const auto own = common_attributes(header);
+    if (own == first)
+        return;
+    std::string name;
+    for (const auto& attributes : {own, first})
+        for (const auto& [candidate, value] : attributes)
+            if (name.empty() && (!own.contains(candidate) || !first.contains(candidate) ||
+                                 own.at(candidate) != first.at(candidate)))
+                name = candidate;
+    const auto text = [&](const auto& attributes) {
+        const auto found = attributes.find(name);
+        return found == attributes.end() ? std::string("nothing") : found->second;
+    };
+    if (name == "software")
+        refuse_join(
+            fmt::format("'{}' was rendered by {}, '{}' by {}; accepted are regions from one version and "
+                        "driver, whose pixels agree",
+                        path.string(), text(own), first_path.string(), text(first)));
+    refuse_join(fmt::format("'{}' differs from '{}' in {}; accepted are regions of one picture",
+                            path.string(), first_path.string(),
+                            name == "gabor"           ? "its parameters"
+                            : name == "displayWindow" ? "the size of its picture"
+                                                      : "its " + name));
+}
+
+// ---- Placement ----
+
+// Each pixel of the picture must be in one region.
+void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture) {
+    std::set<int> rows{picture.min.y};
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            if (regions[i].window.intersects(regions[j].window))
+                refuse_join(fmt::format("{} and {} overlap; accepted is one region for each pixel",
+                                        described(regions[j].path, regions[j].window),
+                                        described(regions[i].path, regions[i].window)));
+        rows.insert(regions[i].window.max.y + 1);
+    }
+    // A gap begins at the top, or below a region. In a row that has none, regions touch from left to right.
+    for (auto y = rows.begin(); y != rows.end() && *y <= picture.max.y; ++y) {
+        std::map<int, int> ends; // of the regions in this row, by their beginnings
+        for (const ExrRegion& region : regions)
+            if (region.window.min.y <= *y && *y <= region.window.max.y)
+                ends[region.window.min.x] = region.window.max.x + 1;
+        int x = picture.min.x;
+        while (ends.contains(x))
+            x = ends[x];
+        if (x <= picture.max.x)
+            refuse_join(fmt::format(
+                "no region has the pixel {},{}; accepted are regions that cover the picture", x, *y));
+    }
+}
+
+// ---- Channels ----
+
+std::vector<std::string> names_of(const Imf::ChannelList& channels) {
+    std::vector<std::string> names;
     for (auto i = channels.begin(); i != channels.end(); ++i)
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", i.name());
+        names.emplace_back(i.name());
     return names;
 }
 
@@ -37,74 +162,129 @@ std::string default_channel(const Imf::ChannelList& channels) {
 } // namespace
 
 struct ExrReader::State {
-    State(ExrMosaic mosaic, std::filesystem::path first)
-        : image(std::move(mosaic)), path(std::move(first)), picture(to_rect(image.header().displayWindow())),
-          window(to_rect(image.header().dataWindow())), parameters(text("gabor")),
-          software(text("software")) {}
+    explicit State(const fs::path& path) {
+        start_exr_threads();
+        const int threads = inspect_exr(path);
+        std::unique_ptr<Imf::InputFile> file = open_file(path, threads);
+        header = file->header();
+        regions.push_back({path, header.dataWindow(), threads, std::move(file)});
+    }
+    explicit State(std::span<const fs::path> paths);
 
     std::string text(const char* attribute) const {
-        const auto* found = image.header().findTypedAttribute<Imf::StringAttribute>(attribute);
+        const auto* found = header.findTypedAttribute<Imf::StringAttribute>(attribute);
         return found ? found->value() : "";
     }
-    void add_channel(const std::string& name);
+    void choose(std::vector<std::string> names);
+    void read(const Imf::FrameBuffer& frame, int first, int last);
 
-    ExrMosaic image;
-    const std::filesystem::path path;
-    const Rect picture;
-    const Rect window;
-    const std::string parameters;
-    const std::string software;
+    std::vector<ExrRegion> regions; // sorted by their upper left corners
+    Imf::Header header;             // as the whole picture would have it in one file
+    Rect picture;
+    Rect window;
+    std::string parameters;
+    std::string software;
     std::vector<std::string> channels;
     int rows_read = 0;
     std::vector<float> rows;
 };
 
-void ExrReader::State::add_channel(const std::string& name) {
-    const Imf::ChannelList& all = image.header().channels();
-    const Imf::Channel* found = all.findChannel(name);
-    if (!found)
-        refuse_exr(path, fmt::format("there is no channel '{}': it has {}", name, list(all)));
-    if (found->type == Imf::UINT)
-        refuse_exr(path, fmt::format("channel '{}' holds integers; accepted are half and float", name));
-    if (found->xSampling != 1 || found->ySampling != 1)
-        refuse_exr(path,
-                   fmt::format("channel '{}' is subsampled; accepted is a value for every pixel", name));
-    channels.push_back(name);
+ExrReader::State::State(std::span<const fs::path> paths) {
+    start_exr_threads();
+    std::map<std::string, std::string> attributes;
+    for (const fs::path& path : paths) {
+        const int threads = inspect_exr(path);
+        const Imf::Header own = open_file(path, 0)->header();
+        check_region(path, own);
+        if (regions.empty()) {
+            header = own;
+            attributes = common_attributes(own);
+        } else {
+            check_same(path, own, paths.front(), attributes);
+        }
+        regions.push_back({path, own.dataWindow(), threads, nullptr});
+    }
+    std::ranges::sort(regions, {}, [](const ExrRegion& region) {
+        return std::tuple(region.window.min.y, region.window.min.x);
+    });
+    check_cover(regions, header.displayWindow());
+    header.dataWindow() = header.displayWindow();
 }
 
-ExrReader::ExrReader(const std::filesystem::path& path, const std::optional<std::string>& channel)
-    : ExrReader(std::span(&path, 1), channel) {}
-
-ExrReader::ExrReader(std::span<const std::filesystem::path> paths, const std::optional<std::string>& channel)
-    : state_(std::make_unique<State>(paths.size() == 1 ? ExrMosaic(paths.front()) : ExrMosaic(paths),
-                                     paths.front())) {
-    const Imf::ChannelList& all = state_->image.header().channels();
-    const std::string name = channel ? *channel : default_channel(all);
-    if (!channel && name.empty())
-        refuse_exr(paths.front(), fmt::format("no half or float channel among {}", list(all)));
-    state_->add_channel(name);
+void ExrReader::State::choose(std::vector<std::string> names) {
+    picture = to_rect(header.displayWindow());
+    window = to_rect(header.dataWindow());
+    parameters = text("gabor");
+    software = text("software");
+    channels = std::move(names);
+    const fs::path& path = regions.front().path;
+    const Imf::ChannelList& all = header.channels();
+    for (const std::string& name : channels) {
+        const Imf::Channel* found = all.findChannel(name);
+        if (!found)
+            refuse_exr(path, fmt::format("there is no channel '{}': it has {}", name,
+                                         fmt::join(names_of(all), ", ")));
+        if (found->type == Imf::UINT)
+            refuse_exr(path, fmt::format("channel '{}' holds integers; accepted are half and float", name));
+        if (found->xSampling != 1 || found->ySampling != 1)
+            refuse_exr(path,
+                       fmt::format("channel '{}' is subsampled; accepted is a value for every pixel", name));
+    }
 }
 
-ExrReader::ExrReader(std::span<const std::filesystem::path> paths, const std::vector<std::string>& channels)
-    : state_(std::make_unique<State>(ExrMosaic(paths), paths.front())) {
-    for (const std::string& channel : channels)
-        state_->add_channel(channel);
+// Reads rows `first` to `last`. Rows must be read in order.
+void ExrReader::State::read(const Imf::FrameBuffer& frame, int first, int last) {
+    for (ExrRegion& region : regions) {
+        if (region.window.max.y < first)
+            region.file.reset();
+        if (region.window.max.y < first || region.window.min.y > last)
+            continue;
+        if (!region.file)
+            region.file = open_file(region.path, region.threads);
+        try {
+            region.file->setFrameBuffer(frame);
+            region.file->readPixels(std::max(region.window.min.y, first),
+                                    std::min(region.window.max.y, last));
+        } catch (const Iex::BaseExc& error) {
+            refuse_damaged_exr(region.path, error.what());
+        }
+    }
+}
+
+ExrReader::ExrReader(const fs::path& path, const std::vector<std::string>& channels)
+    : state_(std::make_unique<State>(path)) {
+    const Imf::ChannelList& all = state_->header.channels();
+    const std::string name = default_channel(all);
+    if (channels.empty() && name.empty())
+        refuse_exr(path, fmt::format("no half or float channel among {}", fmt::join(names_of(all), ", ")));
+    state_->choose(channels.empty() ? std::vector{name} : channels);
+}
+
+ExrReader::ExrReader(std::span<const fs::path> paths, const std::vector<std::string>& channels)
+    : state_(std::make_unique<State>(paths)) {
+    state_->choose(channels.empty() ? names_of(state_->header.channels()) : channels);
 }
 
 ExrReader::~ExrReader() = default;
 ExrReader::ExrReader(ExrReader&&) noexcept = default;
 
+std::vector<std::pair<fs::path, Rect>> ExrReader::regions() const {
+    std::vector<std::pair<fs::path, Rect>> regions;
+    for (const ExrRegion& region : state_->regions)
+        regions.emplace_back(region.path, to_rect(region.window));
+    return regions;
+}
 const Rect& ExrReader::picture() const {
     return state_->picture;
 }
 const Rect& ExrReader::window() const {
     return state_->window;
 }
-const std::string& ExrReader::channel() const {
-    return state_->channels.front();
+const std::vector<std::string>& ExrReader::channels() const {
+    return state_->channels;
 }
 bool ExrReader::has_channel(const std::string& name) const {
-    return state_->image.header().channels().findChannel(name) != nullptr;
+    return state_->header.channels().findChannel(name) != nullptr;
 }
 const std::string& ExrReader::parameters() const {
     return state_->parameters;
@@ -117,7 +297,7 @@ const std::string& ExrReader::software() const {
     return state_->software;
 }
 std::string_view ExrReader::compression() const {
-    return exr_compression_name(state_->image.header().compression());
+    return exr_compression_name(state_->header.compression());
 }
 
 std::span<const float> ExrReader::read_rows(int rows) {
@@ -125,17 +305,12 @@ std::span<const float> ExrReader::read_rows(int rows) {
     rows = std::min(rows, window.height - state_->rows_read);
     if (rows <= 0)
         return {};
-    const std::size_t channels = state_->channels.size();
-    const std::size_t row_values = static_cast<std::size_t>(window.width) * channels;
-    state_->rows.resize(static_cast<std::size_t>(rows) * row_values);
-
     const int y = window.y + state_->rows_read;
-    Imf::FrameBuffer band;
-    for (std::size_t c = 0; c < channels; ++c)
-        band.insert(state_->channels[c],
-                    Imf::Slice::Make(Imf::FLOAT, state_->rows.data() + c, {window.x, y}, window.width, rows,
-                                     channels * sizeof(float), row_values * sizeof(float)));
-    state_->image.read(band, y, y + rows - 1);
+    state_->rows.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(window.width) *
+                        state_->channels.size());
+    state_->read(
+        frame_of(Imf::FLOAT, state_->rows.data(), state_->channels, {window.x, y}, window.width, rows), y,
+        y + rows - 1);
     state_->rows_read += rows;
     return state_->rows;
 }

@@ -1,14 +1,12 @@
-#include "image/exr.hpp"
-
 #include "error.hpp"
-#include "image/exr_stream.hpp"
-#include "image/exr_threads.hpp"
+#include "image/exr_parts.hpp"
 
 #include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
+#include <ImfFloatAttribute.h>
 #include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
+#include <ImfTiledOutputFile.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,10 +22,12 @@ namespace {
 constexpr std::array<std::string_view, 5> names = {"none", "rle", "zips", "zip", "piz"};
 constexpr std::array methods = {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
                                 Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
+constexpr int zip_level = 1; // on noise twice as fast as the default, and no larger
+constexpr int tile_side = 64;
+constexpr std::uint64_t magic_and_version = 8; // bytes before the header
+constexpr const char* average_name = "oiio:AverageColor";
 
-} // namespace
-
-Imf::Compression exr_compression(std::string_view name) {
+Imf::Compression compression_method(std::string_view name) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end())
         throw RequestError(
@@ -35,89 +35,161 @@ Imf::Compression exr_compression(std::string_view name) {
     return methods[static_cast<std::size_t>(found - names.begin())];
 }
 
-std::string_view exr_compression_name(Imf::Compression method) {
-    const auto found = std::ranges::find(methods, method);
-    return found == methods.end() ? "" : names[static_cast<std::size_t>(found - methods.begin())];
+// Formats the channels' means in a fixed number of characters, since the header precedes the pixels.
+std::string average_text(const std::vector<double>& sums, double pixels) {
+    std::vector<std::string> means;
+    for (const double sum : sums)
+        means.push_back(fmt::format("{:+.8e}", sum / pixels));
+    return fmt::format("{}", fmt::join(means, ","));
 }
 
-namespace {
+// Returns the file position of the average's text.
+std::uint64_t average_place(const Imf::Header& header) {
+    Imf::StdOSStream stream;
+    header.writeTo(stream, true);
+    const auto before = std::string(average_name) + '\0' + "string" + '\0';
+    return magic_and_version + stream.str().find(before) + before.size() + sizeof(std::int32_t);
+}
 
 Imath::Box2i box(const Rect& window) {
     return {{window.x, window.y}, {window.x + window.width - 1, window.y + window.height - 1}};
 }
 
-Imf::Header make_header(const ExrWriter::Description& description) {
+} // namespace
+
+Imf::Header exr_header(const ExrWriter::Description& description) {
     Imf::Header header(box(description.picture), box(description.window));
-    header.compression() = exr_compression(description.compression);
-    header.zipCompressionLevel() = exr_zip_level;
+    header.compression() = compression_method(description.compression);
+    header.zipCompressionLevel() = zip_level;
+    const bool half = description.texture && description.texture->half;
     for (const std::string& channel : description.channels)
-        header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
-    header.insert("gabor", Imf::StringAttribute(description.parameters));
+        header.channels().insert(channel, Imf::Channel(half ? Imf::HALF : Imf::FLOAT));
+    const auto insert = [&](const char* name, const std::string& text) {
+        header.insert(name, Imf::StringAttribute(text));
+    };
+    insert("gabor", description.parameters);
     if (!description.software.empty())
-        header.insert("software", Imf::StringAttribute(description.software));
+        insert("software", description.software);
     if (!description.colour_space.empty())
-        header.insert("oiio:ColorSpace", Imf::StringAttribute(description.colour_space));
+        insert("oiio:ColorSpace", description.colour_space);
+    if (description.texture) {
+        header.setTileDescription({tile_side, tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
+        insert("textureformat", "Plain Texture");
+        insert("wrapmodes", description.texture->periodic ? "periodic,periodic" : "black,black");
+        header.insert("fovcot", Imf::FloatAttribute(static_cast<float>(description.window.width) /
+                                                    static_cast<float>(description.window.height)));
+        insert(average_name, average_text(std::vector<double>(description.channels.size()), 1));
+    }
     return header;
 }
-
-} // namespace
 
 std::span<const std::string_view> compression_names() {
     return names;
 }
 
-struct ExrWriter::State {
-    State(const std::filesystem::path& path, const Description& description, const Imf::Header& header)
-        : window(description.window), channels(description.channels), file(not_a_pipe(path)), stream(file),
-          image(std::in_place, stream, header) {}
+std::string_view exr_compression_name(Imf::Compression method) {
+    const auto found = std::ranges::find(methods, method);
+    return found == methods.end() ? "" : names[static_cast<std::size_t>(found - methods.begin())];
+}
 
-    const Rect window;
-    const std::vector<std::string> channels;
-    int rows_written = 0;
+struct ExrWriter::State {
+    State(const std::filesystem::path& path, const Description& of)
+        : description(of), header(exr_header(of)), sums(of.channels.size()), file(not_a_pipe(path)),
+          stream(file) {
+        if (of.texture)
+            tiles.emplace(stream, header);
+        else
+            lines.emplace(stream, header);
+    }
+
+    int levels() const { return tiles ? tiles->numLevels() : 1; }
+    int width() const { return tiles ? tiles->levelWidth(level) : description.window.width; }
+    int height() const { return tiles ? tiles->levelHeight(level) : description.window.height; }
+    std::size_t row_values() const { return static_cast<std::size_t>(width()) * description.channels.size(); }
+    void write(std::span<const float> values);
+
+    const Description description;
+    const Imf::Header header;
+    std::vector<double> sums; ///< per channel of a texture's first level
+    int level = 0;
+    int row = 0;             ///< the next one of the level
+    std::vector<float> rows; ///< of an incomplete row of tiles
+    std::vector<half> halves;
     OutputFile file;
     ExrStream stream;
-    std::optional<Imf::OutputFile> image;
+    std::optional<Imf::OutputFile> lines;
+    std::optional<Imf::TiledOutputFile> tiles;
 };
+
+// Writes rows, of a texture a whole row of tiles.
+void ExrWriter::State::write(std::span<const float> values) {
+    const auto count = static_cast<int>(values.size() / row_values());
+    const Imath::V2i corner(description.window.x, description.window.y + row);
+    const auto frame = [&](Imf::PixelType type, const auto* first) {
+        return frame_of(type, first, description.channels, corner, width(), count);
+    };
+    if (lines) { // OpenEXR compresses straight from `values`
+        lines->setFrameBuffer(frame(Imf::FLOAT, values.data()));
+        lines->writePixels(count);
+    } else {
+        halves.assign(values.begin(), description.texture->half ? values.end() : values.begin());
+        tiles->setFrameBuffer(halves.empty() ? frame(Imf::FLOAT, values.data())
+                                             : frame(Imf::HALF, halves.data()));
+        const int y = row / tile_side;
+        tiles->writeTiles(0, tiles->numXTiles(level) - 1, y, y, level);
+        for (std::size_t i = 0; level == 0 && i < values.size(); ++i)
+            sums[i % sums.size()] += double{values[i]};
+    }
+    row += count;
+    if (row == height()) {
+        row = 0;
+        ++level;
+    }
+}
 
 ExrWriter::ExrWriter(const std::filesystem::path& path, const Description& description) {
     start_exr_threads();
-    state_ = std::make_unique<State>(path, description, make_header(description));
+    state_ = std::make_unique<State>(path, description);
 }
 
 ExrWriter::~ExrWriter() = default;
 ExrWriter::ExrWriter(ExrWriter&&) noexcept = default;
 
 void ExrWriter::write_rows(std::span<const float> pixels) {
-    const Rect& window = state_->window;
-    const std::size_t x_stride = state_->channels.size();
-    const std::size_t y_stride = x_stride * static_cast<std::size_t>(window.width);
-    const std::size_t rows = pixels.size() / y_stride;
-    if (pixels.size() % y_stride != 0 ||
-        rows > static_cast<std::size_t>(window.height - state_->rows_written))
-        throw std::logic_error("ExrWriter::write_rows takes whole rows and no more than the window has");
-    if (rows == 0)
-        return;
-
-    // OpenEXR compresses straight from `pixels`; the base pointer is shifted so that row `y` of the picture
-    // is its first row.
-    const int y = window.y + state_->rows_written;
-    Imf::FrameBuffer band;
-    for (std::size_t c = 0; c < x_stride; ++c)
-        band.insert(state_->channels[c],
-                    Imf::Slice::Make(Imf::FLOAT, pixels.data() + c, {window.x, y}, window.width,
-                                     static_cast<std::int64_t>(rows), x_stride * sizeof(float),
-                                     y_stride * sizeof(float)));
-    state_->image->setFrameBuffer(band);
-    state_->image->writePixels(static_cast<int>(rows));
-    state_->rows_written += static_cast<int>(rows);
+    State& s = *state_;
+    while (!pixels.empty()) {
+        if (s.level == s.levels() || pixels.size() % s.row_values() != 0)
+            throw std::logic_error("ExrWriter::write_rows takes whole rows and no more than the file has");
+        const int end = s.tiles ? std::min(s.row + tile_side, s.height()) : s.height();
+        const std::size_t wanted = static_cast<std::size_t>(end - s.row) * s.row_values() - s.rows.size();
+        const auto part = pixels.first(std::min(wanted, pixels.size()));
+        pixels = pixels.subspan(part.size());
+        if (s.lines) {
+            s.write(part);
+            continue;
+        }
+        s.rows.insert(s.rows.end(), part.begin(), part.end());
+        if (part.size() == wanted) {
+            s.write(s.rows);
+            s.rows.clear();
+        }
+    }
 }
 
 void ExrWriter::commit() {
-    if (state_->rows_written != state_->window.height)
+    State& s = *state_;
+    if (s.level != s.levels())
         throw std::logic_error("ExrWriter::commit before the last row");
-    state_->image.reset();
-    state_->stream.rethrow_failure();
-    state_->file.commit();
+    s.lines.reset();
+    s.tiles.reset();
+    s.stream.rethrow_failure();
+    if (s.description.texture) {
+        const std::string average =
+            average_text(s.sums, double(s.description.window.width) * s.description.window.height);
+        s.file.seek(average_place(s.header));
+        s.file.write(average);
+    }
+    s.file.commit();
 }
 
 } // namespace gabor::image

@@ -1,4 +1,3 @@
-#include "error.hpp"
 #include "image/picture.hpp"
 
 #include <fmt/format.h>
@@ -39,10 +38,7 @@ class JpegPicture : public PictureReader {
         }
         std::string text(JMSG_LENGTH_MAX, '\0');
         errors_.format_message(reinterpret_cast<j_common_ptr>(&jpeg_), text.data());
-        refuse(text.c_str());
-    }
-    [[noreturn]] void refuse(const std::string& reason) const {
-        throw RequestError(fmt::format("cannot read '{}': {}", path_.string(), reason));
+        refuse_picture(path_, text.c_str());
     }
     static void on_error(j_common_ptr jpeg) { std::longjmp(static_cast<Errors*>(jpeg->err)->jump, 1); }
     static void on_message(j_common_ptr jpeg, int level) {
@@ -61,7 +57,7 @@ class JpegPicture : public PictureReader {
 JpegPicture::JpegPicture(const std::filesystem::path& path)
     : path_(path), file_(std::fopen(path.c_str(), "rb"), std::fclose) {
     if (!file_)
-        refuse("it cannot be opened");
+        refuse_picture(path_, "it cannot be opened");
     jpeg_.err = jpeg_std_error(&errors_);
     errors_.error_exit = on_error;
     errors_.emit_message = on_message;
@@ -81,8 +77,8 @@ void JpegPicture::read_header() {
     });
     const int colours = jpeg_.num_components;
     if (colours != 1 && colours != 3)
-        refuse(
-            fmt::format("it has {} colours{}: it takes grey or RGB", colours, colours == 4 ? ", CMYK" : ""));
+        refuse_picture(path_, fmt::format("it has {} colours{}: it takes grey or RGB", colours,
+                                          colours == 4 ? ", CMYK" : ""));
     jpeg_.out_color_space = colours == 1 ? JCS_GRAYSCALE : JCS_RGB;
     guarded([this] { jpeg_start_decompress(&jpeg_); });
     format_ = {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours, false};
@@ -94,8 +90,7 @@ void JpegPicture::read_row(std::span<float> row) {
         JSAMPROW into = bytes_.data();
         jpeg_read_scanlines(&jpeg_, &into, 1);
     });
-    for (std::size_t i = 0; i < row.size(); ++i)
-        row[i] = static_cast<float>(bytes_[i]) / 255.0f;
+    fill(row, [at = bytes_.data()]() mutable { return static_cast<float>(*at++) / 255.0f; });
 }
 
 } // namespace

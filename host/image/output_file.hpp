@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 namespace gabor::image {
 
@@ -25,6 +26,7 @@ class OutputFile {
 
     /// Writes at the current position. Throws std::runtime_error, naming the file, when the disk fails.
     void write(std::span<const std::byte> bytes);
+    void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
     std::uint64_t position() const { return position_; }
     /// Writes at a position. Throws std::runtime_error for a pipe, which has only the current position.
     void seek(std::uint64_t position);

@@ -18,55 +18,45 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Reads each channel with its own ExrReader.
 class ExrPicture : public PictureReader {
   public:
     ExrPicture(const std::filesystem::path& path, const std::string& channel) {
-        readers_.emplace_back(path);
-        if (!channel.empty() && readers_.front().has_channel(channel)) {
-            readers_.clear();
-            readers_.emplace_back(path, channel);
-        }
-        const ExrReader& first = readers_.front();
-        format_ = {first.window().width, first.window().height, 1, first.has_channel("A"),
-                   first.colour_space() != "sRGB"};
-        if (first.channel() == "R" && first.has_channel("G") && first.has_channel("B")) {
-            readers_.emplace_back(path, "G");
-            readers_.emplace_back(path, "B");
-            format_.channels = 3;
-        }
+        const ExrReader file(path);
+        std::vector<std::string> names = file.channels();
+        if (!channel.empty() && file.has_channel(channel))
+            names = {channel};
+        else if (names.front() == "R" && file.has_channel("G") && file.has_channel("B"))
+            names = {"R", "G", "B"};
+        format_ = {file.window().width, file.window().height, static_cast<int>(names.size()),
+                   file.has_channel("A") && names.front() != "A", file.colour_space() != "sRGB"};
         if (format_.alpha)
-            alpha_reader_.emplace(path, "A");
+            names.push_back("A");
+        alpha_.resize(format_.alpha ? static_cast<std::size_t>(format_.width) : 0);
+        reader_.emplace(path, names);
     }
 
     void read_row(std::span<float> row) override {
-        for (std::size_t c = 0; c < readers_.size(); ++c) {
-            std::size_t at = c;
-            for (const float value : readers_[c].read_rows(1)) {
-                row[at] = value;
-                at += readers_.size();
-            }
-        }
-        if (alpha_reader_) {
-            const auto alpha = alpha_reader_->read_rows(1);
-            alpha_.assign(alpha.begin(), alpha.end());
-        }
+        auto value = reader_->read_rows(1).begin();
+        fill(row, [&value] { return *value++; });
     }
 
   private:
-    std::vector<ExrReader> readers_;
-    std::optional<ExrReader> alpha_reader_;
+    std::optional<ExrReader> reader_;
 };
 
 } // namespace
+
+void refuse_picture(const std::filesystem::path& path, std::string_view reason) {
+    throw RequestError(fmt::format("cannot read '{}': {}", path.string(), reason));
+}
 
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, const std::string& channel) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (error)
-        throw RequestError(fmt::format("cannot read '{}': {}", path.string(), error.message()));
+        refuse_picture(path, error.message());
     if (!std::filesystem::is_regular_file(status)) // opening a FIFO would block
-        throw RequestError(fmt::format("cannot read '{}': it is not a regular file", path.string()));
+        refuse_picture(path, "it is not a regular file");
 
     std::array<char, 8> start{};
     std::ifstream file(path, std::ios::binary);

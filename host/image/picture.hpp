@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gabor::image {
@@ -14,10 +15,9 @@ class PictureReader {
     struct Format {
         int width = 0;
         int height = 0;
-        int channels = 0;   ///< 1, or 3 for red, green, blue
-        bool alpha = false; ///< whether the file also has alpha
-        bool linear =
-            false; ///< whether values are linear light instead of sRGB: an EXR that does not say otherwise
+        int channels = 0;    ///< 1, or 3 for red, green, blue
+        bool alpha = false;  ///< whether the file also has alpha
+        bool linear = false; ///< linear light instead of sRGB: an EXR that does not say otherwise
     };
 
     virtual ~PictureReader() = default;
@@ -31,6 +31,17 @@ class PictureReader {
     std::span<const float> alpha() const { return alpha_; }
 
   protected:
+    /// Fills a row, and the alpha that follows each of its pixels, with values from `next`.
+    template <typename Next>
+    void fill(std::span<float> row, Next next) {
+        const auto channels = static_cast<std::size_t>(format_.channels);
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            row[i] = next();
+            if (!alpha_.empty() && (i + 1) % channels == 0)
+                alpha_[i / channels] = next();
+        }
+    }
+
     Format format_;
     std::vector<float> alpha_;
 };
@@ -40,6 +51,9 @@ class PictureReader {
 /// and unreadable files.
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
                                             const std::string& channel = {});
+
+/// Throws RequestError, "cannot read 'PATH': REASON".
+[[noreturn]] void refuse_picture(const std::filesystem::path& path, std::string_view reason);
 
 /// Opens a file of that format.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path);

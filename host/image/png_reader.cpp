@@ -1,4 +1,3 @@
-#include "error.hpp"
 #include "image/libpng.hpp"
 #include "image/picture.hpp"
 
@@ -30,10 +29,7 @@ class PngPicture : public PictureReader {
     template <class Calls>
     void guarded(Calls calls) {
         if (!succeeds(png_, calls))
-            refuse(errors_.message);
-    }
-    [[noreturn]] void refuse(const std::string& reason) const {
-        throw RequestError(fmt::format("cannot read '{}': {}", path_.string(), reason));
+            refuse_picture(path_, errors_.message);
     }
     void read_header();
     void read_interlaced();
@@ -51,7 +47,7 @@ class PngPicture : public PictureReader {
 PngPicture::PngPicture(const std::filesystem::path& path)
     : path_(path), file_(std::fopen(path.c_str(), "rb"), std::fclose) {
     if (!file_)
-        refuse("it cannot be opened");
+        refuse_picture(path_, "it cannot be opened");
     png_ =
         png_create_read_struct(PNG_LIBPNG_VER_STRING, &errors_, PngErrors::on_error, PngErrors::on_warning);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
@@ -64,8 +60,8 @@ PngPicture::PngPicture(const std::filesystem::path& path)
         const std::size_t row = png_get_rowbytes(png_, info_);
         const std::size_t all = row * static_cast<std::size_t>(format_.height);
         if (interlaced_ && all > most_interlaced)
-            refuse(fmt::format("it is interlaced and larger than {} MiB: save it without",
-                               most_interlaced >> 20));
+            refuse_picture(path_, fmt::format("it is interlaced and larger than {} MiB: save it without",
+                                              most_interlaced >> 20));
         bytes_.resize(interlaced_ ? all : row);
         if (interlaced_)
             read_interlaced();
@@ -110,17 +106,11 @@ void PngPicture::read_row(std::span<float> row) {
     else
         guarded([this] { png_read_row(png_, bytes_.data(), nullptr); });
     ++row_;
-    const auto next = [&at] {
+    fill(row, [&at] {
         const int value = 256 * at[0] + at[1];
         at += 2;
         return static_cast<float>(value) / 65535.0f;
-    };
-    const auto channels = static_cast<std::size_t>(format_.channels);
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        row[i] = next();
-        if (!alpha_.empty() && (i + 1) % channels == 0)
-            alpha_[i / channels] = next();
-    }
+    });
 }
 
 } // namespace

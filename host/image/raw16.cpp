@@ -20,8 +20,7 @@ class Raw16 : public PictureReader {
         std::error_code error;
         const std::uintmax_t size = std::filesystem::file_size(path, error);
         if (error || !file_)
-            throw RequestError(fmt::format("cannot read '{}': {}", path.string(),
-                                           error ? error.message() : "it cannot be opened"));
+            refuse_picture(path, error ? error.message() : "it cannot be opened");
         const std::uintmax_t wanted =
             std::uintmax_t{2} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
         if (size != wanted)
@@ -33,13 +32,13 @@ class Raw16 : public PictureReader {
 
     void read_row(std::span<float> row) override {
         if (!file_.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size())))
-            throw RequestError(fmt::format("cannot read '{}': it ended early", path_.string()));
+            refuse_picture(path_, "it ended early");
         const char* at = bytes_.data();
-        for (float& value : row) {
+        fill(row, [&at] {
             const auto low = static_cast<std::uint8_t>(at[0]), high = static_cast<std::uint8_t>(at[1]);
-            value = static_cast<float>(256 * high + low) / 65535.0f;
             at += 2;
-        }
+            return static_cast<float>(256 * high + low) / 65535.0f;
+        });
     }
 
   private:

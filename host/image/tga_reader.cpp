@@ -1,4 +1,3 @@
-#include "error.hpp"
 #include "image/picture.hpp"
 
 #include <fmt/format.h>
@@ -24,24 +23,18 @@ class TgaPicture : public PictureReader {
   public:
     TgaPicture(const std::filesystem::path& path, int width, int height, int values) {
         if (std::int64_t{width} * height > most_pixels)
-            throw RequestError(fmt::format("cannot read '{}': a TGA may have at most {} million pixels",
-                                           path.string(), most_pixels / 1000000));
+            refuse_picture(path,
+                           fmt::format("a TGA may have at most {} million pixels", most_pixels / 1000000));
         bytes_.reset(stbi_load(path.c_str(), &width, &height, &values, 0));
         if (!bytes_)
-            throw RequestError(fmt::format("cannot read '{}': {}", path.string(), stbi_failure_reason()));
+            refuse_picture(path, stbi_failure_reason());
         format_ = {width, height, values < 3 ? 1 : 3, values % 2 == 0};
         alpha_.resize(format_.alpha ? static_cast<std::size_t>(width) : 0);
         next_ = bytes_.get();
     }
 
     void read_row(std::span<float> row) override {
-        const auto next = [this] { return static_cast<float>(*next_++) / 255.0f; };
-        const auto channels = static_cast<std::size_t>(format_.channels);
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            row[i] = next();
-            if (format_.alpha && (i + 1) % channels == 0)
-                alpha_[i / channels] = next();
-        }
+        fill(row, [this] { return static_cast<float>(*next_++) / 255.0f; });
     }
 
   private:

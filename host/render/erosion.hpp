@@ -2,8 +2,7 @@
 
 #include "image/exr.hpp"
 #include "image/picture.hpp"
-#include "render/request.hpp"
-#include "vulkan/device.hpp"
+#include "render/renderer.hpp"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +15,7 @@ namespace gabor::render {
 
 /// A map to erode. Its pixels are `pixel` wide in the unit of its heights.
 struct HeightMap {
-    /// One channel of heights; empty for the hills of gabor_terrain, which are about four units wide.
+    /// Opens one channel of heights, from the first row on.
     std::function<std::unique_ptr<image::PictureReader>()> open;
     int width = 0;
     int height = 0;
@@ -29,6 +28,10 @@ struct HeightMap {
 /// The channels of an eroded map: height, slope along x and y, ridge, and what erosion added.
 inline constexpr std::array<std::string_view, 5> erosion_channels{"height", "slope.x", "slope.y", "ridge",
                                                                   "erosion"};
+
+/// Plans the erosion of a region. `seed`: another one gives other gullies.
+Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
+                  const image::Rect& region);
 
 /// Erodes a region band by band, so that memory does not grow with the map's height, and hands on the rows
 /// with their channels interleaved. A region has the same pixels as the whole. Throws RequestError for a map

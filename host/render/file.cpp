@@ -1,7 +1,6 @@
 #include "render/file.hpp"
 
 #include "error.hpp"
-#include "image/exr.hpp"
 #include "image/png.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
@@ -58,10 +57,18 @@ std::string software(const vulkan::Device& device) {
     return fmt::format("gabor {}, {}, {}", GABOR_VERSION, device.info().name, device.info().driver);
 }
 
-std::string colour_space(const Request& request) {
-    if (has_material(request) || has_terrain(request))
-        return "lin_rec709";
-    return !request.colour ? "" : request.colour->linear ? "lin_rec709" : "sRGB";
+image::ExrWriter::Description exr_description(const Request& request, const image::Rect& region,
+                                              const std::string& software) {
+    // Linear for materials and terrain, that of the photograph for a fit, none for noise.
+    const bool linear = has_material(request) || (request.colour && request.colour->linear);
+    return {.picture = {0, 0, request.width, request.height},
+            .window = region,
+            .channels = channels(request),
+            .parameters = to_json(request),
+            .software = software,
+            .colour_space = linear           ? "lin_rec709"
+                            : request.colour ? "sRGB"
+                                             : ""};
 }
 
 FileTimes& FileTimes::operator+=(const FileTimes& other) {
@@ -74,17 +81,12 @@ FileTimes& FileTimes::operator+=(const FileTimes& other) {
 
 FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance) {
-    const std::vector<std::string> names = channels(request);
+    image::ExrWriter::Description description = exr_description(request, region, software(device));
+    description.compression = files.compression;
+    const std::size_t channels = description.channels.size();
     std::optional<image::ExrWriter> exr;
     if (files.exr)
-        exr.emplace(*files.exr,
-                    image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
-                                                  .window = region,
-                                                  .channels = names,
-                                                  .compression = files.compression,
-                                                  .parameters = to_json(request),
-                                                  .software = software(device),
-                                                  .colour_space = colour_space(request)});
+        exr.emplace(*files.exr, description);
     std::optional<image::PngWriter> png;
     if (files.png)
         png.emplace(*files.png, region.width, region.height, files.colours ? 3 : shown_channels(request));
@@ -102,12 +104,12 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     FileTimes times;
     std::vector<float> shown;
     times.rendering = render_region(device, request, region, [&](std::span<const float> values) {
-        advance(values.size() / names.size());
+        advance(values.size() / channels);
         const Clock::time_point before = Clock::now();
         if (exr)
             exr->write_rows(values);
         if (heights)
-            heights->write_rows(values, names.size(), terrain_height);
+            heights->write_rows(values, channels, terrain_height);
         if (png && files.colours) {
             png->write_rows(files.colours(values));
         } else if (png) {

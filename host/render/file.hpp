@@ -1,5 +1,6 @@
 #pragma once
 
+#include "image/exr.hpp"
 #include "render/heightmap.hpp"
 #include "render/renderer.hpp"
 
@@ -46,9 +47,9 @@ struct FileTimes {
 /// Names version, device and driver for a file's header. Where they agree, so do pixels.
 std::string software(const vulkan::Device& device);
 
-/// The encoding of R, G and B, for a file's header: linear for materials and terrain, that of the photograph
-/// for a fit. Empty for noise.
-std::string colour_space(const Request& request);
+/// Describes the EXR with a region of a picture. `software`: what made it.
+image::ExrWriter::Description exr_description(const Request& request, const image::Rect& region,
+                                              const std::string& software);
 
 struct Files {
     std::optional<std::filesystem::path> exr;

@@ -41,8 +41,7 @@ HeightWriter::HeightWriter(const std::filesystem::path& path, const image::Rect&
                                        {"height", region.height},
                                        {"extent", {region.width * pixel, region.height * pixel}},
                                        {"elevation", {elevation.low, elevation.high}}};
-    const std::string text = scale.dump(2) + "\n";
-    scale_.write(std::as_bytes(std::span(text)));
+    scale_.write(scale.dump(2) + "\n");
 }
 
 void HeightWriter::write_rows(std::span<const float> rows, std::size_t channels, std::size_t height) {

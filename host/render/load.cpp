@@ -31,25 +31,6 @@ std::string read_text(const std::string& path) {
     return text;
 }
 
-// Reads one channel of a painted EXR, and its window.
-std::pair<std::vector<float>, image::Rect> paint_channel(const std::string& path, const char* channel) {
-    constexpr std::size_t most = std::size_t{1} << 24;
-    image::ExrReader file(path, channel);
-    const auto width = static_cast<std::size_t>(file.window().width);
-    const auto height = static_cast<std::size_t>(file.window().height);
-    if (width * height > most)
-        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in all are accepted", path,
-                                       width, height, most));
-    std::vector<float> values;
-    while (values.size() < width * height) {
-        const std::span<const float> rows = file.read_rows(256);
-        values.insert(values.end(), rows.begin(), rows.end());
-    }
-    if (!std::ranges::all_of(values, [](float value) { return std::isfinite(value); }))
-        throw RequestError(fmt::format("paint '{}': a value of channel {} is not finite", path, channel));
-    return {values, file.window()};
-}
-
 } // namespace
 
 Loaded load_request(const std::string& path) {
@@ -89,12 +70,22 @@ Request preset(std::string_view name) {
 Paint load_paint(const std::string& path) {
     if (path.empty())
         return {};
-    const auto [frequencies, window] = paint_channel(path, "frequency");
-    const auto [orientations, same] = paint_channel(path, "orientation");
-    Paint paint{window.width, window.height, {}};
-    for (std::size_t i = 0; i < frequencies.size(); ++i) {
-        paint.samples.push_back(frequencies[i]);
-        paint.samples.push_back(static_cast<float>(noise::radians(double{orientations[i]})));
+    constexpr std::size_t most = std::size_t{1} << 24;
+    image::ExrReader file(path, {"frequency", "orientation"});
+    const image::Rect& window = file.window();
+    const std::size_t samples =
+        static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
+    if (samples > most)
+        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in all are accepted", path,
+                                       window.width, window.height, most));
+    const std::span<const float> values = file.read_rows(window.height);
+    Paint paint{window.width, window.height, {values.begin(), values.end()}};
+    for (std::size_t i = 0; i < paint.samples.size(); ++i) {
+        if (!std::isfinite(paint.samples[i]))
+            throw RequestError(
+                fmt::format("paint '{}': a value of channel {} is not finite", path, file.channels()[i % 2]));
+        if (i % 2 == 1)
+            paint.samples[i] = static_cast<float>(noise::radians(double{paint.samples[i]}));
     }
     return paint;
 }

@@ -123,8 +123,8 @@ std::vector<float> halved(std::span<const float> level, int width, int height) {
     return half;
 }
 
-void write_levels(image::ExrTextureWriter& writer, std::span<const float> maps, int width, int height) {
-    writer.write_rows(maps);
+// Writes the levels below the first.
+void write_levels(image::ExrWriter& writer, std::span<const float> maps, int width, int height) {
     std::vector<float> level = averaged_from(maps);
     while (width > 1 || height > 1) {
         level = halved(level, width, height);
@@ -185,73 +185,6 @@ constexpr const char* exr_name = "maps.exr";
 constexpr const char* materialx_name = "material.mtlx";
 constexpr const char* gltf_name = "material.gltf";
 
-constexpr std::string_view mtlx = R"(<?xml version="1.0"?>
-<materialx version="1.38" colorspace="lin_rec709">
-  <image name="base_color" type="color3">
-    <input name="file" type="filename" value="base_color.png" colorspace="srgb_texture" />
-  </image>
-  <image name="roughness" type="float">
-    <input name="file" type="filename" value="roughness.png" />
-  </image>
-  <image name="metalness" type="float">
-    <input name="file" type="filename" value="metalness.png" />
-  </image>
-  <image name="normal" type="vector3">
-    <input name="file" type="filename" value="normal.png" />
-  </image>
-  <normalmap name="bumped" type="vector3">
-    <input name="in" type="vector3" nodename="normal" />
-  </normalmap>
-  <standard_surface name="surface" type="surfaceshader">
-    <input name="base" type="float" value="1" />
-    <input name="base_color" type="color3" nodename="base_color" />
-    <input name="specular_roughness" type="float" nodename="roughness" />
-    <input name="metalness" type="float" nodename="metalness" />
-    <input name="normal" type="vector3" nodename="bumped" />
-  </standard_surface>
-  <!-- height.png is from {low:.9g} to {high:.9g}, for a picture {width:.9g} wide -->
-  <surfacematerial name="{name}" type="material">
-    <input name="surfaceshader" type="surfaceshader" nodename="surface" />
-  </surfacematerial>
-</materialx>
-)";
-
-// With a square to look at; its buffer holds positions, normals, texture coordinates and indices.
-constexpr std::string_view gltf = R"({{
-  "asset": {{"version": "2.0", "generator": "gabor {version}"}},
-  "scene": 0,
-  "scenes": [{{"nodes": [0]}}],
-  "nodes": [{{"mesh": 0, "scale": [{width:.9g}, {height:.9g}, 1]}}],
-  "meshes": [{{"primitives": [
-    {{"attributes": {{"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}}, "indices": 3, "material": 0}}]}}],
-  "materials": [{{
-    "name": "{name}",
-    "pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0}}, "metallicRoughnessTexture": {{"index": 2}}}},
-    "normalTexture": {{"index": 1}},
-    "occlusionTexture": {{"index": 2}},
-    "extras": {{"height": {{"uri": "height.png", "low": {low:.9g}, "high": {high:.9g}}}}}
-  }}],
-  "textures": [{{"source": 0, "sampler": 0}}, {{"source": 1, "sampler": 0}}, {{"source": 2, "sampler": 0}}],
-  "samplers": [{{"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}}],
-  "images": [{{"uri": "base_color.png"}}, {{"uri": "normal.png"}}, {{"uri": "orm.png"}}],
-  "accessors": [
-    {{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
-      "min": [-0.5, -0.5, 0], "max": [0.5, 0.5, 0]}},
-    {{"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"}},
-    {{"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"}},
-    {{"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"}}],
-  "bufferViews": [
-    {{"buffer": 0, "byteOffset": 0, "byteLength": 48}},
-    {{"buffer": 0, "byteOffset": 48, "byteLength": 48}},
-    {{"buffer": 0, "byteOffset": 96, "byteLength": 32}},
-    {{"buffer": 0, "byteOffset": 128, "byteLength": 12}}],
-  "buffers": [{{"byteLength": 140, "uri": "data:application/octet-stream;base64,{square}"}}]
-}}
-)";
-constexpr std::string_view square =
-    "AAAAvwAAAD8AAAAAAAAAPwAAAD8AAAAAAAAAvwAAAL8AAAAAAAAAPwAAAL8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/"
-    "AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AACAPwAAgD8AAAIAAQABAAIAAwA=";
-
 // Makes the folder, and removes it again unless it is kept.
 class Folder {
   public:
@@ -310,34 +243,19 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     for (const Png& png : pngs)
         writers.emplace_back(png_path(folder, png), request.width, request.height,
                              static_cast<int>(png.channels.size()), png.bits);
-    const std::filesystem::path together = folder / exr_name;
-    std::optional<image::ExrWriter> picture;
-    std::optional<image::ExrTextureWriter> texture;
+    const image::Rect whole{0, 0, request.width, request.height};
+    image::ExrWriter::Description description = exr_description(request, whole, software(device));
+    description.channels = map_channels;
     if (format.texture)
-        texture.emplace(together,
-                        image::ExrTextureWriter::Description{.width = request.width,
-                                                             .height = request.height,
-                                                             .channels = map_channels,
-                                                             .half = format.half,
-                                                             .periodic = tileable,
-                                                             .parameters = to_json(request),
-                                                             .software = software(device),
-                                                             .colour_space = colour_space(request)});
-    else
-        picture.emplace(together,
-                        image::ExrWriter::Description{.picture = {0, 0, request.width, request.height},
-                                                      .window = {0, 0, request.width, request.height},
-                                                      .channels = map_channels,
-                                                      .parameters = to_json(request),
-                                                      .software = software(device),
-                                                      .colour_space = colour_space(request)});
+        description.texture = image::ExrWriter::Texture{format.half, tileable};
+    image::ExrWriter exr(folder / exr_name, description);
     image::OutputFile materialx(folder / materialx_name);
     image::OutputFile scene(folder / gltf_name);
 
     const double unit = terrain ? terrain_unit(request) : 1; // of heights, per kernel radius
     Maps maps{request.width, request.height, tileable, request.scale / unit, {}};
     maps.values.reserve(row * static_cast<std::size_t>(request.height));
-    render_region(device, request, {0, 0, request.width, request.height}, [&](std::span<const float> rows) {
+    render_region(device, request, whole, [&](std::span<const float> rows) {
         const std::size_t channels = terrain ? terrain_channels.size() : material_channels.size();
         advance(rows.size() / channels);
         for (std::size_t i = 0; i < rows.size(); i += channels) {
@@ -357,8 +275,7 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
         for (int x = 0; x < request.width; ++x)
             maps.add_occlusion(x, y);
         const std::span<const float> values(maps.at(0, y), row);
-        if (picture)
-            picture->write_rows(values);
+        exr.write_rows(values);
         for (std::size_t k = 0; k < pngs.size(); ++k) {
             shown.clear();
             for (std::size_t i = 0; i < row; i += map_channels.size())
@@ -373,26 +290,23 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
             writers[k].write_rows(shown);
         }
     }
-    if (texture)
-        write_levels(*texture, maps.values, request.width, request.height);
+    if (format.texture)
+        write_levels(exr, maps.values, request.width, request.height);
     const auto write = [&](image::OutputFile& file, std::string_view text) {
         const double longer = std::max(request.width, request.height);
         const std::string filled = fmt::format(
             fmt::runtime(text), fmt::arg("name", terrain ? "terrain" : std::string_view(request.material)),
-            fmt::arg("version", GABOR_VERSION), fmt::arg("square", square), fmt::arg("low", low),
-            fmt::arg("high", high),
-            fmt::arg("width", text == mtlx ? request.width / request.scale : request.width / longer),
+            fmt::arg("version", GABOR_VERSION), fmt::arg("low", low), fmt::arg("high", high),
+            fmt::arg("width",
+                     text == materialx_template ? request.width / request.scale : request.width / longer),
             fmt::arg("height", request.height / longer));
-        file.write(std::as_bytes(std::span(filled)));
+        file.write(filled);
     };
-    write(materialx, mtlx);
-    write(scene, gltf);
+    write(materialx, materialx_template);
+    write(scene, gltf_template);
     for (image::PngWriter& writer : writers)
         writer.commit();
-    if (picture)
-        picture->commit();
-    else
-        texture->commit();
+    exr.commit();
     materialx.commit();
     scene.commit();
 }

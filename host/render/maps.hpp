@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 namespace gabor::render {
@@ -18,6 +19,10 @@ struct MapFormat {
     bool texture = false; ///< maps.exr with mip levels, whose roughness grows by the slopes that they lose
     bool half = false;    ///< of the texture
 };
+
+/// The set's MaterialX document and its glTF scene, with a square to look at, for fmt to fill in: files of
+/// host/render/scenes.
+extern const std::string_view materialx_template, gltf_template;
 
 /// Whether the request has maps: a material in the plane, or terrain.
 bool has_maps(const Request& request);

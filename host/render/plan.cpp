@@ -325,21 +325,6 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
 
 constexpr double focal_length = 0.8; // longer sides of the picture
 
-// As GaborErosion.
-struct ErosionTable {
-    std::int32_t octaves;
-    std::array<float, 11> values;
-};
-
-ErosionTable table_of(const Erosion& e) {
-    ErosionTable table{e.octaves, {}};
-    std::ranges::transform(std::array{e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail,
-                                      e.sharpness, e.ridge_rounding, e.crease_rounding, e.gully_weight,
-                                      e.branching},
-                           table.values.begin(), [](double value) { return static_cast<float>(value); });
-    return table;
-}
-
 void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) {
     const Terrain& terrain = std::get<Terrain>(request.view);
     const Camera& camera = viewport.camera;
@@ -376,7 +361,7 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     }
     Constants constants{};
     constants[passes::view_id] = view_constant(request.view);
-    plan.tables = {bytes_of(table_of(terrain.erosion))};
+    plan.tables = {erosion_table(terrain.erosion)};
     plan.steps = {step_of("terrain", constants, push, passes::terrain_group)};
 }
 
@@ -396,6 +381,18 @@ std::array<std::uint32_t, passes::window_id + 3> recipe_constants(const noise::R
 
 std::string recipe_pass(std::string_view pass, const noise::Recipe& recipe) {
     return recipe.is_lattice() ? fmt::format("{}@{}", pass, recipe.taps) : std::string(pass);
+}
+
+Bytes erosion_table(const Erosion& e) {
+    struct Table { // GaborErosion
+        std::int32_t octaves;
+        std::array<float, 11> values;
+    } table{e.octaves, {}};
+    std::ranges::transform(std::array{e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail,
+                                      e.sharpness, e.ridge_rounding, e.crease_rounding, e.gully_weight,
+                                      e.branching},
+                           table.values.begin(), [](double value) { return static_cast<float>(value); });
+    return bytes_of(table);
 }
 
 float wrapped_time(const Request& request) {

@@ -55,6 +55,12 @@ struct Step {
         runs; ///< first row and count of each row of groups; if empty, group.rows each
 };
 
+/// A map that passes read band by band: the rows of a band, and `halo` more above and below.
+struct Source {
+    int width = 0; ///< values in a row; 0 for no map
+    int halo = 0;
+};
+
 /// Everything that a device needs to draw a picture.
 struct Plan {
     std::vector<std::string> channels; ///< of each value
@@ -62,6 +68,7 @@ struct Plan {
     int height = 0;
     std::vector<Bytes> tables; ///< the storage buffers 1, 2, ...; buffer 0 has the values, row by row
     std::vector<Step> steps;   ///< in order; each reads what earlier ones wrote
+    Source source = {};        ///< in the storage buffer after the tables
 };
 
 /// When to fill a picture block by block, which is faster than pixel by pixel. The two differ by less than

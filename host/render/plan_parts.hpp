@@ -1,6 +1,6 @@
 #pragma once
 
-// What plan.cpp and bake.cpp share.
+// What plan.cpp, bake.cpp and erosion.cpp share.
 
 #include "noise/spectrum.hpp"
 #include "render/plan.hpp"
@@ -27,6 +27,9 @@ void fade(Wave& wave, float share) {
     for (passes::vec2& weight : wave.weights)
         weight = {share * weight.x, share * weight.y};
 }
+
+/// The parameters of an erosion as passes read them.
+Bytes erosion_table(const Erosion& erosion);
 
 /// The request's colour, or zeros if it has none.
 passes::PixelsColour colour_of(const Request& request);

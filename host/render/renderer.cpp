@@ -15,20 +15,29 @@ namespace {
 constexpr std::size_t band_bytes = std::size_t{16} << 20;
 constexpr std::size_t most_pipelines = 16; // lavapipe takes a megabyte for each
 
+using Fill = std::function<void(std::span<float>)>;
+
 // A band's memory on the device, and the job that fills it.
 class BandBuffer {
   public:
-    BandBuffer(const vulkan::Device& device, const Renderer& renderer, std::size_t bytes)
-        : values_(device, bytes, values_memory(device)), job_(renderer.job(values_)) {
+    BandBuffer(const vulkan::Device& device, const Renderer& renderer, int rows)
+        : row_values_(static_cast<std::size_t>(renderer.plan().width) * renderer.plan().channels.size()),
+          values_(device, static_cast<std::size_t>(rows) * row_values_ * sizeof(float),
+                  values_memory(device)),
+          source_(source_of(device, renderer.plan().source, rows)),
+          job_(renderer.job(values_, source_ ? &*source_ : nullptr)) {
         if (!device.unified())
-            staging_.emplace(device, bytes, vulkan::Memory::readback);
+            staging_.emplace(device, values_.size(), vulkan::Memory::readback);
     }
 
-    void submit(const Renderer& renderer, const Band& band, std::size_t count) {
-        count_ = count;
+    void submit(const Renderer& renderer, const Band& band, const Fill& fill) {
+        const Source& source = renderer.plan().source;
+        if (source_)
+            fill(source_->as<float>().first(source_values(source, band.rows)));
+        count_ = static_cast<std::size_t>(band.rows) * row_values_;
         std::optional<vulkan::Job::Copy> copy;
         if (staging_)
-            copy.emplace(vulkan::Job::Copy{values_, *staging_, count * sizeof(float)});
+            copy.emplace(vulkan::Job::Copy{values_, *staging_, count_ * sizeof(float)});
         renderer.submit(job_, band, 0, copy);
     }
 
@@ -38,7 +47,19 @@ class BandBuffer {
     }
 
   private:
+    static std::size_t source_values(const Source& source, int rows) {
+        return static_cast<std::size_t>(source.width) * static_cast<std::size_t>(rows + 2 * source.halo);
+    }
+    static std::optional<vulkan::Buffer> source_of(const vulkan::Device& device, const Source& source,
+                                                   int rows) {
+        if (source.width == 0)
+            return {};
+        return vulkan::Buffer(device, source_values(source, rows) * sizeof(float), vulkan::Memory::upload);
+    }
+
+    std::size_t row_values_;
     vulkan::Buffer values_;
+    std::optional<vulkan::Buffer> source_;
     std::optional<vulkan::Buffer> staging_; // if the host cannot read the device's memory
     vulkan::Job job_;
     std::size_t count_ = 0;
@@ -58,8 +79,8 @@ vulkan::Pass make_pass(const vulkan::Device& device, const Plan& plan, const Ste
     const auto found = std::ranges::find(passes::pictures, step.shader, &passes::Module::name);
     return {device,
             found->spirv,
-            {static_cast<std::uint32_t>(plan.tables.size() + 1), static_cast<std::uint32_t>(step.push.size()),
-             statistics},
+            {static_cast<std::uint32_t>(plan.tables.size() + (plan.source.width > 0 ? 2 : 1)),
+             static_cast<std::uint32_t>(step.push.size()), statistics},
             step.constants};
 }
 
@@ -89,10 +110,12 @@ void Renderer::set(Plan plan) {
     }
 }
 
-vulkan::Job Renderer::job(const vulkan::Buffer& values) const {
+vulkan::Job Renderer::job(const vulkan::Buffer& values, const vulkan::Buffer* source) const {
     vulkan::Job::Buffers buffers{values};
     buffers.insert(buffers.end(), tables_.begin(),
                    tables_.begin() + static_cast<std::ptrdiff_t>(plan_.tables.size()));
+    if (source)
+        buffers.push_back(*source);
     return {device_, *of_steps_.front(), buffers};
 }
 
@@ -137,28 +160,27 @@ Times render_region(const vulkan::Device& device, const Request& request, const 
 }
 
 Times render_plan(const vulkan::Device& device, const Renderer& renderer,
-                  const std::function<void(std::span<const float>)>& sink) {
+                  const std::function<void(std::span<const float>)>& sink, const Fill& fill) {
     const Clock::time_point start = Clock::now();
     const Plan& plan = renderer.plan();
-    const std::size_t row_values = static_cast<std::size_t>(plan.width) * plan.channels.size();
+    const std::size_t row_values = std::max(static_cast<std::size_t>(plan.width) * plan.channels.size(),
+                                            static_cast<std::size_t>(plan.source.width));
     const std::size_t limit = std::min<std::size_t>(band_bytes, device.info().storage_buffer);
     const int fitting = std::max(1, static_cast<int>(limit / (row_values * sizeof(float))));
     const std::vector<Band> all = bands(plan, fitting);
-    const auto count = [&](const Band& band) { return static_cast<std::size_t>(band.rows) * row_values; };
     const int most_rows = std::ranges::max(all, {}, &Band::rows).rows;
-    const std::size_t bytes = static_cast<std::size_t>(most_rows) * row_values * sizeof(float);
-    std::array<BandBuffer, 2> buffers{BandBuffer(device, renderer, bytes),
-                                      BandBuffer(device, renderer, bytes)};
+    std::array<BandBuffer, 2> buffers{BandBuffer(device, renderer, most_rows),
+                                      BandBuffer(device, renderer, most_rows)};
 
     Times times;
-    buffers[0].submit(renderer, all[0], count(all[0]));
+    buffers[0].submit(renderer, all[0], fill);
     times.first_dispatch = seconds_since(start);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Clock::time_point before = Clock::now();
         times.gpu += buffers[i % 2].wait();
         times.waiting += seconds_since(before);
         if (i + 1 < all.size())
-            buffers[(i + 1) % 2].submit(renderer, all[i + 1], count(all[i + 1]));
+            buffers[(i + 1) % 2].submit(renderer, all[i + 1], fill);
         sink(buffers[i % 2].values());
     }
     return times;

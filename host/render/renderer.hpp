@@ -25,8 +25,8 @@ class Renderer {
     const Plan& plan() const { return plan_; }
     const vulkan::Device& device() const { return device_; }
 
-    /// A job that fills bands in `values`.
-    vulkan::Job job(const vulkan::Buffer& values) const;
+    /// A job that fills bands in `values`, and reads the plan's source.
+    vulkan::Job job(const vulkan::Buffer& values, const vulkan::Buffer* source = nullptr) const;
 
     /// Submits a job that fills a band. `before`: values in its buffer before the band.
     void submit(vulkan::Job& job, const Band& band, int before = 0,
@@ -70,8 +70,10 @@ struct Times {
 Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
                     const std::function<void(std::span<const float>)>& sink);
 
-/// Does the same for a renderer's plan.
+/// Does the same for a renderer's plan. `fill`: gives the next band's rows of the plan's source, halo
+/// included.
 Times render_plan(const vulkan::Device& device, const Renderer& renderer,
-                  const std::function<void(std::span<const float>)>& sink);
+                  const std::function<void(std::span<const float>)>& sink,
+                  const std::function<void(std::span<float>)>& fill = {});
 
 } // namespace gabor::render

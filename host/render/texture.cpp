@@ -24,10 +24,6 @@ bool is_power_of_two(int side) {
     return std::has_single_bit(static_cast<unsigned>(side));
 }
 
-bool same_extent(const Request& request, const image::Rect& region) {
-    return region.width == request.width && region.height == request.height;
-}
-
 } // namespace
 
 void check_texture(const Request& request, const image::Rect& region) {
@@ -59,19 +55,17 @@ Request texture_level(Request request, int level) {
 
 namespace {
 
-image::ExrTextureWriter make_writer(const std::filesystem::path& path, const Request& request,
-                                    const image::Rect& region, const TextureFormat& format,
-                                    const std::string& made_by) {
-    return {path,
-            {.width = region.width,
-             .height = region.height,
-             .channels = channels(request),
-             .half = format.half,
-             .periodic = std::get<Plane>(request.view).tileable && same_extent(request, region),
-             .compression = format.compression,
-             .parameters = to_json(request),
-             .software = made_by,
-             .colour_space = colour_space(request)}};
+image::ExrWriter make_writer(const std::filesystem::path& path, const Request& request,
+                             const image::Rect& region, const TextureFormat& format,
+                             const std::string& made_by) {
+    const image::Rect whole{0, 0, region.width, region.height};
+    image::ExrWriter::Description description = exr_description(request, whole, made_by);
+    description.picture = whole;
+    description.compression = format.compression;
+    const bool tile = std::get<Plane>(request.view).tileable && region.width == request.width &&
+                      region.height == request.height;
+    description.texture = image::ExrWriter::Texture{format.half, tile};
+    return {path, description};
 }
 
 using Write = std::function<void(std::span<const float>)>;
@@ -104,7 +98,7 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
                          const std::filesystem::path& path, const TextureFormat& format,
                          const std::function<void(std::uint64_t)>& advance) {
     const std::size_t channels = render::channels(request).size();
-    image::ExrTextureWriter writer = make_writer(path, request, region, format, software(device));
+    image::ExrWriter writer = make_writer(path, request, region, format, software(device));
 
     FileTimes times;
     const auto write = [&](std::span<const float> values) {
@@ -151,7 +145,7 @@ image::Rect join_texture(std::span<const std::filesystem::path> regions, const s
         throw RequestError(fmt::format("cannot join: '{}' is not filtered; {}", first.string(), accepted));
     check_texture(request, whole.picture());
     const std::vector<std::string> names = channels(request);
-    image::ExrTextureWriter writer =
+    image::ExrWriter writer =
         make_writer(output, request, whole.picture(), {whole.compression(), half}, whole.software());
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / names.size());
@@ -163,7 +157,7 @@ image::Rect join_texture(std::span<const std::filesystem::path> regions, const s
         if (found == levels.end())
             throw RequestError(fmt::format("cannot join: no region is of level {}, {} x {} pixels; {}", level,
                                            here.width, here.height, accepted));
-        image::ExrReader reader(found->second, names);
+        image::ExrReader reader(std::span(found->second), names);
         if (reader.parameters() != to_json(here) || reader.software() != whole.software())
             throw RequestError(
                 fmt::format("cannot join: '{}' is not level {} of '{}', or by another version or driver; {}",

@@ -1,8 +1,6 @@
 #pragma once
 
-// A measured number with its confidence interval, quantiles of samples, and the normal distribution.
-
-#include <vector>
+// A measured number with its confidence interval, and the normal distribution.
 
 namespace gabor::statistics {
 
@@ -18,19 +16,6 @@ struct Estimate {
 /// A value whose variance would be null_variance + slope * max(truth, 0): the interval holds every truth from
 /// which the value is at most `quantile` standard deviations away (Wilson's score interval, 1927).
 Estimate score_interval(double value, double null_variance, double slope, double quantile);
-
-/// The number below which a share of `values` lies, interpolated linearly between order statistics.
-/// Throws std::invalid_argument without values.
-double quantile(std::vector<double> values, double share);
-
-/// The spread of positive numbers: "median and relative interdecile" in [TNVT19].
-struct Dispersion {
-    double median = 0;
-    double interdecile = 0; ///< (q90 - q10) / median
-};
-
-/// Returns the spread of these values.
-Dispersion dispersion(const std::vector<double>& values);
 
 /// Density of the standard normal distribution.
 double normal_density(double x);

@@ -1,8 +1,5 @@
 #include "statistics/spectrum.hpp"
 
-#include "statistics/segments.hpp"
-#include "statistics/transform.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -20,49 +17,38 @@ constexpr int longest_side = 512;
 constexpr int shortest_side = 8;
 constexpr std::int64_t most_values = std::int64_t(1) << 25; ///< size of the stored rows, in floats
 
+int required_side(int width, int height) {
+    const std::optional<int> side = segment_side(width, height);
+    if (!side)
+        throw std::invalid_argument("too few pixels for a spectrum");
+    return *side;
+}
+
 } // namespace
 
-struct Spectrum::State {
-    Segments segments;
-    Transform transform;
-    std::vector<float> segment;
-    std::vector<double> power;
-};
+Spectrum::Spectrum(int width, int height) : Spectrum(width, height, required_side(width, height)) {}
 
-Spectrum::Spectrum(int width, int height) {
-    const int side = segment_side(width, height).value_or(0);
-    if (side == 0)
-        throw std::invalid_argument("too few pixels for a spectrum");
-    const auto n = static_cast<std::size_t>(side);
-    state_ = std::make_unique<State>(State{Segments(width, height, 1, side, side / 2), Transform(side),
-                                           std::vector<float>(n * n), std::vector<double>(n * (n / 2 + 1))});
-}
-
-Spectrum::~Spectrum() = default;
-Spectrum::Spectrum(Spectrum&&) noexcept = default;
-
-int Spectrum::side() const {
-    return state_->segments.side();
-}
+Spectrum::Spectrum(int width, int height, int side)
+    : segments_(width, height, 1, side, side / 2), transform_(side),
+      segment_(static_cast<std::size_t>(side * side)),
+      power_(static_cast<std::size_t>(side * (side / 2 + 1))) {}
 
 void Spectrum::add_row(std::span<const float> row) {
-    State& s = *state_;
-    for (const int left : s.segments.add_row(row)) {
-        s.segments.weigh(left, 0, s.segment, s.segments.side());
-        const std::span<const std::complex<float>> values = s.transform(s.segment);
+    for (const int left : segments_.add_row(row)) {
+        segments_.weigh(left, 0, segment_, segments_.side());
+        const std::span<const std::complex<float>> values = transform_(segment_);
         for (std::size_t i = 0; i < values.size(); ++i)
-            s.power[i] += std::norm(std::complex<double>(values[i]));
+            power_[i] += std::norm(std::complex<double>(values[i]));
     }
 }
 
 std::vector<double> Spectrum::periodogram() const {
-    const State& s = *state_;
-    const double window_power = s.segments.window_power();
-    const double side = s.segments.side();
-    const auto segments = static_cast<double>(s.segments.count());
+    const double window_power = segments_.window_power();
+    const double side = segments_.side();
+    const auto segments = static_cast<double>(segments_.count());
     // Parseval: sum_k |X_k|^2 = side^2 sum (w x)^2, whose expectation is side^2 window_power^2 variance.
     const double scale = 1 / (segments * side * side * window_power * window_power);
-    std::vector<double> result(s.power);
+    std::vector<double> result(power_);
     for (double& cell : result)
         cell *= scale;
     return result;

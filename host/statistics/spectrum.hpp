@@ -1,6 +1,8 @@
 #pragma once
 
-#include <memory>
+#include "statistics/segments.hpp"
+#include "statistics/transform.hpp"
+
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,8 +16,6 @@ class Spectrum {
   public:
     /// Throws std::invalid_argument for pictures without a `segment_side`.
     Spectrum(int width, int height);
-    ~Spectrum();
-    Spectrum(Spectrum&&) noexcept;
 
     /// Adds the next row of `width` values. Subtract the mean first, or it counts as power at frequency 0.
     void add_row(std::span<const float> row);
@@ -24,11 +24,15 @@ class Spectrum {
     std::vector<double> periodogram() const;
 
     /// Returns the side of the segments in pixels.
-    int side() const;
+    int side() const { return segments_.side(); }
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    Spectrum(int width, int height, int side);
+
+    Segments segments_;
+    Transform transform_;
+    std::vector<float> segment_;
+    std::vector<double> power_;
 };
 
 /// Returns the side of the segments for a picture: a power of 2, at most 512 and at most half the shorter

@@ -3,10 +3,43 @@
 #include "error.hpp"
 
 #include <fmt/format.h>
+#include <spirv-tools/optimizer.hpp>
 
 #include <limits>
+#include <unordered_map>
 
 namespace gabor::vulkan {
+
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+// The module as if it had been compiled with these constants. Otherwise SwiftShader keeps the branches that
+// they exclude, and lavapipe compiles many of them.
+Words specialized(std::span<const std::uint32_t> spirv, std::span<const std::uint32_t> constants) {
+    std::unordered_map<std::uint32_t, Words> values;
+    for (std::uint32_t id = 0; id < constants.size(); ++id)
+        values[id] = {constants[id]};
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+    std::string messages;
+    optimizer.SetMessageConsumer([&messages](spv_message_level_t, const char*, const spv_position_t&,
+                                             const char* message) { messages += message; });
+    optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
+        .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
+        .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
+        .RegisterPass(spvtools::CreateCCPPass())
+        .RegisterPass(spvtools::CreateDeadBranchElimPass())
+        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass());
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false); // of what glslang compiled
+    Words result;
+    if (!optimizer.Run(spirv.data(), spirv.size(), &result, options))
+        throw std::runtime_error("SPIRV-Tools cannot specialize a pass: " + messages);
+    return result;
+}
+
+} // namespace
 
 Pass::Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface interface,
            std::span<const std::uint32_t> constants)
@@ -26,14 +59,9 @@ Pass::Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface
         layout.setPushConstantRanges(push);
     state_->layout = vk::raii::PipelineLayout(logical, layout);
 
-    std::vector<vk::SpecializationMapEntry> entries;
-    for (std::uint32_t i = 0; i < constants.size(); ++i)
-        entries.emplace_back(i, i * 4, 4);
-    const vk::SpecializationInfo specialization(static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                                constants.size_bytes(), constants.data());
-    const vk::raii::ShaderModule module(logical, {{}, spirv.size_bytes(), spirv.data()});
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
-                                                  &specialization);
+    const Words words = specialized(spirv, constants);
+    const vk::raii::ShaderModule module(logical, {{}, words.size() * sizeof(words.front()), words.data()});
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
     const auto flags = interface.statistics && device.state().executable_properties
                            ? vk::PipelineCreateFlagBits::eCaptureStatisticsKHR
                            : vk::PipelineCreateFlagBits{};

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Erodes a band of a heightmap, or of the hills of gabor_terrain. A map's slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps:
+// Erodes a heightmap. Slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps:
 // binomial weights (1, 4, 6, 4, 1) / 16 across, and (-1, -2, 0, 2, 1) / 8 along.
 
 #include "passes/erode_interface.h"
@@ -10,8 +10,11 @@
 
 layout(local_size_x = erode_group, local_size_y = erode_group) in;
 
-layout(std430, set = 0, binding = 0) readonly buffer Map { float map[]; };
-layout(std430, set = 0, binding = 1) writeonly buffer Eroded { float eroded[]; };
+const int channels = 5; // height, slope along x and y, ridge, height minus the map's height
+
+layout(std430, set = 0, binding = 0) writeonly buffer Eroded { float eroded[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Erosion { GaborErosion erosion; };
+layout(std430, set = 0, binding = 2) readonly buffer Map { float map[]; };
 
 // The map's height at a pixel; rows count from the first row of the band.
 float height_at(int column, int row) {
@@ -39,17 +42,11 @@ void main() {
     if (here.x >= width || here.y >= height)
         return;
     int column = first_column + here.x;
-    GaborErosion erosion = GaborErosion(octaves, frequency, strength, lacunarity, gain, onset, detail, sharpness,
-                                        ridge_rounding, crease_rounding, gully_weight, branching);
     vec2 p = (vec2(column, first_row + here.y) + 0.5) * pixel;
     GaborGround ground = GaborGround(ivec2(0), p, period);
-    GaborTerrain base;
-    if (hills != 0)
-        base = gabor_terrain_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), seed);
-    else
-        base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
+    GaborTerrain base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
     GaborTerrain terrain = gabor_eroded_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), base, erosion, seed);
-    int at = erode_channels * (here.y * width + here.x);
+    int at = channels * (before + here.y * width + here.x);
     eroded[at] = terrain.height;
     eroded[at + 1] = terrain.slope.x;
     eroded[at + 2] = terrain.slope.y;

@@ -126,7 +126,7 @@ TEST_CASE("An older file stays until commit and is replaced then", "[output_file
     const fs::path path = folder / "out";
     write_file(path, "a longer old content");
 
-    { OutputFile(path).write({}); }
+    { OutputFile(path).write(""); }
     CHECK(read_file(path) == "a longer old content");
     {
         OutputFile file(path);

@@ -1,10 +1,12 @@
 // How requests are to be drawn: plans are values, and need no device.
 
 #include "render/bake.hpp"
+#include "render/erosion.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
 
 #include "passes/bake_interface.h"
+#include "passes/erode_interface.h"
 #include "passes/line.h"
 #include "passes/material_interface.h"
 #include "passes/pictures.h"
@@ -254,6 +256,23 @@ TEST_CASE("a coarse view has its waves through the filter of its pixels") {
     // Half a pixel of deviation: 15/4 square pixels more where 4 x 4 become one.
     CHECK(amplitude(4) / amplitude(1) ==
           Approx(std::exp(-2 * std::pow(std::numbers::pi * 4 / 32, 2) * 15 / 4)).epsilon(1e-5));
+}
+
+TEST_CASE("an erosion reads its map around each band, in the map's own pixels") {
+    const HeightMap map{.open = {}, .width = 300, .height = 200, .pixel = 0.25, .tileable = true};
+    const Plan made = erosion_plan(map, {.octaves = 3, .branching = 0.5}, 7, {10, 20, 30, 40});
+    CHECK(made.channels.size() == 5);
+    CHECK(made.width == 30);
+    CHECK(made.height == 40);
+    CHECK(made.source.width == 300);
+    CHECK(made.source.halo == 2);
+    const auto push = values_of<passes::ErodePush>(made.steps.front().push).front();
+    CHECK(std::array{push.first_column, push.first_row, push.width, push.height} ==
+          std::array{10, 20, 30, 40});
+    CHECK(std::array{push.period.x, push.period.y, push.pixel} == std::array{75.0f, 50.0f, 0.25f});
+    CHECK(std::array{push.map_width, push.tileable, static_cast<int>(push.seed)} == std::array{300, 1, 7});
+    CHECK(values_of<std::int32_t>(made.tables.front()).front() == 3);
+    CHECK(values_of<float>(made.tables.front()).back() == 0.5f);
 }
 
 TEST_CASE("bands cover a region once, and blocks are never cut") {

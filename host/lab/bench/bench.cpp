@@ -5,6 +5,7 @@
 #include "render/renderer.hpp"
 #include "seconds.hpp"
 #include "statistics/gaussianity.hpp"
+#include "statistics/quantile.hpp"
 
 #include <fmt/format.h>
 

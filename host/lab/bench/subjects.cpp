@@ -14,12 +14,9 @@
 #include "passes/bench/yardsticks.h"
 
 #include <fmt/format.h>
-#include <spirv-tools/optimizer.hpp>
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
-#include <unordered_map>
 
 namespace gabor::bench {
 
@@ -108,43 +105,13 @@ std::vector<Subject> subjects() {
     return all;
 }
 
-namespace {
-
-// The module as if it had been compiled with these constants. Drivers may keep branches that constants
-// exclude: SwiftShader does, and then writing alone takes as long as the largest noise of its module.
-std::vector<std::uint32_t> specialized(std::span<const std::uint32_t> spirv,
-                                       std::span<const std::uint32_t> constants) {
-    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
-    for (std::uint32_t id = 0; id < constants.size(); ++id)
-        values[id] = {constants[id]};
-    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
-    std::string messages;
-    optimizer.SetMessageConsumer([&messages](spv_message_level_t, const char*, const spv_position_t&,
-                                             const char* message) { messages += message; });
-    optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
-        .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
-        .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
-        .RegisterPass(spvtools::CreateCCPPass())
-        .RegisterPass(spvtools::CreateDeadBranchElimPass())
-        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
-        .RegisterPass(spvtools::CreateAggressiveDCEPass());
-    std::vector<std::uint32_t> result;
-    if (!optimizer.Run(spirv.data(), spirv.size(), &result))
-        throw std::runtime_error("SPIRV-Tools cannot specialize a pass: " + messages);
-    return result;
-}
-
-} // namespace
-
 vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use) {
     std::vector<std::uint32_t> constants(20, 0);
     if (subject.recipe)
         std::ranges::copy(render::recipe_constants(*subject.recipe), constants.begin());
     constants[passes::sampling_id] = use == Use::samples;
     std::ranges::copy(subject.options, constants.begin() + passes::option_id);
-    return {device,
-            specialized(subject.spirv, constants),
-            {1, sizeof(passes::BenchPush), use == Use::statistics}};
+    return {device, subject.spirv, {1, sizeof(passes::BenchPush), use == Use::statistics}, constants};
 }
 
 Filling::Filling(const vulkan::Device& device, const Subject& subject, const Setting& setting,

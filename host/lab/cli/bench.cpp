@@ -1,5 +1,6 @@
 #include "bench/bench.hpp"
 #include "bench/subjects.hpp"
+#include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "image/output_file.hpp"
 #include "lab/cli/commands.hpp"
@@ -109,10 +110,7 @@ ordered_json time_all(const vulkan::Device& device, bool quick) {
     const bench::Effort effort = quick ? bench::Effort{3, 256, 1} : bench::Effort{};
     std::optional<cli::Progress> progress(std::in_place, "measuring",
                                           static_cast<std::uint64_t>(bench::steps(effort)));
-    const bench::Report report = bench::run(device, effort, [&] {
-        cli::check_interrupt();
-        progress->advance(1);
-    });
+    const bench::Report report = bench::run(device, effort, [&] { progress->advance(1); });
     progress.reset();
     print_device(device);
     print_base(report.base);
@@ -149,8 +147,7 @@ void run_bench(const BenchOptions& options) {
     ordered_json json{{"device", device.info().name}, {"driver", device.info().driver}};
     json.update(options.isa ? count_code(device) : time_all(device, options.quick));
     if (file) {
-        const std::string text = json.dump(2) + "\n";
-        file->write(std::as_bytes(std::span(text)));
+        file->write(json.dump(2) + "\n");
         file->commit();
     }
 }
@@ -162,10 +159,7 @@ void add_bench_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("bench", "Time the noises against each other on the device's own clock");
     command->add_option("--json", options->json, "Also write all figures to this file")->type_name("FILE");
-    command
-        ->add_option("--device", options->device,
-                     "Vulkan device: its index, or a part of its name [the fastest kind]")
-        ->type_name("NAME");
+    cli::add_device_option(*command, options->device);
     command->add_flag("--quick", options->quick,
                       "Few repetitions on a small picture, to see that all of it runs");
     command->add_flag(

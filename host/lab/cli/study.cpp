@@ -1,5 +1,6 @@
 #include "study/study.hpp"
 
+#include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "error.hpp"
 #include "lab/cli/commands.hpp"
@@ -56,10 +57,8 @@ void measure(const StudyOptions& options) {
     cli::Progress progress("measuring", units(study::cost(tables)));
     study::MeasuredRows measured;
     for (const study::Table& table : tables)
-        study::write_table(table, folder, conditions, measured, [&](double cost) {
-            progress.advance(units(cost));
-            cli::check_interrupt();
-        });
+        study::write_table(table, folder, conditions, measured,
+                           [&](double cost) { progress.advance(units(cost)); });
     for (const study::Study& study : studies)
         if (study.pictures) {
             cli::check_interrupt();
@@ -84,10 +83,7 @@ void add_study_command(CLI::App& app) {
         ->type_name("FOLDER")
         ->required();
     command->add_flag("--quick", options->quick, "Fewer samples: two minutes for all, without a GPU");
-    command
-        ->add_option("--device", options->device,
-                     "Vulkan device: its index, or part of its name [the fastest kind]")
-        ->type_name("NAME");
+    cli::add_device_option(*command, options->device);
     command->callback([options] { measure(*options); });
 }
 

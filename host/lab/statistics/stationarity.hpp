@@ -1,7 +1,7 @@
 #pragma once
 
-#include "statistics/estimate.hpp"
 #include "statistics/moments.hpp"
+#include "statistics/quantile.hpp"
 
 #include <span>
 #include <vector>

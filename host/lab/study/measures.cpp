@@ -1,5 +1,7 @@
 #include "study/measures.hpp"
 
+#include "statistics/quantile.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,0 +1,79 @@
+#pragma once
+
+// What the reader and the writer of EXR files share.
+
+#include "image/exr.hpp"
+#include "image/output_file.hpp"
+
+#include <ImfCompression.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfThreading.h>
+
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace gabor::image {
+
+/// Gives OpenEXR's thread pool, which starts empty, one thread per core.
+inline void start_exr_threads() {
+    static std::once_flag once;
+    std::call_once(once,
+                   [] { Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())); });
+}
+
+/// Describes rows of interleaved channels, whose first value is of the pixel `corner`.
+template <typename Value>
+Imf::FrameBuffer frame_of(Imf::PixelType type, const Value* values, const std::vector<std::string>& channels,
+                          const Imath::V2i& corner, int width, int rows) {
+    const std::size_t pixel = channels.size() * sizeof(Value);
+    Imf::FrameBuffer frame;
+    for (std::size_t c = 0; c < channels.size(); ++c)
+        frame.insert(channels[c], Imf::Slice::Make(type, values + c, corner, width, rows, pixel,
+                                                   pixel * static_cast<std::size_t>(width)));
+    return frame;
+}
+
+/// Lets OpenEXR write into an OutputFile. Remembers a failure, because the destructor of Imf::OutputFile,
+/// which writes the table of offsets, swallows exceptions.
+class ExrStream final : public Imf::OStream {
+  public:
+    explicit ExrStream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
+
+    void write(const char* bytes, int count) override {
+        attempt([&] { file_.write(std::as_bytes(std::span(bytes, static_cast<std::size_t>(count)))); });
+    }
+    std::uint64_t tellp() override { return file_.position(); }
+    void seekp(std::uint64_t position) override {
+        attempt([&] { file_.seek(position); });
+    }
+
+    void rethrow_failure() const {
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+  private:
+    template <class Action>
+    void attempt(Action action) {
+        try {
+            action();
+        } catch (...) {
+            failure_ = std::current_exception();
+            throw;
+        }
+    }
+
+    OutputFile& file_;
+    std::exception_ptr failure_;
+};
+
+/// Returns the header of such a file.
+Imf::Header exr_header(const ExrWriter::Description& description);
+
+/// Returns the name of a lossless method; empty for a lossy one.
+std::string_view exr_compression_name(Imf::Compression method);
+
+} // namespace gabor::image

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+namespace gabor::statistics {
+
+/// The number below which a share of `values` lies, interpolated linearly between order statistics.
+/// Throws std::invalid_argument without values.
+double quantile(std::vector<double> values, double share);
+
+/// The spread of positive numbers: "median and relative interdecile" in [TNVT19].
+struct Dispersion {
+    double median = 0;
+    double interdecile = 0; ///< (q90 - q10) / median
+};
+
+/// Returns the spread of these values.
+Dispersion dispersion(const std::vector<double>& values);
+
+} // namespace gabor::statistics
