@@ -525,14 +525,15 @@ float2 gabor_impl_phase(float3 layer) {
     return layer.xy * rsqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
 }
 
-// The same for a phase that grows evenly: the wave after a normal filter.
-float2 gabor_impl_turns(float turns, float dx, float dy) {
-    return exp(-min(4.9348022 * (dx * dx + dy * dy), 40.0)) * gabor_impl_wave(turns);
+// The square of a sawtooth from 0 to 1, with mean 1/3, over the turns of gabor_impl_phase_of.
+float gabor_impl_rise_integral(float x) {
+    float turns = floor(x), t = x - turns;
+    return 0.33333333 * (turns + t * t * t);
 }
 
-// The square of a sawtooth from 0 to 1, with mean 1/3: t^2 = t - 4 t (1 - t) / 4.
-float gabor_impl_rise(float2 stripes) {
-    return gabor_stripes_sawtooth(stripes) - 0.25 * gabor_stripes_ridges(stripes);
+float gabor_impl_rise(float2 phase) {
+    float3 ends = gabor_impl_ends(phase.x, phase.y);
+    return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
 }
 
 // Clamps the colour to [0, 1], which a product of tones can exceed.
@@ -549,7 +550,9 @@ GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
     board = gabor_impl_warp(board, float2(4.0, 0.9), float2(bends.y, 0.0), gabor_lobe_seed(seed, 1));
     GaborPixel years = gabor_impl_warp(board, float2(6.5, 0.08), float2(0.455 / wood.rings, 0.0), gabor_lobe_seed(seed, 2));
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0).x;
-    float ring = gabor_impl_rise(0.97 * gabor_impl_turns(rings * years.p.x, rings * years.dx.x, rings * years.dy.x));
+    float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
+    float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // of the wave, by a normal filter
+    float ring = gabor_impl_rise(float2(rings * years.p.x, gabor_impl_phase_of(float2(kept, 0.0)).y));
     float3 pore = gabor_impl_spots(pixel, float2(90.0, 4.5), gabor_lobe_seed(seed, 3));
     float3 fibre = gabor_impl_spots(pixel, float2(150.0, 2.0), gabor_lobe_seed(seed, 4));
     float3 tone = gabor_impl_spots(board, float2(3.5, 0.35), gabor_lobe_seed(seed, 5));
@@ -666,7 +669,7 @@ GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed) {
     float3 grain = gabor_impl_spots(pixel, (float2)(75.0), gabor_lobe_seed(seed, 3));
     float3 large = gabor_impl_octaves(pixel, (float2)(0.6), 3, 0.5, gabor_lobe_seed(seed, 4));
 
-    float ripple = gabor_impl_rise(0.9 * gabor_impl_phase(wind));
+    float ripple = gabor_impl_rise(gabor_impl_phase_of(0.9 * gabor_impl_phase(wind)));
     float3 colour = lerp(sand.trough, sand.crest, ripple);
     colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06);
     colour = lerp(colour, 0.23 * sand.trough, 3.75 * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9, 0.15));

@@ -356,14 +356,15 @@ GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer) {
     return layer.xy() * gabor_cpp_inversesqrt(gabor_cpp_dot(layer.xy(), layer.xy()) + 2.5f * layer.z + 1.0e-6f);
 }
 
-// The same for a phase that grows evenly: the wave after a normal filter.
-GABOR_INLINE gabor_vec2 gabor_impl_turns(float turns, float dx, float dy) {
-    return gabor_cpp_exp(-gabor_cpp_min(4.9348022f * (dx * dx + dy * dy), 40.0f)) * gabor_impl_wave(turns);
+// The square of a sawtooth from 0 to 1, with mean 1/3, over the turns of gabor_impl_phase_of.
+GABOR_INLINE float gabor_impl_rise_integral(float x) {
+    float turns = gabor_cpp_floor(x), t = x - turns;
+    return 0.33333333f * (turns + t * t * t);
 }
 
-// The square of a sawtooth from 0 to 1, with mean 1/3: t^2 = t - 4 t (1 - t) / 4.
-GABOR_INLINE float gabor_impl_rise(gabor_vec2 stripes) {
-    return gabor_stripes_sawtooth(stripes) - 0.25f * gabor_stripes_ridges(stripes);
+GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase) {
+    gabor_vec3 ends = gabor_impl_ends(phase.x, phase.y);
+    return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
 }
 
 // Clamps the colour to [0, 1], which a product of tones can exceed.
@@ -380,7 +381,9 @@ GABOR_INLINE GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, std::
     board = gabor_impl_warp(board, gabor_vec2(4.0f, 0.9f), gabor_vec2(bends.y, 0.0f), gabor_lobe_seed(seed, 1));
     GaborPixel years = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), gabor_lobe_seed(seed, 2));
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0f).x;
-    float ring = gabor_impl_rise(0.97f * gabor_impl_turns(rings * years.p.x, rings * years.dx.x, rings * years.dy.x));
+    float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
+    float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * steps, 40.0f)); // of the wave, by a normal filter
+    float ring = gabor_impl_rise(gabor_vec2(rings * years.p.x, gabor_impl_phase_of(gabor_vec2(kept, 0.0f)).y));
     gabor_vec3 pore = gabor_impl_spots(pixel, gabor_vec2(90.0f, 4.5f), gabor_lobe_seed(seed, 3));
     gabor_vec3 fibre = gabor_impl_spots(pixel, gabor_vec2(150.0f, 2.0f), gabor_lobe_seed(seed, 4));
     gabor_vec3 tone = gabor_impl_spots(board, gabor_vec2(3.5f, 0.35f), gabor_lobe_seed(seed, 5));
@@ -497,7 +500,7 @@ GABOR_INLINE GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, std::
     gabor_vec3 grain = gabor_impl_spots(pixel, gabor_vec2(75.0f), gabor_lobe_seed(seed, 3));
     gabor_vec3 large = gabor_impl_octaves(pixel, gabor_vec2(0.6f), 3, 0.5f, gabor_lobe_seed(seed, 4));
 
-    float ripple = gabor_impl_rise(0.9f * gabor_impl_phase(wind));
+    float ripple = gabor_impl_rise(gabor_impl_phase_of(0.9f * gabor_impl_phase(wind)));
     gabor_vec3 colour = gabor_cpp_mix(sand.trough, sand.crest, ripple);
     colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06f);
     colour = gabor_cpp_mix(colour, 0.23f * sand.trough, 3.75f * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9f, 0.15f));

@@ -1,6 +1,6 @@
 #define_import_path gabor_noise::materials
 #import gabor_noise::lattice::{gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_kernel, gabor_place, gabor_place_tiled, gabor_field, gabor_impl_product, gabor_impl_wave}
-#import gabor_noise::spectrum::{gabor_stripes_sawtooth, gabor_stripes_ridges, GaborFootprint, gabor_footprint, gabor_field_filtered}
+#import gabor_noise::spectrum::{GaborFootprint, gabor_footprint, gabor_field_filtered, gabor_impl_ends, gabor_impl_phase_of}
 
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
@@ -70,6 +70,8 @@ fn gabor_wood_at(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborMaterial
     var board: GaborPixel;
     var years: GaborPixel;
     var rings: f32;
+    var steps: f32;
+    var kept_1: f32;
     var ring: f32;
     var pore: vec3<f32>;
     var fibre: vec3<f32>;
@@ -98,60 +100,66 @@ fn gabor_wood_at(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborMaterial
     years = _e42;
     let _e46 = gabor_impl_repeated(pixel, wood.rings, 1f);
     rings = _e46.x;
+    let _e49 = rings;
     let _e50 = rings;
-    let _e51 = years;
-    let _e55 = rings;
-    let _e56 = years;
-    let _e60 = rings;
-    let _e61 = years;
-    let _e65 = gabor_impl_turns((_e50 * _e51.p.x), (_e55 * _e56.dx.x), (_e60 * _e61.dy.x));
-    let _e67 = gabor_impl_rise((0.97f * _e65));
-    ring = _e67;
-    let _e73 = gabor_lobe_seed(seed, 3i);
-    let _e74 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e73);
-    pore = _e74;
-    let _e80 = gabor_lobe_seed(seed, 4i);
-    let _e81 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e80);
-    fibre = _e81;
-    let _e83 = board;
-    let _e88 = gabor_lobe_seed(seed, 5i);
-    let _e89 = gabor_impl_spots(_e83, vec2<f32>(3.5f, 0.35f), _e88);
-    tone = _e89;
-    let _e91 = fibre;
-    let _e93 = fibre;
-    let _e96 = gabor_impl_tone(_e91.y, _e93.z, 0.11f);
-    let _e97 = tone;
-    let _e99 = tone;
-    let _e102 = gabor_impl_tone(_e97.y, _e99.z, 0.13f);
-    tones = (_e96 * _e102);
-    let _e106 = pore;
-    let _e108 = pore;
-    let _e112 = gabor_impl_above(_e106.y, _e108.z, 1.1f, 0.25f);
-    pores = (wood.pores * _e112);
-    let _e116 = ring;
-    let _e119 = pores;
-    early = ((1f - _e116) * (1f - _e119));
-    let _e123 = ring;
-    let _e126 = pores;
-    late = (_e123 * (1f - (0.25f * _e126)));
-    let _e132 = early;
-    let _e134 = late;
-    deep = ((1f - _e132) - _e134);
-    let _e137 = tones;
-    let _e138 = early;
-    let _e142 = tones;
-    let _e143 = late;
-    let _e146 = deep;
-    colour_1 = (((_e137 * _e138) * wood.early) + (((_e142 * _e143) + (0.45f * _e146)) * wood.late));
-    let _e154 = ring;
-    let _e157 = deep;
-    let _e161 = fibre;
-    height_1 = (((0.0006f * _e154) - (0.0024f * _e157)) + (0.0002f * _e161.y));
-    let _e166 = colour_1;
-    let _e167 = height_1;
-    let _e171 = ring;
-    let _e176 = gabor_impl_material(_e166, _e167, (wood.roughness * (1f - (0.2f * _e171))), 0f);
-    return _e176;
+    let _e52 = years;
+    let _e55 = years;
+    let _e59 = years;
+    let _e62 = years;
+    steps = ((_e49 * _e50) * ((_e52.dx.x * _e55.dx.x) + (_e59.dy.x * _e62.dy.x)));
+    let _e71 = steps;
+    kept_1 = (0.97f * exp(-(min((4.934802f * _e71), 40f))));
+    let _e79 = rings;
+    let _e80 = years;
+    let _e84 = kept_1;
+    let _e87 = gabor_impl_phase_of(vec2<f32>(_e84, 0f));
+    let _e90 = gabor_impl_rise(vec2<f32>((_e79 * _e80.p.x), _e87.y));
+    ring = _e90;
+    let _e96 = gabor_lobe_seed(seed, 3i);
+    let _e97 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e96);
+    pore = _e97;
+    let _e103 = gabor_lobe_seed(seed, 4i);
+    let _e104 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e103);
+    fibre = _e104;
+    let _e106 = board;
+    let _e111 = gabor_lobe_seed(seed, 5i);
+    let _e112 = gabor_impl_spots(_e106, vec2<f32>(3.5f, 0.35f), _e111);
+    tone = _e112;
+    let _e114 = fibre;
+    let _e116 = fibre;
+    let _e119 = gabor_impl_tone(_e114.y, _e116.z, 0.11f);
+    let _e120 = tone;
+    let _e122 = tone;
+    let _e125 = gabor_impl_tone(_e120.y, _e122.z, 0.13f);
+    tones = (_e119 * _e125);
+    let _e129 = pore;
+    let _e131 = pore;
+    let _e135 = gabor_impl_above(_e129.y, _e131.z, 1.1f, 0.25f);
+    pores = (wood.pores * _e135);
+    let _e139 = ring;
+    let _e142 = pores;
+    early = ((1f - _e139) * (1f - _e142));
+    let _e146 = ring;
+    let _e149 = pores;
+    late = (_e146 * (1f - (0.25f * _e149)));
+    let _e155 = early;
+    let _e157 = late;
+    deep = ((1f - _e155) - _e157);
+    let _e160 = tones;
+    let _e161 = early;
+    let _e165 = tones;
+    let _e166 = late;
+    let _e169 = deep;
+    colour_1 = (((_e160 * _e161) * wood.early) + (((_e165 * _e166) + (0.45f * _e169)) * wood.late));
+    let _e177 = ring;
+    let _e180 = deep;
+    let _e184 = fibre;
+    height_1 = (((0.0006f * _e177) - (0.0024f * _e180)) + (0.0002f * _e184.y));
+    let _e189 = colour_1;
+    let _e190 = height_1;
+    let _e194 = ring;
+    let _e199 = gabor_impl_material(_e189, _e190, (wood.roughness * (1f - (0.2f * _e194))), 0f);
+    return _e199;
 }
 
 fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -203,8 +211,8 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var tone_1: vec3<f32>;
     var local_38: vec3<f32>;
     var fibre_1: vec3<f32>;
-    var steps: vec2<f32>;
-    var kept_1: f32;
+    var steps_1: vec2<f32>;
+    var kept_2: f32;
     var uneven: f32;
     var light: f32;
     var local_39: f32;
@@ -302,15 +310,15 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e194 = cloth;
     let _e197 = cloth;
     let _e199 = cloth;
-    steps = ((_e189 * _e190) * ((_e192.dx * _e194.dx) + (_e197.dy * _e199.dy)));
-    let _e206 = steps;
-    let _e208 = steps;
-    kept_1 = exp(-(min((2.5f * (_e206.x + _e208.y)), 40f)));
+    steps_1 = ((_e189 * _e190) * ((_e192.dx * _e194.dx) + (_e197.dy * _e199.dy)));
+    let _e206 = steps_1;
+    let _e208 = steps_1;
+    kept_2 = exp(-(min((2.5f * (_e206.x + _e208.y)), 40f)));
     uneven = fabric.unevenness;
     let _e220 = uneven;
     let _e223 = uneven;
     let _e231 = top;
-    let _e233 = kept_1;
+    let _e233 = kept_2;
     light = mix((0.8572f + (_e220 * (0.005f + (0.0083f * _e223)))), smoothstep(-1.3f, 0.5f, _e231), _e233);
     let _e237 = first_4;
     if _e237 {
@@ -319,7 +327,7 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
         local_39 = 0f;
     }
     let _e241 = local_39;
-    let _e242 = kept_1;
+    let _e242 = kept_2;
     share = mix(0.5f, _e241, _e242);
     let _e247 = share;
     let _e252 = light;
@@ -335,7 +343,7 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e274 = uneven;
     let _e277 = uneven;
     let _e282 = top;
-    let _e283 = kept_1;
+    let _e283 = kept_2;
     top = mix((0.1352f + (_e274 * (0.0045f + (0.0062f * _e277)))), _e282, _e283);
     let _e289 = top;
     let _e292 = fibre_1;
@@ -386,7 +394,7 @@ fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabo
     var b_9: vec2<f32>;
     var cells: f32;
     var shares: vec2<f32>;
-    var kept_2: f32;
+    var kept_3: f32;
     var blur: f32;
     var pebble: f32;
     var colour_3: vec3<f32>;
@@ -441,14 +449,14 @@ fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabo
     shares = (_e99 / (_e100 + (2.5f * vec2<f32>(_e102.z, _e104.z))));
     let _e111 = shares;
     let _e113 = shares;
-    kept_2 = sqrt((_e111.x * _e113.y));
-    let _e119 = kept_2;
+    kept_3 = sqrt((_e111.x * _e113.y));
+    let _e119 = kept_3;
     blur = (1f - _e119);
     let _e125 = blur;
     let _e129 = blur;
     let _e131 = cells;
     let _e133 = fine;
-    let _e138 = kept_2;
+    let _e138 = kept_3;
     pebble = mix(0.806f, smoothstep((-1.45f - _e125), (-0.55f + _e129), (_e131 + (0.1f * _e133.y))), _e138);
     let _e143 = pebble;
     colour_3 = mix(leather.crease, leather.pebble, vec3(_e143));
@@ -461,7 +469,7 @@ fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabo
     let _e159 = gabor_impl_tone(_e154.x, _e156.z, 0.08f);
     colour_3 = (_e147 * (_e153 * _e159));
     let _e166 = cells;
-    let _e168 = kept_2;
+    let _e168 = kept_3;
     dome = mix(0.236f, smoothstep(-1f, 3f, _e166), _e168);
     let _e173 = pebble;
     let _e176 = dome;
@@ -654,39 +662,40 @@ fn gabor_sand_at(pixel: GaborPixel, sand: GaborSand, seed: u32) -> GaborMaterial
     large_1 = _e52;
     let _e55 = wind;
     let _e56 = gabor_impl_phase(_e55);
-    let _e58 = gabor_impl_rise((0.9f * _e56));
-    ripple = _e58;
-    let _e62 = ripple;
-    colour_6 = mix(sand.trough, sand.crest, vec3(_e62));
-    let _e66 = colour_6;
-    let _e67 = grain;
-    let _e69 = grain;
-    let _e72 = gabor_impl_tone(_e67.x, _e69.z, sand.grain);
-    let _e73 = large_1;
-    let _e75 = large_1;
-    let _e78 = gabor_impl_tone(_e73.y, _e75.z, 0.06f);
-    colour_6 = (_e66 * (_e72 * _e78));
-    let _e81 = colour_6;
-    let _e88 = grain;
-    let _e90 = grain;
-    let _e94 = gabor_impl_above(_e88.y, _e90.z, 1.9f, 0.15f);
-    colour_6 = mix(_e81, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e94)));
+    let _e58 = gabor_impl_phase_of((0.9f * _e56));
+    let _e59 = gabor_impl_rise(_e58);
+    ripple = _e59;
+    let _e63 = ripple;
+    colour_6 = mix(sand.trough, sand.crest, vec3(_e63));
+    let _e67 = colour_6;
+    let _e68 = grain;
+    let _e70 = grain;
+    let _e73 = gabor_impl_tone(_e68.x, _e70.z, sand.grain);
+    let _e74 = large_1;
+    let _e76 = large_1;
+    let _e79 = gabor_impl_tone(_e74.y, _e76.z, 0.06f);
+    colour_6 = (_e67 * (_e73 * _e79));
+    let _e82 = colour_6;
+    let _e89 = grain;
+    let _e91 = grain;
+    let _e95 = gabor_impl_above(_e89.y, _e91.z, 1.9f, 0.15f);
+    colour_6 = mix(_e82, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e95)));
     bright = mix(sand.crest, vec3(1f), vec3(0.6f));
-    let _e105 = colour_6;
-    let _e106 = bright;
-    let _e110 = grain;
-    let _e113 = grain;
-    let _e117 = gabor_impl_above(-(_e110.y), _e113.z, 1.9f, 0.15f);
-    colour_6 = mix(_e105, _e106, vec3(((3f * sand.grain) * _e117)));
-    let _e122 = ripple;
-    let _e126 = large_1;
-    let _e132 = large_1;
-    let _e139 = grain;
-    height_4 = ((((sand.relief * _e122) * (1f + (0.2f * _e126.x))) + (0.03f * _e132.x)) + ((0.00875f * sand.grain) * _e139.x));
-    let _e144 = colour_6;
-    let _e145 = height_4;
-    let _e148 = gabor_impl_material(_e144, _e145, sand.roughness, 0f);
-    return _e148;
+    let _e106 = colour_6;
+    let _e107 = bright;
+    let _e111 = grain;
+    let _e114 = grain;
+    let _e118 = gabor_impl_above(-(_e111.y), _e114.z, 1.9f, 0.15f);
+    colour_6 = mix(_e106, _e107, vec3(((3f * sand.grain) * _e118)));
+    let _e123 = ripple;
+    let _e127 = large_1;
+    let _e133 = large_1;
+    let _e140 = grain;
+    height_4 = ((((sand.relief * _e123) * (1f + (0.2f * _e127.x))) + (0.03f * _e133.x)) + ((0.00875f * sand.grain) * _e140.x));
+    let _e145 = colour_6;
+    let _e146 = height_4;
+    let _e149 = gabor_impl_material(_e145, _e146, sand.roughness, 0f);
+    return _e149;
 }
 
 fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -1215,8 +1224,8 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     var local_42: f32;
     var along_1: f32;
     var across_1: f32;
-    var steps_1: vec2<f32>;
-    var kept_3: f32;
+    var steps_2: vec2<f32>;
+    var kept_4: f32;
     var bulge: f32;
     var colour_11: vec3<f32>;
     var height_9: f32;
@@ -1285,16 +1294,16 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     let _e110 = cloth_1;
     let _e113 = cloth_1;
     let _e115 = cloth_1;
-    steps_1 = ((_e105 * _e106) * ((_e108.dx * _e110.dx) + (_e113.dy * _e115.dy)));
-    let _e122 = steps_1;
-    let _e124 = steps_1;
-    kept_3 = exp(-(min((2.5f * (_e122.x + _e124.y)), 40f)));
+    steps_2 = ((_e105 * _e106) * ((_e108.dx * _e110.dx) + (_e113.dy * _e115.dy)));
+    let _e122 = steps_2;
+    let _e124 = steps_2;
+    kept_4 = exp(-(min((2.5f * (_e122.x + _e124.y)), 40f)));
     let _e135 = along_1;
     let _e139 = across_1;
     let _e140 = across_1;
     let _e142 = across_1;
     let _e144 = across_1;
-    let _e148 = kept_3;
+    let _e148 = kept_4;
     bulge = mix(0.5093f, (sin((3.1415927f * _e135)) * (1f - (((_e139 * _e140) * _e142) * _e144))), _e148);
     let _e154 = bulge;
     let _e158 = fibre_2;
@@ -1737,17 +1746,32 @@ fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
     return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
 }
 
-// The same for a phase that grows evenly: the wave after a normal filter.
-fn gabor_impl_turns(turns: f32, dx: f32, dy: f32) -> vec2<f32> {
-    let _e12 = gabor_impl_wave(turns);
-    return (exp(-(min((4.934802f * ((dx * dx) + (dy * dy))), 40f))) * _e12);
+// The square of a sawtooth from 0 to 1, with mean 1/3, over the turns of gabor_impl_phase_of.
+fn gabor_impl_rise_integral(x: f32) -> f32 {
+    var turns_4: f32;
+    var t_7: f32;
+
+    turns_4 = floor(x);
+    let _e3 = turns_4;
+    t_7 = (x - _e3);
+    let _e7 = turns_4;
+    let _e8 = t_7;
+    let _e9 = t_7;
+    let _e11 = t_7;
+    return (0.33333334f * (_e7 + ((_e8 * _e9) * _e11)));
 }
 
-// The square of a sawtooth from 0 to 1, with mean 1/3: t^2 = t - 4 t (1 - t) / 4.
-fn gabor_impl_rise(stripes: vec2<f32>) -> f32 {
-    let _e1 = gabor_stripes_sawtooth(stripes);
-    let _e3 = gabor_stripes_ridges(stripes);
-    return (_e1 - (0.25f * _e3));
+fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
+    var ends_4: vec3<f32>;
+
+    let _e3 = gabor_impl_ends(phase.x, phase.y);
+    ends_4 = _e3;
+    let _e5 = ends_4;
+    let _e7 = ends_4;
+    let _e9 = gabor_impl_rise_integral(_e7.y);
+    let _e10 = ends_4;
+    let _e12 = gabor_impl_rise_integral(_e10.x);
+    return (_e5.z * (_e9 - _e12));
 }
 
 // Clamps the colour to [0, 1], which a product of tones can exceed.
