@@ -323,7 +323,7 @@ TEST_CASE("filtered stripes are the mean of stripes over what a filter removes")
                           {draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)}};
         const auto found = test::filtered_stripes(a, pixel, sharpness);
         const noise::Spectrum reference(
-            {{std::hypot(a.wave_x, a.wave_y), std::atan2(a.wave_y, a.wave_x), 1, 1, a.seed}});
+            {{std::hypot(a.wave_x, a.wave_y), std::atan2(a.wave_y, a.wave_x), {1, 1}, 1, a.seed}});
         const auto value =
             reference.filtered(a.x, a.y, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}).value;
         const double share = reference.removed({pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]});
