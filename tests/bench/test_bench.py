@@ -4,7 +4,6 @@ import datetime
 import json
 import pathlib
 import re
-import shutil
 import subprocess
 import unittest
 
@@ -42,7 +41,8 @@ class Bench(ProgramTest):
         """tools/performance puts these figures, and those of the code, into a page and leaves its prose as it was."""
         page = self.folder / "page.md"
         page.write_text("before\n<!-- tools/performance -->\nold\n<!-- end -->\nafter\n")
-        shutil.copy(ROOT / "tests/bench/recorded_isa.json", self.folder / "isa.json")
+        code = {"name": "gabor_noise, lattice", "instructions": 369.2, "inverse_throughput": 525.0, "registers": 32}
+        (self.folder / "isa.json").write_text(json.dumps({"driver": "radv", "code": [code, code | {"name": "gabor_noise, one"}]}))
         subprocess.run([ROOT / "tools/performance", "--programs", pathlib.Path(PROGRAM).parent, "--quick", "--figures", self.folder, "--page",
                         page], check=True, env=environment())
         text = page.read_text()

@@ -55,8 +55,11 @@ class ProgramTest(unittest.TestCase):
         """Runs the program, which must end with this status, say these words in one line on stderr and nothing on
         stdout, and leave the folder as it was."""
         before = self.files()
-        result = gabor(*arguments, cwd=self.folder, **options)
-        case = f"{NAME} {arguments}: {result.stderr!r}"
+        self.assert_failed(status, words, gabor(*arguments, cwd=self.folder, **options), before)
+
+    def assert_failed(self, status, words, result, before):
+        """The same of a result; `before` is what was in the folder."""
+        case = f"{NAME} {result.args[1:]}: {result.stderr!r}"
         self.assertEqual(result.returncode, status, case)
         self.assertRegex(result.stderr, rf"\A{NAME}: [^\n]+\n\Z", case)
         for word in words:

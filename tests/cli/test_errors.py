@@ -1,5 +1,6 @@
 """Wrong requests print one line that says what was wrong and what is accepted, exit with 2 and write nothing."""
 
+import itertools
 import os
 import shutil
 import subprocess
@@ -13,10 +14,9 @@ from program import LAVAPIPE, PROGRAM, ProgramTest, gabor
 
 class ErrorTest(ProgramTest):
     def refuse_render(self, words, *options, **settings):
-        """No file is made, and an existing one stays as it was."""
+        """An existing file stays as it was, and no other is made."""
         (self.folder / "old.exr").write_text("older")
-        for output in ("old.exr", "new.exr"):
-            self.assert_refused(words, "render", "-o", output, *options, **settings)
+        self.assert_refused(words, "render", "-o", "old.exr", *options, **settings)
 
 
 class Values(ErrorTest):
@@ -28,15 +28,13 @@ class Values(ErrorTest):
             self.refuse_render(["--size", text, "WIDTHxHEIGHT"], f"--size={text}")
 
     def test_numbers(self):
+        """Each text with one of the parameters, which share the function that reads them."""
         accepted = {"scale": "2 to 4096", "frequency": "0.001 to 1024", "orientation": "-36000 to 36000"}
-        for name, interval in accepted.items():
-            for text in ("nan", "-nan", "inf", "-inf", "1e6", "-1e6", "1e308"):
-                self.refuse_render([name, interval], f"--{name}={text}")
-            for text in ("4abc", "4,5", "4 ", " 4", "four", "+4", "0x10", "1e999", "--4"):
-                self.refuse_render([f"--{name}", text, "a number"], f"--{name}={text}")
-        for name in ("scale", "frequency"):
-            for text in ("0", "-0", "-4"):
-                self.refuse_render([name, accepted[name]], f"--{name}={text}")
+        for (name, interval), text in zip(itertools.cycle(accepted.items()),
+                                          ("nan", "-nan", "inf", "-inf", "1e6", "-1e6", "1e308", "0", "1e5", "-0", "-4", "-1e5")):
+            self.refuse_render([name, interval], f"--{name}={text}")
+        for name, text in zip(itertools.cycle(accepted), ("4abc", "4,5", "4 ", " 4", "four", "+4", "0x10", "1e999", "--4")):
+            self.refuse_render([f"--{name}", text, "a number"], f"--{name}={text}")
 
     def test_negative_numbers_as_a_word_of_their_own(self):
         self.refuse_render(["scale", "2 to 4096"], "--scale", "-4")

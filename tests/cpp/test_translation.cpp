@@ -1,10 +1,8 @@
-// The translation to C++ against the double-precision reference, and its range: compiled with contraction,
-// without it, and with -ffast-math, as GPU compilers may do either.
+// The translation to C++ compiled with -ffast-math, as GPU compilers may do: its range, its law and its
+// profiles. Its values are compared with golden ones, however they are rounded.
 
 #include "largest.hpp"
-#include "reference/erosion.hpp"
 #include "reference/lattice.hpp"
-#include "reference/lattice_3d.hpp"
 #include "reference/spectrum.hpp"
 #include "render/range.hpp"
 #include "translation.hpp"
@@ -53,94 +51,12 @@ class Random {
     test::Vector vector(double most) {
         return {uniform(-most, most), uniform(-most, most), uniform(-most, most)};
     }
-    // One number in eight is on an edge, and one next to it.
-    float at_edge(float value) {
-        const float edge = std::round(2 * value) / 2;
-        return word() % 4 ? value : word() % 2 ? edge : std::nextafter(edge, word() % 2 ? 1e9f : -1e9f);
-    }
 
   private:
     std::mt19937 random_{3};
 };
 
 } // namespace
-
-TEST_CASE("the translation to C++ agrees with the reference") {
-    for (const int taps : {2, 3, 4}) {
-        Random draw;
-        Largest value, gradient, stripes, at, animated, tiled;
-        for (int i = 0; i < 20000; ++i) {
-            const float reach = std::exp2(draw.uniform(0, 17));
-            Arguments a;
-            a.x = draw.at_edge(draw.uniform(-reach, reach));
-            a.y = draw.at_edge(draw.uniform(-reach, reach));
-            a.column = static_cast<std::int32_t>(draw.word());
-            a.row = static_cast<std::int32_t>(draw.word());
-            a.local_x = draw.at_edge(draw.uniform(-2, 3));
-            a.local_y = draw.at_edge(draw.uniform(-2, 3));
-            a.frequency = std::exp2(draw.uniform(-5, 6));
-            a.orientation = draw.uniform(-8, 8);
-            a.wave_x = draw.uniform(-4, 4);
-            a.wave_y = draw.uniform(-4, 4);
-            a.time = draw.uniform(-2, 2);
-            a.seed = draw.word();
-            const test::Values found = test::values(taps, a);
-
-            const double tight =
-                1.5e-5 * std::max(1.0, a.frequency / 4.0) * std::max(1.0, std::abs(a.orientation) / 2.0);
-            noise::LatticePlace place;
-            place.radius_x = place.radius_y = 0.5 * taps;
-            // Fused with a difference, the product of p is not rounded to a float.
-            place.local_x = a.x * (0.5f * static_cast<float>(taps));
-            place.local_y = a.y * (0.5f * static_cast<float>(taps));
-            const double rounding = std::max(std::abs(place.local_x), std::abs(place.local_y)) * 0x1p-24;
-            const double loose = tight + 8 * std::numbers::pi * (a.frequency + 4) * rounding;
-            const noise::Lattice reference(taps, a.frequency, a.orientation, a.seed);
-            const auto here = reference.field(place);
-            const double slope = 2 * std::numbers::pi * a.frequency + 4;
-            value.see(found.gradient[0], here.value.imag(), loose, a);
-            gradient.see(found.gradient[1], here.slope_x.imag(), slope * loose, a);
-            gradient.see(found.gradient[2], here.slope_y.imag(), slope * loose, a);
-            const noise::Lattice of_wave(taps, {a.wave_x, a.wave_y}, a.seed);
-            const auto expected = noise::lattice_stripes(of_wave.field(place).value, 2);
-            for (std::size_t c = 0; c < 3; ++c)
-                stripes.see(found.stripes[c], expected[c], 2 * tight + 100 * rounding, a);
-            place.animated = true;
-            place.time = a.time;
-            animated.see(found.animated, reference.field(place).value.imag(), loose, a);
-            place = {};
-            place.radius_x = place.radius_y = 0.5 * taps;
-            place.cell_x = a.column;
-            place.cell_y = a.row;
-            place.local_x = a.local_x;
-            place.local_y = a.local_y;
-            at.see(found.at, reference.field(place).value.imag(), tight, a);
-
-            a.x = draw.at_edge(draw.uniform(-20, 20));
-            a.y = draw.at_edge(draw.uniform(-20, 20));
-            a.period_x = draw.uniform(0.5, 9);
-            a.period_y = draw.uniform(0.5, 9);
-            place = {};
-            const auto repeat = [taps](double p, double period, double& local, double& radius,
-                                       std::int32_t& nodes) {
-                nodes = std::max(static_cast<std::int32_t>(std::floor(period * 0.5 * taps + 0.5)), taps);
-                radius = nodes / period;
-                local = p * radius;
-            };
-            repeat(a.x, a.period_x, place.local_x, place.radius_x, place.period_x);
-            repeat(a.y, a.period_y, place.local_y, place.radius_y, place.period_y);
-            tiled.see(test::values(taps, a).tiled, reference.field(place).value.imag(),
-                      tight + 2e-4 * (a.frequency + 4), a);
-        }
-        fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
-        value.check("gabor_noise");
-        gradient.check("gabor_noise_gradient");
-        stripes.check("gabor_stripes");
-        animated.check("gabor_noise_animated");
-        at.check("gabor_noise_at");
-        tiled.check("gabor_noise_tiled");
-    }
-}
 
 TEST_CASE("the variance is 1 at any distance") {
     for (const int taps : {2, 3, 4}) {
@@ -172,62 +88,15 @@ TEST_CASE("the variance of solid noise is 1 at any distance") {
         std::array<double, 3> power{};
         for (int i = 0; i < count; ++i) {
             const auto found =
-                test::solid(draw.vector(reach), {}, {}, draw.uniform(0, 4), draw.vector(1), draw.word());
+                test::solid(draw.vector(reach), draw.uniform(0, 4), draw.vector(1), draw.word());
             for (std::size_t k = 0; k < power.size(); ++k)
-                power[k] += found.noise[k] * found.noise[k];
+                power[k] += found[k] * found[k];
         }
         for (std::size_t k = 0; k < power.size(); ++k) {
             INFO("noise " << k << ", |p| < " << reach << ": variance " << power[k] / count);
             CHECK(std::abs(power[k] / count - 1) < 5 * std::sqrt(2.0 / count));
         }
     }
-}
-
-TEST_CASE("solid noise, its gradient and its filter agree with the reference") {
-    Random draw;
-    Largest wave, isotropic, surface, slopes;
-    std::array<double, 2> error{};
-    constexpr int count = 2000, filtered = 60;
-    for (int i = 0; i < count; ++i) {
-        const auto p = draw.vector(16), normal = draw.vector(1), dx = draw.vector(0.15),
-                   dy = draw.vector(0.15);
-        const float frequency = draw.uniform(0, 4);
-        const std::uint32_t seed = draw.word();
-        const test::Solid found = test::solid(p, dx, dy, frequency, normal, seed);
-        const auto where = [&] {
-            return fmt::format("p ({}, {}, {}), frequency {}, normal ({}, {}, {}), seed {}", p[0], p[1], p[2],
-                               frequency, normal[0], normal[1], normal[2], seed);
-        };
-        const noise::Lattice3d::Place place{.local = {p[0] * 1.5f, p[1] * 1.5f, p[2] * 1.5f}};
-        const double length = std::hypot(normal[0], normal[1], normal[2]);
-        const noise::Lattice3d::Vector unit{normal[0] / length, normal[1] / length, normal[2] / length};
-        const noise::Lattice3d of_wave({frequency * unit[0], frequency * unit[1], frequency * unit[2]}, seed);
-        const noise::Isotropic3d of_all(frequency, seed);
-        const auto waved = of_wave.field(place), even = of_all.field(place);
-        double expected = 0;
-        for (const auto& [weight, noise] : noise::surface_isotropic(unit, frequency, seed))
-            expected += weight * noise.field(place).value.imag();
-        wave.see(found.noise[0], waved.value.imag(), 5e-5, where);
-        isotropic.see(found.noise[1], even.value.imag(), 5e-5, where);
-        surface.see(found.noise[2], expected, 5e-5, where);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            slopes.see(found.slopes[axis], waved.slope[axis].imag(), 2e-3, where);
-            slopes.see(found.slopes[3 + axis], even.slope[axis].imag(), 2e-3, where);
-        }
-        if (i >= filtered)
-            continue;
-        const auto wide = [](const test::Vector& v) { return noise::Lattice3d::Vector{v[0], v[1], v[2]}; };
-        error[0] += std::pow(found.filtered[0] - of_wave.filtered(place, wide(dx), wide(dy)).value.imag(), 2);
-        error[1] += std::pow(found.filtered[1] - of_all.filtered(place, wide(dx), wide(dy)).value.imag(), 2);
-    }
-    wave.check("gabor_noise_3d");
-    isotropic.check("gabor_noise_3d_isotropic");
-    surface.check("gabor_noise_surface_isotropic");
-    slopes.check("the gradients");
-    fmt::print("  filters off by {:.4f} and {:.4f} of the noise's deviation\n",
-               std::sqrt(error[0] / filtered), std::sqrt(error[1] / filtered));
-    CHECK(std::sqrt(error[0] / filtered) < 0.02);
-    CHECK(std::sqrt(error[1] / filtered) < 0.02);
 }
 
 TEST_CASE("any finite arguments give finite noise") {
@@ -302,64 +171,6 @@ TEST_CASE("pixels that are lines, points or of any size have a footprint") {
     }
 }
 
-TEST_CASE("the filtered translation is the filtered noise") {
-    Random draw;
-    double error = 0, power = 0;
-    constexpr int count = 150;
-    for (int i = 0; i < count; ++i) {
-        Arguments a;
-        a.frequency = draw.uniform(0, 1.5);
-        a.orientation = draw.uniform(0, 3);
-        a.x = draw.uniform(-9, 9);
-        a.y = draw.uniform(-9, 9);
-        a.seed = draw.word();
-        const Pixel pixel{{draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)},
-                          {draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)}};
-        const noise::Spectrum reference({{a.frequency, a.orientation, 1, 1, a.seed}});
-        const auto expected =
-            reference.filtered(a.x, a.y, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}).value.imag();
-        error += std::pow(test::filtered(a, pixel).noise[0] - expected, 2);
-        power += expected * expected;
-    }
-    fmt::print("gabor_noise_filtered: {:.4f} of the noise's deviation off, of {:.2f} left\n",
-               std::sqrt(error / count), std::sqrt(power / count));
-    CHECK(power > 0.1 * count);
-    CHECK(std::sqrt(error / count) < 0.015);
-}
-
-TEST_CASE("eroded hills agree with the reference") {
-    for (const int taps : {2, 3}) {
-        Random draw;
-        Largest hills, heights, slopes;
-        for (int i = 0; i < 20000; ++i) {
-            Arguments a;
-            a.column = static_cast<std::int32_t>(draw.word());
-            a.row = static_cast<std::int32_t>(draw.word());
-            a.local_x = draw.at_edge(draw.uniform(-2, 3));
-            a.local_y = draw.at_edge(draw.uniform(-2, 3));
-            a.period_x = a.period_y = 0;
-            a.seed = draw.word();
-            const Pixel pixel{{draw.uniform(-0.1, 0.1), 0}, {0, draw.uniform(-0.1, 0.1)}};
-            const test::Eroded found = test::eroded(taps, a, pixel, true);
-            const noise::Ground ground{{a.column, a.row}, {a.local_x, a.local_y}, {}};
-            hills.see(
-                found.base[0],
-                noise::terrain(ground, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}, a.seed).height,
-                1e-6, a);
-            const noise::Terrain base{found.base[0], {found.base[1], found.base[2]}, found.base[3]};
-            const noise::Terrain terrain = noise::eroded(taps, ground, {pixel.dx[0], pixel.dx[1]},
-                                                         {pixel.dy[0], pixel.dy[1]}, base, {}, a.seed);
-            heights.see(found.terrain[0], terrain.height, 1e-5, a);
-            slopes.see(found.terrain[1], terrain.slope[0], 2e-4, a);
-            slopes.see(found.terrain[2], terrain.slope[1], 2e-4, a);
-        }
-        fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
-        hills.check("gabor_terrain_at");
-        heights.check("gabor_eroded_at");
-        slopes.check("  its slope");
-    }
-}
-
 TEST_CASE("any place, pixel and base give a finite terrain") {
     constexpr float most = std::numeric_limits<float>::max();
     for (const int taps : {2, 3}) {
@@ -391,44 +202,6 @@ TEST_CASE("any place, pixel and base give a finite terrain") {
             CHECK(broken.times == 0);
         }
     }
-}
-
-TEST_CASE("noise along a map read at the nodes agrees with the reference") {
-    Random draw;
-    Largest field;
-    for (int i = 0; i < 20000; ++i) {
-        Arguments a;
-        // Next to a node's edge a float may round to the other side, where nodes have other numbers.
-        const auto place_on = [&draw](float value) {
-            return draw.word() % 4 ? value : std::round(2 * value) / 2;
-        };
-        a.column = static_cast<std::int32_t>(draw.word());
-        a.row = static_cast<std::int32_t>(draw.word());
-        a.local_x = place_on(draw.uniform(-2, 3));
-        a.local_y = place_on(draw.uniform(-2, 3));
-        a.time = draw.word() % 2 ? draw.uniform(-2, 2) : 0;
-        a.seed = draw.word();
-        test::Waves waves;
-        noise::Lattice::Waves expected_waves;
-        for (std::size_t k = 0; k < 9; ++k)
-            for (std::size_t axis = 0; axis < 2; ++axis)
-                expected_waves[k][axis] = waves.wave[k][axis] = draw.word() % 8 ? draw.uniform(-4, 4) : 0;
-        const auto found = test::directed(a, waves);
-
-        noise::LatticePlace place;
-        place.cell_x = a.column;
-        place.cell_y = a.row;
-        place.local_x = a.local_x;
-        place.local_y = a.local_y;
-        place.animated = a.time != 0;
-        place.time = a.time;
-        const auto expected = noise::Lattice::field(place, expected_waves, a.seed);
-        const double of_field[] = {expected.value.real(),   expected.value.imag(),   expected.slope_x.real(),
-                                   expected.slope_x.imag(), expected.slope_y.real(), expected.slope_y.imag()};
-        for (std::size_t c = 0; c < 6; ++c)
-            field.see(found[c], of_field[c], c < 2 ? 2e-5 : 6e-4, a);
-    }
-    field.check("gabor_field_waves");
 }
 
 // Variances 1 of the value and sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2 of the gradient.
@@ -550,7 +323,7 @@ TEST_CASE("filtered stripes are the mean of stripes over what a filter removes")
                           {draw.uniform(-0.3, 0.3), draw.uniform(-0.3, 0.3)}};
         const auto found = test::filtered_stripes(a, pixel, sharpness);
         const noise::Spectrum reference(
-            {{std::hypot(a.wave_x, a.wave_y), std::atan2(a.wave_y, a.wave_x), 1, 1, a.seed}});
+            {{std::hypot(a.wave_x, a.wave_y), std::atan2(a.wave_y, a.wave_x), {1, 1}, 1, a.seed}});
         const auto value =
             reference.filtered(a.x, a.y, {pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]}).value;
         const double share = reference.removed({pixel.dx[0], pixel.dx[1]}, {pixel.dy[0], pixel.dy[1]});

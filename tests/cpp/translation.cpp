@@ -88,18 +88,11 @@ Filtered filtered(const Arguments& a, const Pixel& pixel) {
             {noise.x, noise.y, noise.z, noise.w}};
 }
 
-Solid solid(const Vector& p, const Vector& dx, const Vector& dy, float frequency, const Vector& direction,
-            std::uint32_t seed) {
+std::array<float, 3> solid(const Vector& p, float frequency, const Vector& direction, std::uint32_t seed) {
     using namespace taps_3;
-    const auto vector = [](const Vector& v) { return gabor_vec3(v[0], v[1], v[2]); };
-    const gabor_vec3 at = vector(p), along = vector(direction), x = vector(dx), y = vector(dy);
-    const auto wave = gabor_noise_3d_gradient(at, frequency, along, seed);
-    const auto isotropic = gabor_noise_3d_isotropic_gradient(at, frequency, seed);
-    return {{gabor_noise_3d(at, frequency, along, seed), gabor_noise_3d_isotropic(at, frequency, seed),
-             gabor_noise_surface_isotropic(at, along, frequency, seed)},
-            {wave.y, wave.z, wave.w, isotropic.y, isotropic.z, isotropic.w},
-            {gabor_noise_3d_filtered(at, x, y, frequency, along, seed).x,
-             gabor_noise_3d_isotropic_filtered(at, x, y, frequency, seed).x}};
+    const gabor_vec3 at(p[0], p[1], p[2]), along(direction[0], direction[1], direction[2]);
+    return {gabor_noise_3d(at, frequency, along, seed), gabor_noise_3d_isotropic(at, frequency, seed),
+            gabor_noise_surface_isotropic(at, along, frequency, seed)};
 }
 
 std::array<float, 6> directed(const Arguments& a, const Waves& waves) {

@@ -42,15 +42,9 @@ Filtered filtered(const Arguments& a, const Pixel& pixel);
 
 using Vector = std::array<float, 3>;
 
-struct Solid {
-    std::array<float, 3> noise;  ///< gabor_noise_3d, gabor_noise_3d_isotropic, gabor_noise_surface_isotropic
-    std::array<float, 6> slopes; ///< of the first two
-    std::array<float, 2> filtered; ///< their noise averaged over a pixel
-};
-
-/// The direction is the normal too.
-Solid solid(const Vector& p, const Vector& dx, const Vector& dy, float frequency, const Vector& direction,
-            std::uint32_t seed);
+/// gabor_noise_3d, gabor_noise_3d_isotropic and gabor_noise_surface_isotropic. The direction is the normal
+/// too.
+std::array<float, 3> solid(const Vector& p, float frequency, const Vector& direction, std::uint32_t seed);
 
 struct Eroded {
     std::array<float, 4> base; ///< height, slope and ridge

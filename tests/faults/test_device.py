@@ -25,12 +25,11 @@ class Device(ProgramTest):
         """Makes the first call fail, then the second, and so on, until the program makes no such call."""
         for call in range(1, 100):
             before = self.files()
-            if gabor(*arguments, cwd=self.folder, env=broken(function, call)).returncode == 0:
+            result = gabor(*arguments, cwd=self.folder, env=broken(function, call))
+            if result.returncode == 0:
                 break
-            self.assertEqual(self.files(), before)
-            self.assert_fails(1, words, *arguments, env=broken(function, call))
+            self.assert_failed(1, words, result, before)
         self.assertGreater(call, least, f"{function} was called less often than expected")
-        return call - 1
 
     def render(self, function, words, least):
         (self.folder / "old.exr").write_text("older")

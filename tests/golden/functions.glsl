@@ -29,7 +29,8 @@ float drawn(int point, int k, float low, float high) {
     uint word = (uint(point) * 0x9e3779b1u + uint(k)) * 0x85ebca6bu;
     word = (word ^ (word >> 15u)) * 0x2c1b3c6du;
     word = (word ^ (word >> 12u)) * 0x297a2d39u;
-    return low + (high - low) * (float((word ^ (word >> 15u)) >> 8u) / 16777216.0f);
+    precise float above = (high - low) * (float((word ^ (word >> 15u)) >> 8u) / 16777216.0f); // the same however it rounds
+    return low + above;
 }
 
 // At integers there are nodes, and for three taps at odd ones window ends.

@@ -95,10 +95,11 @@ double removed_share(const Lattice3d::Place& place, const Vector& dx, const Vect
     for (const auto& [u, v, weight] :
          normal_points({apart * length(longer), apart * length(shorter)}, step)) {
         const Vector offset = sum(apart * u, longer, apart * v, shorter);
-        double correlation = correlation_of(offset);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            correlation *= hann_correlation(offset[axis] * place.radius[axis] / nodes_per_radius);
-        kept += weight * correlation;
+        double windows = 1;
+        for (std::size_t axis = 0; axis < 3 && windows > 0; ++axis)
+            windows *= hann_correlation(offset[axis] * place.radius[axis] / nodes_per_radius);
+        if (windows > 0) // most points of a large pixel are farther apart than windows reach
+            kept += weight * windows * correlation_of(offset);
     }
     return 1 - kept;
 }

@@ -2,6 +2,7 @@
 
 // Compares a noise's distribution over independent instances with the normal law.
 
+#include "largest.hpp"
 #include "statistics/gaussianity.hpp"
 #include "statistics/moments.hpp"
 
@@ -9,47 +10,111 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <initializer_list>
+#include <span>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace gabor::test {
 
-/// Number of samples per statistic: GABOR_LAW_SAMPLES, or 2^21 if it is not set.
+/// Number of samples per statistic: GABOR_LAW_SAMPLES, or 2^21 if it is not set. With half of them a variance
+/// that is off by 1 % is 7 standard errors off.
 inline double law_samples() {
     const char* text = std::getenv("GABOR_LAW_SAMPLES");
     return text ? std::strtod(text, nullptr) : 1 << 21;
 }
 
-/// Checks random numbers against the normal law with mean 0 and the predicted deviation.
-class Figure {
-  public:
-    explicit Figure(double deviation = 1) : deviation_(deviation), gaussianity_(deviation) {}
+/// A number from the answers to the samples of one instance, normal with mean 0 by theory. Answers are rows
+/// of floats, one after another.
+struct Statistic {
+    std::string name;
+    double deviation;
+    std::function<double(std::span<const float>)> of;
+};
 
-    void add(double value) {
-        moments_.add(value);
-        gaussianity_.add(value);
+/// The statistic that is a sum of numbers with factors.
+struct Term {
+    std::size_t number;
+    double factor = 1;
+};
+inline Statistic sum_of(std::string name, double deviation, std::vector<Term> terms) {
+    return {std::move(name), deviation, [terms = std::move(terms)](std::span<const float> numbers) {
+                double sum = 0;
+                for (const auto& [number, factor] : terms)
+                    sum += factor * numbers[number];
+                return sum;
+            }};
+}
+
+/// Evaluates batches of instances: `instance()` is an array of samples, and `see` gets the numbers that
+/// answer it.
+template <typename Sampler, typename Wanted, typename Instance, typename See>
+void for_instances(Sampler& sampler, double count, Wanted wanted, const Instance& instance, const See& see) {
+    const auto samples = sampler.samples();
+    constexpr std::size_t size = std::tuple_size_v<std::invoke_result_t<Instance>>;
+    const std::size_t per_batch = samples.size() / size * size;
+    for (double left = count; left > 0; left -= static_cast<double>(per_batch / size)) {
+        for (std::size_t i = 0; i < per_batch; i += size)
+            std::ranges::copy(instance(), samples.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto answers = sampler.answers(per_batch, wanted);
+        const std::span all(reinterpret_cast<const float*>(answers.data()),
+                            answers.size_bytes() / sizeof(float));
+        const std::size_t numbers = all.size() / per_batch * size;
+        for (std::size_t first = 0; first < all.size(); first += numbers)
+            see(all.subspan(first, numbers));
     }
+}
 
-    void check(const std::string& name) const {
-        const statistics::Estimate cvm = gaussianity_.index();
-        const double n = static_cast<double>(gaussianity_.count());
-        const double variance = moments_.variance() / (deviation_ * deviation_);
+/// Compares statistics over this share of the samples with the normal law.
+template <typename Sampler, typename Wanted, typename Instance>
+void check_laws(Sampler& sampler, double share, Wanted wanted, const Instance& instance,
+                const std::vector<Statistic>& statistics) {
+    std::vector<statistics::Moments> moments(statistics.size());
+    std::vector<statistics::Gaussianity> laws;
+    for (const Statistic& statistic : statistics)
+        laws.emplace_back(statistic.deviation);
+    for_instances(sampler, share * law_samples(), wanted, instance, [&](std::span<const float> numbers) {
+        for (std::size_t k = 0; k < statistics.size(); ++k) {
+            const double value = statistics[k].of(numbers);
+            moments[k].add(value);
+            laws[k].add(value);
+        }
+    });
+    for (std::size_t k = 0; k < statistics.size(); ++k) {
+        const statistics::Estimate cvm = laws[k].index();
+        const double n = static_cast<double>(laws[k].count());
+        const double mean = moments[k].mean() / statistics[k].deviation;
+        const double variance = moments[k].variance() / std::pow(statistics[k].deviation, 2);
         fmt::print(
             "  {:<34} mean {:8.5f}, variance {:.5f}, excess kurtosis {:7.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n",
-            name, moments_.mean(), variance, moments_.excess_kurtosis(), cvm.value, cvm.low, cvm.high);
-        INFO(name);
-        CHECK(std::abs(moments_.mean()) < 5 * deviation_ / std::sqrt(n));
+            statistics[k].name, mean, variance, moments[k].excess_kurtosis(), cvm.value, cvm.low, cvm.high);
+        INFO(statistics[k].name);
+        CHECK(std::abs(mean) < 5 / std::sqrt(n));
         CHECK(std::abs(variance - 1) < 5 * std::sqrt(2 / n));
         CHECK(cvm.low < 0.05);
     }
+}
 
-  private:
-    double deviation_;
-    statistics::Moments moments_;
-    statistics::Gaussianity gaussianity_;
-};
+/// Compares the covariance of both parts, numbers 0 and 1, at two places of an instance with theory's.
+template <typename Sampler, typename Wanted, typename Pair>
+void check_covariance(Largest& largest, Sampler& sampler, Wanted wanted, const Pair& pair, double expected,
+                      const std::string& name) {
+    statistics::Moments products;
+    for_instances(sampler, law_samples() / 16, wanted, pair, [&](std::span<const float> numbers) {
+        for (const std::size_t part : {0u, 1u})
+            products.add(double{numbers[part]} * numbers[numbers.size() / 2 + part]);
+    });
+    const double error = std::sqrt(products.variance() / static_cast<double>(products.count()));
+    largest.see(products.mean(), expected, 4.5 * error, name);
+    CHECK(error < 0.01);
+}
 
 /// Offsets of side^axes places in a cell from its corner; the first is the corner.
 inline std::vector<std::vector<float>> places_of_cell(std::size_t side, std::size_t axes) {
@@ -78,9 +143,21 @@ class Laws {
             names_.push_back(fmt::format("{}", one));
     }
 
-    void add(std::size_t index, double value) {
-        moments_[index].add(value);
-        laws_[index].add(value);
+    /// Adds some of the numbers that answer batches of samples; `sample(k)` is one of the k-th place or
+    /// normal.
+    template <typename Sampler, typename Wanted, typename Sample>
+    void add(Sampler& sampler, Wanted wanted, double count, const Sample& sample,
+             std::initializer_list<std::size_t> numbers) {
+        std::size_t asked = 0, answered = 0;
+        for_instances(
+            sampler, count, wanted, [&] { return std::array{sample(asked++ % laws_.size())}; },
+            [&](std::span<const float> all) {
+                const std::size_t index = answered++ % laws_.size();
+                for (const std::size_t number : numbers) {
+                    moments_[index].add(all[number]);
+                    laws_[index].add(all[number]);
+                }
+            });
     }
 
     void merge(const Laws& other) {

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace gabor;
@@ -45,8 +46,11 @@ Law measure(const vulkan::Device& device, const noise::Recipe& recipe, float fre
 
 TEST_CASE("mean 0 and variance 1 at every frequency", "[instances]") {
     const vulkan::Device device;
-    for (const char* name : {"one", "pure", "paper"}) {
-        for (const float frequency : {0.002f, 0.1f, 0.7f, 1.5f, 30.0f}) {
+    const std::vector<float> low_and_high{0.002f, 30}; // noises of many phases depend on none
+    for (const auto& [name, frequencies] : {std::pair("one", low_and_high),
+                                            {"pure", low_and_high},
+                                            {"paper", {0.002f, 0.1f, 0.7f, 1.5f, 30}}}) {
+        for (const float frequency : frequencies) {
             const Law law = measure(device, noise::find_recipe(name), frequency, 0.3f, 9);
             INFO(name << ", frequency " << frequency);
             CHECK(law.moments.mean() == Approx(0).margin(0.0015));

@@ -2,9 +2,11 @@
 
 #include "reference/lattice.hpp"
 #include "sampler_lattice_3d.hpp"
+#include "statistics/moments.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +19,22 @@ using test::Entry3d;
 using test::Largest;
 using test::LatticeSample3d;
 using test::LatticeSampler3d;
+using test::random_unit;
+using Vector = Lattice3d::Vector;
 
 namespace {
 
 constexpr std::size_t per_batch = 1 << 9;
 
-Lattice3d::Vector wave_of(const LatticeSample3d& sample) {
-    Lattice3d::Vector wave = test::unit(sample.direction);
+Vector wave_of(const LatticeSample3d& sample) {
+    Vector wave = test::unit(sample.direction);
     for (double& coordinate : wave)
         coordinate *= sample.frequency;
     return wave;
+}
+
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 std::array<float, 3> vector(test::Draw& draw, float reach) {
@@ -306,6 +314,76 @@ TEST_CASE("the gradient on the lattice is what differences of the reference say"
             REQUIRE(reference.field(place).slope[axis].imag() == Approx(difference).margin(5e-3));
         }
     }
+}
+
+TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance 1 together", "[oracle]") {
+    test::Draw draw(33);
+    double longest = 0;
+    double shortest = 1e9;
+    for (int i = 0; i < 20000; ++i) {
+        const Vector normal = random_unit(draw);
+        Vector direction = random_unit(draw);
+        if (i % 4 == 0) { // near and along the normal
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                direction[axis] = normal[axis] + (i % 8 ? 0.3 : 0.01) * direction[axis];
+            const double length = std::sqrt(dot(direction, direction));
+            for (double& coordinate : direction)
+                coordinate /= length;
+        }
+        const double frequency = draw.uniform(0.1f, 6);
+        double power = 0;
+        for (const noise::WeightedWave& w : noise::surface_waves(normal, frequency, direction, 1)) {
+            power += w.weight * w.weight;
+            const double length = std::sqrt(dot(w.wave, w.wave)) / frequency;
+            longest = std::max(longest, length);
+            shortest = std::min(shortest, length);
+            REQUIRE(std::abs(dot(w.wave, normal)) < 1e-9 * frequency);
+        }
+        REQUIRE(power == Approx(1).margin(1e-9));
+    }
+    fmt::print("frequency on the surface: {:.9f} to {:.9f} of that asked for\n", shortest, longest);
+    CHECK(shortest > 1 - 1e-9);
+    CHECK(longest < 1 + 1e-9);
+}
+
+// Each vector of a random frame is uniform on the sphere: (u.v)^2k has the mean 1 / (2k + 1) for every v, and
+// the harmonics up to degree 8 vanish.
+TEST_CASE("the frames of isotropic noise are even in all directions", "[oracle]") {
+    test::Draw draw(34);
+    std::vector<Vector> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int i = 0; i < 24; ++i)
+        directions.push_back(random_unit(draw));
+    constexpr int count = 1 << 17;
+    std::vector<std::array<statistics::Moments, 4>> powers(directions.size());
+    test::Largest angles;
+    for (int i = 0; i < count; ++i) {
+        const auto frame = noise::isotropic_frame(draw.word() | 1u);
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t b = 0; b < 3; ++b)
+                angles.see(dot(frame.at(a), frame.at(b)), a == b ? 1 : 0, 1e-12,
+                           [&] { return fmt::format("{}, {}", a, b); });
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            std::array<double, 4> sums{};
+            for (const Vector& u : frame)
+                for (std::size_t n = 0; n < 4; ++n)
+                    sums.at(n) += std::pow(dot(u, directions[k]), 2.0 * static_cast<double>(n + 1)) / 3;
+            for (std::size_t n = 0; n < 4; ++n)
+                powers[k].at(n).add(sums.at(n));
+        }
+    }
+    angles.check("frames");
+    test::Largest even; // in standard errors
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        for (std::size_t n = 1; n < 4; ++n) { // the squares of a frame sum to 1
+            const statistics::Moments& power = powers[k].at(n);
+            even.see(power.mean(), 1 / (2.0 * static_cast<double>(n + 1) + 1),
+                     4.5 * std::sqrt(power.variance() / count), [&] {
+                         return fmt::format("power {} along {:.2f}", 2 * (n + 1),
+                                            fmt::join(directions[k], " "));
+                     });
+        }
+    }
+    even.check("powers of cosines, in 4.5 standard errors");
 }
 
 TEST_CASE("unusual arguments in space give the documented values, never NaN", "[oracle]") {

@@ -29,10 +29,11 @@ const noise::Recipe uneven{"uneven", 1, 1.06f, 0.5f, 4, {1, 0, 0}, ""};
 
 TEST_CASE("the noise, its quadrature and its gradient agree with the reference", "[oracle]") {
     const vulkan::Device device;
+    constexpr std::size_t count = 1 << 12;
     Draw draw(1);
     for (const noise::Recipe& recipe : {noise::find_recipe("one"), noise::find_recipe("pure"),
                                         noise::find_recipe("paper"), sines, uneven}) {
-        test::Sampler sampler(device, recipe, per_batch);
+        test::Sampler sampler(device, recipe, count);
         Differences of;
         std::size_t points = 0;
         for (int batch = 0; batch < 34; ++batch) {
@@ -45,13 +46,13 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
             for (test::Sample& sample : sampler.samples())
                 sample = {draw.place(recipe), frequency, orientation, seed};
             const noise::Reference reference(recipe, frequency, orientation, seed);
-            const auto answers = sampler.answers(per_batch);
+            const auto answers = sampler.answers(count);
             const double tight = tolerance(frequency);
             const double loose = slope_tolerance(frequency);
             // At low frequency a sine is small and its quadrature correspondingly large.
             const double quadrature_tight = tight * (recipe.phases == 2 ? std::max(1.0, 2.0 / frequency) : 1);
             const double quadrature_loose = loose * quadrature_tight / tight;
-            for (std::size_t i = 0; i < per_batch; ++i) {
+            for (std::size_t i = 0; i < count; ++i) {
                 const test::Sample& sample = sampler.samples()[i];
                 const test::Answer& answer = answers[i];
                 const noise::Reference::Field field = reference.field(sample.place);
@@ -76,7 +77,7 @@ TEST_CASE("the noise, its quadrature and its gradient agree with the reference",
                 of["gabor_noise_gradient"].see(answer.gradient[1], here.slope_x.imag(), loose, sample);
                 of["gabor_noise_gradient"].see(answer.gradient[2], here.slope_y.imag(), loose, sample);
             }
-            points += per_batch;
+            points += count;
         }
         fmt::print("{}: {} points on {}; largest differences in units of the tolerance\n", recipe.name,
                    points, device.info().name);

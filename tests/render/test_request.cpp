@@ -4,8 +4,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <map>
+#include <string>
 
 using namespace gabor;
 using render::Parameter;
@@ -172,6 +179,49 @@ TEST_CASE("values beyond either end of their range are refused, however they are
         }
     }
     CHECK(refused > 100);
+}
+
+// Newer parameters may be missing in the file until it is written, as CONTRIBUTING.md says.
+TEST_CASE("ranges, sliders and defaults are those of this version", "[request]") {
+    std::vector<std::string> rows;
+    const auto add = [&](std::string_view name, const render::Range& range, const render::Range& slider,
+                         const std::string& value) {
+        rows.push_back(fmt::format("{}: {} to {}, slider {} to {}, default {}", name, range.low, range.high,
+                                   slider.low, slider.high, value));
+    };
+    for (const Parameter& parameter : render::parameters()) {
+        std::optional<Value> value;
+        for (const std::string_view view : views)
+            value = value ? value : parameter.get(of_view(view));
+        if (!render::is_of_one_material(parameter) && parameter.kind != Parameter::Kind::lobes)
+            add(parameter.name, parameter.range, parameter.slider, value ? render::to_text(*value) : "none");
+    }
+    for (const render::LobeParameter& parameter : render::lobe_parameters())
+        add(fmt::format("lobe's {}", parameter.name), parameter.range, parameter.slider,
+            fmt::format("{}", noise::Lobe{}.*parameter.member));
+    const std::string path = GABOR_GOLDEN_FOLDER "/parameters.txt";
+    if (const char* mode = std::getenv("GABOR_GOLDEN"); mode && mode == std::string("write"))
+        std::ofstream(path) << fmt::format("{}\n", fmt::join(rows, "\n"));
+    std::ifstream file(path);
+    std::size_t lines = 0;
+    for (std::string line; std::getline(file, line); ++lines) {
+        INFO(line);
+        CHECK(std::ranges::find(rows, line) != rows.end());
+    }
+    CHECK(lines > 40);
+}
+
+// By the standard of sRGB, IEC 61966-2-1.
+TEST_CASE("colours are read as linear light", "[request]") {
+    const auto colour = [](const char* text) {
+        return std::get<std::array<double, 3>>(render::read(render::parameter("wood.early"), text));
+    };
+    const auto [dark, darker, middle] = colour("#0b0a80");
+    CHECK(dark == Approx(0.003346536).epsilon(1e-6));
+    CHECK(darker == Approx(0.003035270).epsilon(1e-6));
+    CHECK(middle == Approx(0.215860500).epsilon(1e-6));
+    CHECK(colour("#ff00FF") == std::array<double, 3>{1, 0, 1});
+    CHECK(colour("0.25,0.5,1") == std::array{0.25, 0.5, 1.0});
 }
 
 TEST_CASE("angles have units", "[request]") {

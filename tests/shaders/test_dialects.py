@@ -1,5 +1,5 @@
-"""The drop-ins, each with what stands on it, pasted into shaders of every dialect, and the names and constructs that they
-may use."""
+"""The drop-ins, each after those that it needs and with a call of each function, in shaders of every dialect, and the names
+and constructs that they may use."""
 
 import json
 import os
@@ -17,7 +17,8 @@ VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 # Each drop-in and the ones it needs.
 FILES = {
     "gabor_noise": ["gabor_noise"],
-    "gabor_lattice": ["gabor_lattice", "gabor_spectrum"],
+    "gabor_lattice": ["gabor_lattice"],
+    "gabor_spectrum": ["gabor_lattice", "gabor_spectrum"],
     "gabor_lattice_3d": ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"],
     "gabor_materials": ["gabor_lattice", "gabor_spectrum", "gabor_materials"],
     "gabor_erosion": ["gabor_lattice", "gabor_erosion"],
@@ -33,8 +34,8 @@ RECIPES = {
     },
     "gabor_lattice": {
         **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_lattice.glsl"},
-        "lobes": {"GABOR_LOBES": "6"},
     },
+    "gabor_spectrum": {"default": {}, "lobes": {"GABOR_LOBES": "6"}},
     "gabor_lattice_3d": {"default": {}},
     "gabor_materials": {"default": {}},
     "gabor_direction": {"default": {}},
@@ -56,77 +57,20 @@ BAD_MACROS = {
         ("GABOR_TAPS", "1", "GABOR_TAPS is 2 *, 3 or 4"),
         ("GABOR_TAPS", "5", "GABOR_TAPS is 2 *, 3 or 4"),
         ("GABOR_TAPS", "5.5", "'preprocessor evaluation' : bad expression"),
-        ("GABOR_LOBES", "0", "GABOR_LOBES is an int *, at least 1"),
     ],
+    "gabor_spectrum": [("GABOR_LOBES", "0", "GABOR_LOBES is an int *, at least 1")],
     "gabor_lattice_3d": [("GABOR_TAPS", "4", "gabor_lattice_3d . glsl needs GABOR_TAPS 3")],
     "gabor_materials": [("GABOR_TAPS", "4", "gabor_materials . glsl needs GABOR_TAPS 3")],
     "gabor_direction": [("GABOR_TAPS", "4", "gabor_direction . glsl needs GABOR_TAPS 3")],
     "gabor_erosion": [("GABOR_TAPS", "5", "GABOR_TAPS is 2 *, 3 or 4")],
 }
 
-# The functions to call, with values that no compiler can fold.
-USE = """
-    GaborKernel once = gabor_kernel(p.x, p.y);
-    float noise = gabor_noise(p, 4.0, 0.7854, 7u) + gabor_noise_at(ivec2(p), fract(p), once, 7u);
-    vec3 bump = gabor_noise_gradient(p, 4.0, 0.7854, 7u);
-    vec2 phasor = gabor_phasor(gabor_noise_complex(p, 4.0, 0.7854, 7u));
-    noise += bump.x + bump.y + bump.z + phasor.x + phasor.y
-           + gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u) + gabor_noise_animated(p, p.x, 4.0, 0.7854, 7u);
-"""
-SPECTRA = """
-    noise += dot(gabor_stripes(p, p.yx, 2.0, 7u), vec3(1.0)) + dot(gabor_noise_wave_gradient(p, p.yx, 7u), vec3(1.0))
-           + gabor_noise_wave(p, p.yx, 7u) + dot(gabor_noise_wave_complex(p, p.yx, 7u), vec2(1.0))
-           + gabor_noise_wave_tiled(p, vec2(5.0, 7.5), p.yx, 7u)
-           + dot(gabor_stripes_tiled(p, vec2(5.0, 7.5), p.yx, 2.0, 7u), vec3(1.0));
-    noise += dot(gabor_noise_four(p, 4.0, 0.7854, 7u), vec4(1.0));
-    GaborLobes lobes;
-    for (int i = 0; i < GABOR_LOBES; ++i)
-        lobes.lobe[i] = gabor_lobe(p.x, p.y, 1.0, 1.0);
-    lobes.count = GABOR_LOBES;
-    noise += gabor_noise_isotropic_tiled(p, vec2(5.0, 7.5), 4.0, 7u) + gabor_noise_isotropic_gradient(p, 4.0, 7u).y;
-    noise += gabor_noise_spread(p, 4.0, p.x, 0.5, p.y, 7u) + gabor_noise_lobes(p, lobes, 7u);
-#if GABOR_TAPS == 3
-    noise += dot(gabor_noise_filtered(p, p, p.yx, 4.0, 0.7854, 7u) + gabor_noise_isotropic_filtered(p, p, p.yx, 4.0, 7u), vec2(1.0));
-#endif
-"""
-USE_MORE = {
-    "gabor_noise": "",
-    "gabor_lattice": SPECTRA,
-    "gabor_lattice_3d": SPECTRA + """
-    vec3 q = vec3(p, 0.3);
-    noise += gabor_noise_3d(q, 4.0, q, 7u) + gabor_noise_3d_isotropic(q, 4.0, 7u)
-           + dot(gabor_noise_3d_gradient(q, 4.0, q, 7u), vec4(1.0)) + gabor_phasor(gabor_noise_3d_complex(q, 4.0, q, 7u)).x
-           + gabor_noise_3d_tiled(q, vec3(5.0, 7.5, 2.0), 4.0, q, 7u) + gabor_noise_3d_animated(q, p.x, 4.0, q, 7u)
-           + gabor_noise_surface(q, q, 4.0, q, 7u) + gabor_noise_surface_isotropic(q, q, 4.0, 7u);
-""",
-    "gabor_materials": "".join(
-        f"    noise += {material}(p, 7u).colour.x + {material}_filtered(p, p, p.yx, 7u).height;\n"
-        for material in re.findall(r"^GaborMaterial (gabor_\w+)_filtered\(", SOURCES["gabor_materials"], re.MULTILINE)),
-    "gabor_direction": """
-    GaborWaves waves;
-    GaborPlace here = gabor_place(ivec2(p), p);
-    for (int i = 0; i < 9; ++i)
-        waves.wave[i] = gabor_node_position(here, i).yx;
-    noise += gabor_field_waves(here, waves, 7u).slope_x.y + gabor_noise_direction(p, 7u)
-           + dot(gabor_noise_direction_gradient(p, 7u), vec3(1.0)) + dot(gabor_noise_direction_complex(p, 7u), vec2(1.0))
-           + gabor_noise_direction_tiled(p, vec2(5.0, 7.5), 7u) + dot(gabor_stripes_direction(p, 2.0, 7u), vec3(1.0))
-           + dot(gabor_stripes_direction_tiled(p, vec2(5.0, 7.5), 2.0, 7u), vec3(1.0));
-""",
-    "gabor_erosion": """
-    GaborErosion erosion = gabor_erosion();
-    GaborTerrain hills = gabor_terrain(p, 7u), tile = gabor_terrain_tiled(p, p.yx, 7u);
-    GaborGround ground = GaborGround(ivec2(p), p, vec2(0.0));
-    noise += gabor_eroded(p, hills, erosion, 7u).height + gabor_eroded_tiled(p, p.yx, tile, erosion, 7u).slope.x
-           + gabor_eroded_filtered(p, p, p.yx, hills, erosion, 7u).ridge
-           + gabor_eroded_at(ground, p, p.yx, gabor_terrain_at(ground, p, p.yx, 7u), erosion, 7u).height;
-""",
-}
-FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    vec2 p = gl_FragCoord.xy / 32.0;\n{use}" \
-           "    color = vec4(gabor_unorm(noise));\n}}\n"
+# Every public function, with arguments that no compiler can fold.
+CALLS = (pathlib.Path(__file__).parents[1] / "golden" / "functions.glsl").read_text().replace("\\\n", "")
+FRAGMENT = "{target} vec4 color;\nvoid main()\n{{\n    see_all(int(gl_FragCoord.x));\n    color = vec4(seen);\n}}\n"
 COMPUTE = "layout(local_size_x = 8, local_size_y = 8) in;\n" \
           "layout(std430, binding = 0) writeonly buffer Result {{ float result[]; }};\n" \
-          "void main()\n{{\n    vec2 p = vec2(gl_GlobalInvocationID.xy) / 32.0;\n{use}" \
-          "    result[gl_GlobalInvocationID.x] = gabor_unorm(noise);\n}}\n"
+          "void main()\n{{\n    see_all(int(gl_GlobalInvocationID.x));\n    result[gl_GlobalInvocationID.x] = seen;\n}}\n"
 
 # Dialect: version, text before the file, shader, qualifiers of its output, stage, compiler options.
 DIALECTS = {
@@ -142,8 +86,8 @@ DIALECTS = {
 
 def shader(name, version, before, body, target, macros={}, times=1):
     defines = "".join(f"#define {macro} {value}\n" for macro, value in macros.items())
-    use = USE + USE_MORE[name]
-    return f"#version {version}\n{before}{defines}{MAP * ('direction' in name)}{SOURCES[name] * times}{body.format(target=target, use=use)}"
+    calls = f"#define GOLDEN_{name.removeprefix('gabor_').upper()}\n#define precise\n#define SEE(call) seen += call;\nfloat seen = 0.0;\n{CALLS}"
+    return f"#version {version}\n{before}{defines}{MAP * ('direction' in name)}{SOURCES[name] * times}{calls}{body.format(target=target)}"
 
 
 def strip_comments(text):
