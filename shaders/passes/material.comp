@@ -24,13 +24,15 @@ layout(local_size_x = material_group, local_size_y = material_group) in;
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Parameters { GABOR_PARAMETERS parameters; };
 
+GABOR_PARAMETERS look;
+
 GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
     GaborPixel there = gabor_pixel(p);
     if (filtered)
         there = gabor_pixel_filtered(p, dx, dy);
     if (tiled)
         there = gabor_pixel_tiled(there, pixel * size);
-    return GABOR_MATERIAL(there, parameters, seed);
+    return GABOR_MATERIAL(there, look, seed);
 }
 
 // A plane in space that carries the material, and its origin's place on the material: far from those of other planes, which
@@ -51,6 +53,7 @@ vec2 on_plane(vec3 v, Plane plane) {
 }
 
 void main() {
+    look = parameters; // before any branch, or lavapipe would load it once for each invocation
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;

@@ -17,12 +17,13 @@ layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[];
 layout(std430, set = 0, binding = 1) readonly buffer Erosion { GaborErosion erosion; };
 
 void main() {
+    GaborErosion table = erosion; // before any branch, or lavapipe would load it once for each invocation
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
-    Ground ground = Ground(cell, period, seed, erosion, reach, sun);
+    Ground ground = Ground(cell, period, seed, table, reach, sun);
     Sight sight;
     if (view == view_terrain) {
         sight = seen_from_above(ground, corner + pixel * place, pixel);
