@@ -26,8 +26,9 @@ inline void start_exr_threads() {
 
 /// Describes rows of interleaved channels, whose first value is of the pixel `corner`.
 template <typename Value>
-Imf::FrameBuffer frame_of(Imf::PixelType type, const Value* values, const std::vector<std::string>& channels,
-                          const Imath::V2i& corner, int width, int rows) {
+Imf::FrameBuffer frame_buffer(Imf::PixelType type, const Value* values,
+                              const std::vector<std::string>& channels, const Imath::V2i& corner, int width,
+                              int rows) {
     const std::size_t pixel = channels.size() * sizeof(Value);
     Imf::FrameBuffer frame;
     for (std::size_t c = 0; c < channels.size(); ++c)

@@ -309,7 +309,7 @@ std::span<const float> ExrReader::read_rows(int rows) {
     state_->rows.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(window.width) *
                         state_->channels.size());
     state_->read(
-        frame_of(Imf::FLOAT, state_->rows.data(), state_->channels, {window.x, y}, window.width, rows), y,
+        frame_buffer(Imf::FLOAT, state_->rows.data(), state_->channels, {window.x, y}, window.width, rows), y,
         y + rows - 1);
     state_->rows_read += rows;
     return state_->rows;

@@ -126,7 +126,7 @@ void ExrWriter::State::write(std::span<const float> values) {
     const auto count = static_cast<int>(values.size() / row_values());
     const Imath::V2i corner(description.window.x, description.window.y + row);
     const auto frame = [&](Imf::PixelType type, const auto* first) {
-        return frame_of(type, first, description.channels, corner, width(), count);
+        return frame_buffer(type, first, description.channels, corner, width(), count);
     };
     if (lines) { // OpenEXR compresses straight from `values`
         lines->setFrameBuffer(frame(Imf::FLOAT, values.data()));

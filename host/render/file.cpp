@@ -18,20 +18,16 @@ namespace {
 
 constexpr std::size_t terrain_height = 3; // of terrain_channels
 
-} // namespace
-
-float srgb(float light) {
-    light = std::clamp(light, 0.0f, 1.0f);
-    return light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
-}
-
-int shown_channels(const Request& request) {
+// How many values a pixel of the PNG has: 1 or 3.
+int displayed_channels(const Request& request) {
     return has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
 }
 
-void show(const Request& request, std::span<const float> values, std::vector<float>& shown) {
+// Converts pixels to what a PNG shows, from 0 to 1: grey noise, colours from three noises or a photograph, or
+// the lit material.
+void to_display(const Request& request, std::span<const float> values, std::vector<float>& shown) {
     const std::size_t channels = render::channels(request).size();
-    const auto kept = static_cast<std::size_t>(shown_channels(request));
+    const auto kept = static_cast<std::size_t>(displayed_channels(request));
     const std::size_t first = has_material(request) ? lit_channel : 0;
     shown.clear();
     for (std::size_t i = 0; i < values.size(); i += channels)
@@ -39,6 +35,13 @@ void show(const Request& request, std::span<const float> values, std::vector<flo
             shown.push_back(has_material(request) ? srgb(values[k])
                             : request.colour      ? values[k]
                                                   : unorm(values[k]));
+}
+
+} // namespace
+
+float srgb(float light) {
+    light = std::clamp(light, 0.0f, 1.0f);
+    return light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
 }
 
 Request frame_of(Request request, int frame, int frames) {
@@ -89,7 +92,7 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
         exr.emplace(*files.exr, description);
     std::optional<image::PngWriter> png;
     if (files.png)
-        png.emplace(*files.png, region.width, region.height, files.colours ? 3 : shown_channels(request));
+        png.emplace(*files.png, region.width, region.height, files.colours ? 3 : displayed_channels(request));
 
     std::optional<HeightWriter> heights;
     if (files.heightmap) {
@@ -113,7 +116,7 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
         if (png && files.colours) {
             png->write_rows(files.colours(values));
         } else if (png) {
-            show(request, values, shown);
+            to_display(request, values, shown);
             png->write_rows(shown);
         }
         times.writing += seconds_since(before);

@@ -21,12 +21,6 @@ constexpr float unorm(float noise) {
 /// Encodes linear light as sRGB (IEC 61966-2-1), clamped to [0, 1].
 float srgb(float light);
 
-/// Converts pixels to what a PNG shows, from 0 to 1: grey noise, colours from three noises or a photograph,
-/// or the lit material.
-void show(const Request& request, std::span<const float> values, std::vector<float>& shown);
-/// How many values such a pixel has: 1 or 3.
-int shown_channels(const Request& request);
-
 constexpr int most_frames = 9999;
 
 /// Frame `frame` of an animation that takes one period in `frames` frames.
