@@ -7,7 +7,7 @@
 namespace gabor::fit {
 
 Eigen::VectorXd component_scales(const Exemplar& exemplar) {
-    return exemplar.components.colwise().norm().cwiseSqrt().transpose();
+    return exemplar.components.colwise().norm().array().pow(0.8).matrix().transpose();
 }
 
 void normalize(std::vector<Wave>& waves) {

@@ -6,8 +6,8 @@
 
 namespace gabor::fit {
 
-/// What weighs components against one another: each one's spectrum is divided by the root of its variance, so
-/// that weak ones count, and not as much as strong ones. A factor for each component of variance 1.
+/// What components of variance 1 are multiplied by: their deviations to the power 0.8. Weak ones count for a
+/// little more than their power, so that hues are kept.
 Eigen::VectorXd component_scales(const Exemplar& exemplar);
 
 /// Makes the covariance of the components the unit matrix, by the least change, as far as waves can have it:

@@ -38,6 +38,32 @@ void drop_empty(std::vector<Wave>& waves) {
     std::erase_if(waves, [&](const Wave& wave) { return wave.weight.squaredNorm() < 1e-5 * all; });
 }
 
+// Adds the lobe that takes most of what is left, and moves all of them.
+void add_lobe(const TargetSpectra& target, const Search& search, std::vector<Wave>& waves) {
+    Wave next = search.best(target, residual(target, waves));
+    if (next.weight.isZero())
+        return;
+    waves.push_back(std::move(next));
+    refine(target, waves, FreeParameters::weights, 4);
+    refine(target, waves, FreeParameters::all, 6);
+    drop_empty(waves);
+}
+
+// Each lobe was the best one before later ones were known: now another may be better in its place.
+void exchange_lobes(const TargetSpectra& target, const Search& search, std::vector<Wave>& waves,
+                    const Advance& advance) {
+    const std::size_t count = waves.size();
+    for (std::size_t i = count; i-- > 0 && waves.size() == count && count > 1;) {
+        std::vector<Wave> others = waves;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        refine(target, others, FreeParameters::all, 4);
+        add_lobe(target, search, others);
+        if (residual(target, others).cost() < 0.999 * residual(target, waves).cost())
+            waves = std::move(others);
+        advance(1 - 0.5 * static_cast<double>(i) / static_cast<double>(count));
+    }
+}
+
 } // namespace
 
 double unit_of(const std::vector<Wave>& waves) {
@@ -64,18 +90,16 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     const Search search(target);
     std::vector<Wave> waves;
     for (int i = 0; i < lobes; ++i) {
-        Wave next = search.best(target, residual(target, waves));
-        if (next.weight.isZero())
+        add_lobe(target, search, waves);
+        if (std::ssize(waves) <= i)
             break;
-        waves.push_back(std::move(next));
-        refine(target, waves, FreeParameters::weights, 4);
-        refine(target, waves, FreeParameters::all, 6);
-        drop_empty(waves);
-        advance(0.8 * (i + 1) / lobes);
+        advance(0.5 * (i + 1) / lobes);
         if (is_chance(compare(exemplar, unscaled(waves)), exemplar))
             break;
     }
     refine(target, waves, FreeParameters::all, 30);
+    exchange_lobes(target, search, waves, advance);
+    refine(target, waves, FreeParameters::all, 100);
     waves = unscaled(std::move(waves));
     const auto power = [&](const Wave& wave) { return (exemplar.components * wave.weight).squaredNorm(); };
     std::ranges::sort(waves, std::greater(), power);

@@ -29,7 +29,7 @@ struct SpectrumRows {
 
 // Frequencies below 1 / window_side cycles per pixel.
 SpectrumRows low_rows(const Scale& scale) {
-    SpectrumRows rows{scale.begin, measures({scale}).tail(std::ssize(scale.frequencies))};
+    SpectrumRows rows{scale.begin, measures({scale})};
     const double limit = static_cast<double>(scale.grid) * scale.spacing / window_side;
     Eigen::Index row = 0;
     for (const Scale::Frequency& k : scale.frequencies) {

@@ -50,24 +50,15 @@ std::array<double, 6> degree_shares(const std::array<double, 6>& c) {
             120 * c[5] * c[5]};
 }
 
-// A lobe's wave, its radius and its weights, as its line needs them.
-struct Line {
-    std::string radius;
-    std::string frequency; ///< cycles per radius
-    std::string orientation;
-    std::string noise; ///< weights of the noise
-    std::string quadrature;
-    std::string squares;
-};
-
-Line line_of(const Wave& wave, const std::array<Colour::Weight, 3>& weights) {
+// The call that adds a lobe.
+std::string lobe_call(const std::string& name, std::size_t index, const Wave& wave,
+                      const std::array<Colour::Weight, 3>& weights, bool complex) {
+    const Eigen::Vector2d cycles = wave.frequency.cwiseProduct(wave.radius);
     const auto of = [&](auto value) { return vector([&](std::size_t c) { return value(weights[c]); }); };
-    return {number(wave.radius.x()),
-            number(wave.frequency.norm() * wave.radius.x()),
-            number(std::atan2(wave.frequency.y(), wave.frequency.x())),
-            of([](const Colour::Weight& w) { return w.noise; }),
-            of([](const Colour::Weight& w) { return w.quadrature; }),
-            of([](const Colour::Weight& w) { return w.noise * w.noise + w.quadrature * w.quadrature; })};
+    return fmt::format("{}_lobe(z, removed, p, d, filtered, {}, vec4({}, {}, {}, {}), {}{});", name, index,
+                       number(wave.radius.x()), number(wave.radius.y()), number(cycles.x()),
+                       number(cycles.y()), of([](const Colour::Weight& w) { return w.noise; }),
+                       complex ? ", " + of([](const Colour::Weight& w) { return w.quadrature; }) : "");
 }
 
 bool has_quadrature(const Colour& colour) {
@@ -96,35 +87,22 @@ std::string colour_function(const std::string& name, const Colour& colour) {
     const auto coefficient = [&](std::size_t n) {
         return vector([&](std::size_t c) { return colour.histogram[c][n]; });
     };
-    const auto row = [&](std::size_t i) {
-        return vector([&](std::size_t c) { return colour.mixing[i][c]; });
+    const auto column = [&](std::size_t c) {
+        return vector([&](std::size_t i) { return colour.mixing[i][c]; });
     };
-    return fmt::format(R"(
-// The colour of three independent normal components, each taken to its own law by a polynomial. Where a filter has
-// removed a share of their variance, that of the polynomial of what it left and of any normal rest.
-vec3 {name}_colour(vec3 z, vec3 removed)
-{{
+    return fmt::format(
+        R"(vec3 {name}_colour(vec3 z, vec3 v) {{ // the histogram of normal components, of whose variance a filter removed v
     z = clamp(z, -4.0, 4.0);
-    vec3 s = z * z;
-    vec3 v = removed;
-    vec3 even = {c0}
-              + {c2} * (s + v)
-              + {c4} * (s * (s + 6.0 * v) + 3.0 * v * v);
-    vec3 odd = {c1}
-             + {c3} * (s + 3.0 * v)
-             + {c5} * (s * (s + 10.0 * v) + 15.0 * v * v);
-    vec3 component = even + z * odd;
-    return {mean}
-         + vec3(dot({r}, component),
-                dot({g}, component),
-                dot({b}, component));
+    vec3 s = z * z, c = {c0} + {c2} * (s + v) + {c4} * (s * (s + 6.0 * v) + 3.0 * v * v)
+           + z * ({c1} + {c3} * (s + 3.0 * v) + {c5} * (s * (s + 10.0 * v) + 15.0 * v * v));
+    return {mean} + c.x * {x} + c.y * {y} + c.z * {z};
 }}
 )",
-                       fmt::arg("name", name), fmt::arg("c0", coefficient(0)), fmt::arg("c1", coefficient(1)),
-                       fmt::arg("c2", coefficient(2)), fmt::arg("c3", coefficient(3)),
-                       fmt::arg("c4", coefficient(4)), fmt::arg("c5", coefficient(5)),
-                       fmt::arg("mean", vector(colour.mean[0], colour.mean[1], colour.mean[2])),
-                       fmt::arg("r", row(0)), fmt::arg("g", row(1)), fmt::arg("b", row(2)));
+        fmt::arg("name", name), fmt::arg("c0", coefficient(0)), fmt::arg("c1", coefficient(1)),
+        fmt::arg("c2", coefficient(2)), fmt::arg("c3", coefficient(3)), fmt::arg("c4", coefficient(4)),
+        fmt::arg("c5", coefficient(5)),
+        fmt::arg("mean", vector(colour.mean[0], colour.mean[1], colour.mean[2])), fmt::arg("x", column(0)),
+        fmt::arg("y", column(1)), fmt::arg("z", column(2)));
 }
 
 std::string glsl_of(const std::string& name, const std::filesystem::path& image, const Exemplar& exemplar,
@@ -134,59 +112,11 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
     std::string comment = image.filename().string();
     std::ranges::replace_if(
         comment, [](unsigned char c) { return c < ' ' || c == 0x7f || c == '\\'; }, '_');
-    std::string text =
-        fmt::format(R"(// {name}.glsl: Gabor noise after {image}, {width} x {height} pixels, by gabor fit.
-//
-// Put it after gabor_lattice.glsl and gabor_spectrum.glsl.
-//
-//     vec3 {name}(vec2 p)                             its colour at p, in pixels of that picture
-//     vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)  as a pixel sees it that reaches dx and dy further to its neighbours,
-//                                                     dFdx(p) and dFdy(p), and the share of the variance that this removed
-//
-// The first costs about as much as {count} gabor_noise.
-
-#ifndef GABOR_SPECTRUM_GLSL
-#error Include gabor_lattice.glsl and gabor_spectrum.glsl before {name}.glsl
-#endif
-#ifndef GABOR_TEXTURE_{name}_GLSL
-#define GABOR_TEXTURE_{name}_GLSL
-
-const uint {name}_seed = 0u; // which instance of the noise
-)",
-                    fmt::arg("name", name), fmt::arg("image", comment), fmt::arg("width", exemplar.width),
-                    fmt::arg("height", exemplar.height), fmt::arg("count", fitted.waves.size()));
-    text += colour_function(name, colour);
-
-    std::string plain;
-    std::string filtered;
-    for (std::size_t i = 0; i < fitted.waves.size(); ++i) {
-        const Line line = line_of(fitted.waves[i], colour.weights[i]);
-        const std::string seed = fmt::format("gabor_lobe_seed({}_seed, {})", name, i);
-        const std::string arguments =
-            fmt::format("p / {}, {}, {}, {}", line.radius, line.frequency, line.orientation, seed);
-        if (complex)
-            plain += fmt::format("    n = gabor_noise_complex({});\n    z += n.x * {} + n.y * {};\n",
-                                 arguments, line.quadrature, line.noise);
-        else
-            plain += fmt::format("    z += gabor_noise({}) * {};\n", arguments, line.noise);
-        filtered += fmt::format(
-            "    n = gabor_field_filtered(gabor_place(ivec2(0), p * (GABOR_RADIUS / {0})), "
-            "gabor_kernel({1}, {2}),\n"
-            "                             gabor_footprint(dx / {0}, dy / {0}), {3}, share).value;\n",
-            line.radius, line.frequency, line.orientation, seed);
-        filtered += complex ? fmt::format("    z += n.x * {} + n.y * {};\n", line.quadrature, line.noise)
-                            : fmt::format("    z += n.y * {};\n", line.noise);
-        filtered += fmt::format("    removed += share * {};\n", line.squares);
-    }
-    text += fmt::format(R"(
-vec3 {name}(vec2 p)
-{{
-    vec3 z = vec3(0.0);
-{declaration}{plain}    return {name}_colour(z, vec3(0.0));
-}}
-)",
-                        fmt::arg("name", name), fmt::arg("declaration", complex ? "    vec2 n;\n" : ""),
-                        fmt::arg("plain", plain));
+    std::string lobes;
+    const std::size_t in_line = fitted.waves.size() > 8 ? 2 : 1;
+    for (std::size_t i = 0; i < fitted.waves.size(); ++i)
+        lobes += (i % in_line == 0 ? "\n    " : " ") +
+                 lobe_call(name, i, fitted.waves[i], colour.weights[i], complex);
 
     // What is left of the variance, from the polynomials' parts: those of degree n keep (1 - removed)^n.
     double variance = 0;
@@ -200,27 +130,55 @@ vec3 {name}(vec2 p)
         return vector(
             [&](std::size_t c) { return variances[c] / variance * degree_shares(colour.histogram[c])[n]; });
     };
-    text += fmt::format(R"(
-#if GABOR_TAPS == 3 // as the filter of gabor_spectrum.glsl
-vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy)
-{{
+    return fmt::format(
+        R"(// {name}.glsl: Gabor noise after {image}, by gabor fit. Paste it after gabor_lattice.glsl and gabor_spectrum.glsl.
+//     vec3 {name}(vec2 p): colour at p, in pixels of the photograph, {width} x {height}. Costs about {count} gabor_noise.
+//     vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy): its mean over a screen pixel, dx = dFdx(p), dy = dFdy(p); w: removed variance.
+#ifndef GABOR_SPECTRUM_GLSL
+#error Include gabor_lattice.glsl and gabor_spectrum.glsl before {name}.glsl
+#elif !defined(GABOR_TEXTURE_{name}_GLSL)
+#define GABOR_TEXTURE_{name}_GLSL
+const uint {name}_seed = 0u; // another seed gives another piece of the same texture
+// Adds lobe i. k: its radii along x and y in pixels and its waves per radius; {weights}.
+void {name}_lobe(inout vec3 z, inout vec3 removed, vec2 p, vec4 d, bool filtered, int i, vec4 k, {parameters}) {{
+    {type} n;
+    float share = 0.0;
+#if GABOR_TAPS == 3 // the others have no filter
+    if (filtered)
+        n = gabor_field_filtered(gabor_place(ivec2(0), p / k.xy * GABOR_RADIUS), gabor_kernel_wave(k.zw), gabor_footprint(d.xy / k.xy, d.zw / k.xy), gabor_lobe_seed({name}_seed, i), share).value{part};
+    else
+#endif
+        n = {noise}(p / k.xy, k.zw, gabor_lobe_seed({name}_seed, i));
+    z += {sum};
+    removed += share * {squares};
+}}
+vec3 {name}_sum(vec2 p, vec4 d, bool filtered, out vec3 removed) {{
     vec3 z = vec3(0.0);
-    vec3 removed = vec3(0.0);
-    vec2 n;
-    float share;
-{filtered}    vec3 kept = 1.0 - min(removed, vec3(1.0));
-    vec3 left = kept * ({s1} + kept * ({s2} + kept * ({s3}
-              + kept * ({s4} + kept * {s5}))));
+    removed = z;{lobes}
+    return z;
+}}
+{colour}vec3 {name}(vec2 p) {{
+    vec3 removed, z = {name}_sum(p, vec4(0.0), false, removed);
+    return {name}_colour(z, removed);
+}}
+vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy) {{
+    vec3 removed, z = {name}_sum(p, vec4(dx, dy), true, removed), k = 1.0 - min(removed, vec3(1.0));
+    vec3 left = k * ({s1} + k * ({s2} + k * ({s3} + k * ({s4} + k * {s5}))));
     return vec4({name}_colour(z, removed), 1.0 - min(dot(left, vec3(1.0)), 1.0));
 }}
 #endif
-
-#endif // GABOR_TEXTURE_{name}_GLSL
 )",
-                        fmt::arg("name", name), fmt::arg("filtered", filtered), fmt::arg("s1", share(1)),
-                        fmt::arg("s2", share(2)), fmt::arg("s3", share(3)), fmt::arg("s4", share(4)),
-                        fmt::arg("s5", share(5)));
-    return text;
+        fmt::arg("name", name), fmt::arg("image", comment), fmt::arg("width", exemplar.width),
+        fmt::arg("height", exemplar.height), fmt::arg("count", fitted.waves.size()),
+        fmt::arg("weights",
+                 complex ? "a, b: weights of its noise and quadrature" : "a: weights of its noise"),
+        fmt::arg("parameters", complex ? "vec3 a, vec3 b" : "vec3 a"),
+        fmt::arg("type", complex ? "vec2" : "float"), fmt::arg("part", complex ? "" : ".y"),
+        fmt::arg("squares", complex ? "(a * a + b * b)" : "a * a"),
+        fmt::arg("noise", complex ? "gabor_noise_wave_complex" : "gabor_noise_wave"),
+        fmt::arg("sum", complex ? "n.y * a + n.x * b" : "n * a"), fmt::arg("lobes", lobes),
+        fmt::arg("colour", colour_function(name, colour)), fmt::arg("s1", share(1)), fmt::arg("s2", share(2)),
+        fmt::arg("s3", share(3)), fmt::arg("s4", share(4)), fmt::arg("s5", share(5)));
 }
 
 } // namespace gabor::fit

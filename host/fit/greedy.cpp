@@ -158,7 +158,7 @@ Wave Search::best(const TargetSpectra& target, const Residual& left) const {
         for (Index y = 0; y < square_.rows(); ++y) {
             const double rx = x_.radius[static_cast<std::size_t>(x)];
             const double ry = y_.radius[static_cast<std::size_t>(y)];
-            if ((rx < 2) != (ry < 2) || (!elliptical && rx != ry))
+            if ((rx < 2) != (ry < 2))
                 continue;
             for (std::size_t i = 0; i < real.size(); ++i)
                 at(real[i].c, real[i].d) = re[i](y, x);
@@ -187,8 +187,6 @@ Wave Search::best(const TargetSpectra& target, const Residual& left) const {
         for (const Eigen::Vector2d& frequency : peaks(target, left, scale))
             for (const double rx : wide)
                 for (const double ry : wide) {
-                    if (!elliptical && rx != ry)
-                        continue;
                     const Gain here = gain(target, left, frequency, {rx, ry});
                     if (here.cost > most.cost) {
                         most = here;

@@ -18,6 +18,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double root_2 = std::numbers::sqrt2;
+constexpr double largest_stretch = 99; // of the 100 that presets take
 // Of a wave: its atom, and that by both frequencies and by the logarithms of both radii.
 constexpr int functions = 5;
 
@@ -58,10 +59,6 @@ Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_d
                 put(parts, column + 3, scale, x.by_log_radius, y.value);
                 put(parts, column + 4, scale, x.value, y.by_log_radius);
             }
-        }
-        if (with_derivatives && !elliptical) {
-            parts.sum.col(column + 3) += parts.sum.col(column + 4);
-            parts.difference.col(column + 3) += parts.difference.col(column + 4);
         }
         column += each;
     }
@@ -111,7 +108,7 @@ std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, FreeParamet
                 parameters.push_back({j, 0, entries(change * w.adjoint() + w * change.adjoint())});
             }
         if (free == FreeParameters::all)
-            for (Index f = 1; f < functions - (elliptical ? 0 : 1); ++f)
+            for (Index f = 1; f < functions; ++f)
                 parameters.push_back({j, f, entries(w * w.adjoint())});
     }
     return parameters;
@@ -215,10 +212,12 @@ std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Fr
         wave.frequency.array() += turn / most_turn;
         wave.frequency.array() -= (wave.frequency.array() + 0.5).floor(); // aliases of one another
         for (Index axis = 0; axis < 2; ++axis)
-            wave.radius[axis] = std::clamp(
-                wave.radius[axis] * std::exp(std::clamp(step[at + 2 + (elliptical ? axis : 0)], -0.5, 0.5)),
-                smallest_radius, largest);
-        at += elliptical ? 4 : 3;
+            wave.radius[axis] =
+                std::clamp(wave.radius[axis] * std::exp(std::clamp(step[at + 2 + axis], -0.5, 0.5)),
+                           smallest_radius, largest);
+        wave.radius.y() =
+            std::clamp(wave.radius.y(), wave.radius.x() / largest_stretch, wave.radius.x() * largest_stretch);
+        at += 4;
     }
     return waves;
 }
@@ -243,6 +242,8 @@ TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
     const Eigen::ArrayXd total = spectra.total();
     const double mean = spectra.covariance().trace();
     weight = (measures(*scales) / (total + 0.01 * mean)).sqrt();
+    for (const Scale& scale : *scales)
+        weight.segment(scale.begin, std::ssize(scale.frequencies)) *= std::sqrt(scale.confidence);
     real.array().colwise() *= weight;
     imaginary.array().colwise() *= weight;
     imaginary *= root_2;

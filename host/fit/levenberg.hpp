@@ -8,9 +8,6 @@
 
 namespace gabor::fit {
 
-/// Whether a lobe may have another radius along each axis.
-inline constexpr bool elliptical = false;
-
 /// Waves around one wave vector in several channels. With the complex noise z of such a wave, E[z(p + t)
 /// z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius.x) g(t.y / radius.y), channel c has Re(weight_c z):
 /// cross-spectra weight_c weight_d*.
@@ -22,7 +19,8 @@ struct Wave {
 
 /// The spectra that waves are fitted to, as least squares see them: each frequency divided by the root of the
 /// power there, P + 0.01 mean P. Plain least squares would leave weak frequencies empty, and weights 1 / P
-/// follow where the estimate is low by chance.
+/// follow where the estimate is low by chance. Scales with few windows count less, or lobes would be spent on
+/// peaks that are chance.
 struct TargetSpectra {
     int channels;
     Scales scales;

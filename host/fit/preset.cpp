@@ -17,6 +17,7 @@ render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted) 
         lobe.frequency = wave.frequency.norm() * request.scale;
         lobe.orientation = noise::degrees(std::atan2(wave.frequency.y(), wave.frequency.x()));
         lobe.radius = wave.radius.x() / request.scale;
+        lobe.stretch = wave.radius.y() / wave.radius.x();
         lobe.power = (exemplar.components * wave.weight).squaredNorm() / exemplar.components.squaredNorm();
         request.lobes.push_back(lobe);
     }

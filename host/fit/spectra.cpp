@@ -171,6 +171,11 @@ std::vector<Scale> scales_of(int width, int height) {
         if (side < static_cast<int>(triangle.size()))
             break;
     }
+    for (Scale& scale : scales) {
+        // A Hann window's squared autocorrelation adds up to 0.468 of its side.
+        const double windows = static_cast<double>(width) * height / std::pow(0.468 * scale.length(), 2);
+        scale.confidence = windows / (windows + 100);
+    }
     return scales;
 }
 
@@ -189,12 +194,11 @@ std::vector<Pair> imaginary_pairs(int channels) {
 }
 
 Eigen::ArrayXd measures(const std::vector<Scale>& scales) {
-    Eigen::ArrayXd result(scales.back().begin + std::ssize(scales.back().frequencies));
-    Eigen::Index row = 0;
+    std::vector<double> result;
     for (const Scale& scale : scales)
         for (const Scale::Frequency& frequency : scale.frequencies)
-            result[row++] = frequency.multiplicity * scale.area;
-    return result;
+            result.push_back(frequency.multiplicity * scale.area);
+    return Eigen::Map<const Eigen::ArrayXd>(result.data(), std::ssize(result));
 }
 
 Spectra::Spectra(int count, const Scales& of) : channels(count), scales(of) {

@@ -22,6 +22,9 @@ struct Scale {
     int window;      ///< samples along each axis
     int grid;        ///< frequency k is k / grid cycles per sample, negative ones last
     double area = 1; ///< of a frequency's cell, relative to the first scale's
+    /// n / (n + 100) for an estimate from n independent windows: its squared error is 1 / n, and a sum of few
+    /// lobes misses a tenth of the power anyway.
+    double confidence = 1;
     /// x from 0 to grid / 2. Those at its ends are in the whole plane once, the others stand for their
     /// opposite too.
     struct Frequency {

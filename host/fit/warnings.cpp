@@ -9,7 +9,7 @@ namespace gabor::fit {
 namespace {
 
 // Larger differences are visible in most textures.
-constexpr double l1_limit = 0.25;
+constexpr double l1_limit = 0.2;
 constexpr double low_limit = 0.4;
 constexpr double autocorrelation_limit = 0.2;
 
