@@ -257,7 +257,7 @@ void spectrum_panel(Session& session) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(8, 9, 11, 255));
-    const std::optional<MeasuredSpectrum>& measured = session.measurer.measured().spectrum;
+    const std::optional<MeasuredSpectrum>& measured = session.spectrum.measured();
     if (measured && render::is_flat(session.document().request.view))
         draw_measured(draw, plane, *measured);
     draw_scale(draw, plane);

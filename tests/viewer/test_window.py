@@ -184,7 +184,7 @@ class Window(ViewerTest):
         self.assertGreater(here.std(), 30)
 
     def test_without_a_display(self):
-        self.assert_fails(1, ["no display"], "--screenshot", "picture.png", DISPLAY=None, WAYLAND_DISPLAY=None)
+        self.assert_fails(1, ["no display"], DISPLAY=None, WAYLAND_DISPLAY=None)
 
     def test_wrong_requests(self):
         (self.folder / "wrong.json").write_text('{"frequncy": 4}')
