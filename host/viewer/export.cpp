@@ -69,7 +69,6 @@ ExportTarget ExportTarget::of(const render::Request& request) const {
     target.as = chosen.value_or(target.of_noise ? ExportAs::picture : ExportAs::maps);
     if (target.as == ExportAs::maps && !can_export_maps(request))
         target.as = ExportAs::picture;
-    target.heightmap &= render::has_terrain(request) && target.as == ExportAs::picture;
     return target;
 }
 
@@ -83,8 +82,6 @@ std::vector<render::Files> files_of(const ExportTarget& target) {
         each.exr = render::frame_path(exr, frame, frames);
         if (target.png && target.as != ExportAs::texture)
             each.png = render::frame_path(png, frame, frames);
-        if (target.heightmap)
-            each.heightmap = std::filesystem::path(exr).replace_extension(".heightmap.png");
         each.compression = image::compression_names()[target.compression];
     }
     return files;
@@ -100,7 +97,7 @@ std::vector<std::filesystem::path> paths_of(const ExportTarget& target) {
         return paths;
     }
     for (const render::Files& files : files_of(target))
-        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png, files.heightmap})
+        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png})
             if (path)
                 paths.push_back(*path);
     return paths;
@@ -170,7 +167,7 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
     const std::uint64_t total = target.as == ExportAs::texture ? render::texture_pixels(picture)
                                 : target.as == ExportAs::maps && target.of_noise
                                     ? picture * noise_maps(document).size()
-                                    : picture * (all.size() + (target.heightmap ? 1 : 0));
+                                    : picture * all.size();
     std::uint64_t done = 0;
     const auto advance = [&](std::uint64_t pixels) {
         done += pixels;
@@ -187,8 +184,6 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
         std::optional<FileColours> colours;
         for (int frame = 0; frame < frames; ++frame) {
             render::Files files = all[static_cast<std::size_t>(frame)];
-            const render::Files heights{
-                .exr = {}, .png = {}, .heightmap = std::exchange(files.heightmap, {})};
             if (files.png && !shows_plainly(document)) {
                 if (!colours)
                     colours.emplace(device, document, render::channels(request));
@@ -196,11 +191,7 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
             }
             render::render_file(device, render::frame_of(request, frame, frames), whole(request), files,
                                 advance);
-            if (heights.heightmap) {
-                const render::Request above = render::from_above(request);
-                render::render_file(device, above, whole(above), heights, advance);
-            }
-            for (const std::optional<std::filesystem::path>& path : {files.exr, files.png, heights.heightmap})
+            for (const std::optional<std::filesystem::path>& path : {files.exr, files.png})
                 if (path)
                     written_[std::filesystem::absolute(*path)] = file_stamp(*path);
         }

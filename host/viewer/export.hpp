@@ -23,9 +23,8 @@ struct ExportTarget {
     std::string folder = "maps";    ///< of maps
     std::optional<ExportAs> chosen; ///< by default a material's maps, or a picture
     ExportAs as = ExportAs::picture;
-    bool of_noise = false;  ///< the maps
-    bool png = true;        ///< write a PNG beside each EXR, except for a texture
-    bool heightmap = false; ///< of terrain: also write NAME.heightmap.png
+    bool of_noise = false; ///< the maps
+    bool png = true;       ///< write a PNG beside each EXR, except for a texture
     int frames = 24;
     bool half = false;           ///< 16-bit floats in a texture
     bool directx = false;        ///< of maps: also write normals whose green points down

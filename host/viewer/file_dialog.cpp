@@ -62,24 +62,21 @@ void list(Session& session, FileDialog& dialog) {
     std::ranges::sort(dialog.files);
 }
 
-// What was clicked in a list.
-struct Choice {
-    std::string name;
-    bool twice = false; ///< double-clicked
-};
-
-Choice contents(const FileDialog& dialog) {
-    Choice choice;
+// The list. Returns whether something in it was double-clicked.
+bool contents(FileDialog& dialog) {
+    bool twice = false;
     const auto entry = [&](const std::string& shown, const std::string& name) {
-        if (ImGui::Selectable(shown.c_str(), name == dialog.name, ImGuiSelectableFlags_AllowDoubleClick))
-            choice = {name, ImGui::IsMouseDoubleClicked(0)};
+        if (ImGui::Selectable(shown.c_str(), name == dialog.name, ImGuiSelectableFlags_AllowDoubleClick)) {
+            dialog.name = name;
+            twice = ImGui::IsMouseDoubleClicked(0);
+        }
     };
     entry("..", "..");
     for (const std::string& name : dialog.folders)
         entry(name + "/", name);
     for (const std::string& name : dialog.files)
         entry(name, name);
-    return choice;
+    return twice;
 }
 
 } // namespace
@@ -191,10 +188,8 @@ void dialog_window(Session& session) {
         list(session, dialog);
     ImGui::TextUnformatted(dialog.folder.string().c_str());
     ImGui::BeginChild("contents", {0, -2.0f * ImGui::GetFrameHeightWithSpacing()}, true);
-    const Choice choice = contents(dialog);
+    const bool twice = contents(dialog);
     ImGui::EndChild();
-    if (!choice.name.empty())
-        dialog.name = choice.name;
     if (ImGui::IsWindowAppearing())
         ImGui::SetKeyboardFocusHere();
     const float buttons = 8 * em;
@@ -207,7 +202,7 @@ void dialog_window(Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {buttons, 0}))
         session.dialog.reset();
-    else if (entered || taken || choice.twice)
+    else if (entered || taken || twice)
         answer_dialog(session);
     ImGui::EndPopup();
 }

@@ -327,10 +327,6 @@ void export_panel(Session& session) {
         ImGui::Checkbox("PNG beside it", &target.png);
         tooltip("Also write what the window shows");
     }
-    if (render::has_terrain(request) && as == ExportAs::picture) {
-        ImGui::Checkbox("heightmap beside it", &target.heightmap);
-        tooltip("NAME.heightmap.png: heights of 16 bits from above, with their scale in a .json file");
-    }
     if (as == ExportAs::maps) {
         ImGui::InputText("folder", &target.folder);
         tooltip("The folder that gets the maps");
@@ -458,9 +454,11 @@ void reading_overlay(const Session& session, float width) {
     if (session.reading.empty())
         return;
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float left = width - ImGui::CalcTextSize(session.reading.c_str()).x - 2 * style.FramePadding.x;
-    label(*ImGui::GetBackgroundDrawList(), {left - style.WindowPadding.x, style.WindowPadding.x},
-          session.reading, ImGui::GetColorU32(ImGuiCol_Text));
+    const float margin = style.WindowPadding.x;
+    const float wrap = width - 2 * (margin + style.FramePadding.x);
+    const float wide = ImGui::CalcTextSize(session.reading.c_str(), nullptr, false, wrap).x;
+    label(*ImGui::GetBackgroundDrawList(), {width - margin - wide - 2 * style.FramePadding.x, margin},
+          session.reading, ImGui::GetColorU32(ImGuiCol_Text), wrap);
 }
 
 void message_overlay(const Session& session, float width, float height) {
