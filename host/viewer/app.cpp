@@ -149,8 +149,10 @@ bool App::refine(Extent window) {
     const Camera camera = shown().camera;
     const Drawing wanted = drawing_of(session_.document());
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
+    const double slice =
+        resting_budget * std::max(1.0, view.width * view.height / 1e6); // painting takes longer too
     bool more = canvas_.refine(wanted, camera, session_.tiling ? session_.tiling->tile : session_.view,
-                               moving ? moving_budget : resting_budget);
+                               moving ? moving_budget : slice);
     if (more || moving || wanted != drawn_ || camera != drawn_from_) {
         drawn_ = wanted;
         drawn_from_ = camera;
