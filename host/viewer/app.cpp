@@ -19,11 +19,9 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr double moving_budget = 0.022; // seconds per frame for drawing the noise
-constexpr double resting_budget = 0.030;
-constexpr double sampling_budget = 0.004; // while time plays
-constexpr double rest = 0.3;              // seconds without a change before measuring
-constexpr std::uint32_t most_samples = 1 << 21;
+constexpr double moving_budget = 0.022;        // seconds per frame for drawing the noise
+constexpr double resting_budget = 0.060;       // longer, since each frame also costs
+constexpr double rest = 0.3;                   // seconds without a change before measuring
 constexpr double waking_interval = 0.25;       // seconds between frames while nothing happens
 constexpr double saving_interval = 2;          // seconds between saves of the session
 constexpr const char* first_preset = "walnut"; // until something else was opened
@@ -46,7 +44,7 @@ void drop(GLFWwindow* window, int count, const char** paths) {
 }
 
 Placement placement(const Options& options, const Settings& settings) {
-    Placement placement = options.screenshot ? Placement{} : settings.placement;
+    Placement placement = settings.placement;
     if (options.size) {
         placement.width = options.size->width;
         placement.height = options.size->height;
@@ -58,15 +56,14 @@ Placement placement(const Options& options, const Settings& settings) {
 } // namespace
 
 App::App(const Options& options)
-    : settings_(load_settings()), window_(placement(options, settings_), !options.screenshot),
+    : settings_(load_settings()), window_(placement(options, settings_)),
       device_(options.device, window_.presentation()), swapchain_(device_, window_.handle()),
       gui_(device_, window_, swapchain_.render_pass(), swapchain_.images(),
            options.ui_scale.value_or(settings_.ui_scale)),
       painter_(device_, swapchain_.render_pass()), commands_(device_),
       session_(options.document ? *options.document : load_document(first_preset), options.device),
-      canvas_(device_), sampler_(device_), remember_(!options.screenshot) {
-    if (remember_)
-        restore(options);
+      canvas_(device_) {
+    restore(options);
     glfwSetWindowUserPointer(window_.handle(), &session_);
     glfwSetDropCallback(window_.handle(), drop);
 }
@@ -110,7 +107,7 @@ void App::restore(const Options& options) {
 }
 
 void App::save_session() {
-    if (!remember_ || (offering_ && session_.question)) // keep the session that is offered
+    if (offering_ && session_.question) // keep the session that is offered
         return;
     Document document = session_.document();
     if (session_.playing)
@@ -147,54 +144,32 @@ bool App::refine(Extent window) {
     const Area view = view_area(window);
     session_.view = {view.width, view.height};
     session_.tiling.reset();
-    if (session_.tiles && disabled_reason(session_.document(), "tiles").empty())
+    if (session_.tiles && has_effect(session_.document(), "tiles"))
         session_.tiling = tiling_of(session_.document(), session_.view);
     const Camera camera = shown().camera;
     const Drawing wanted = drawing_of(session_.document());
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
+    const double slice =
+        resting_budget * std::max(1.0, view.width * view.height / 1e6); // painting takes longer too
     bool more = canvas_.refine(wanted, camera, session_.tiling ? session_.tiling->tile : session_.view,
-                               moving ? moving_budget : resting_budget);
+                               moving ? moving_budget : slice);
     if (more || moving || wanted != drawn_ || camera != drawn_from_) {
         drawn_ = wanted;
         drawn_from_ = camera;
         changed_ = glfwGetTime();
-        picture_measured_ = false;
+        measured_ = false;
     }
-    const bool rested = glfwGetTime() - changed_ >= rest && !session_.exporter.running();
-    if (!render::has_material(wanted.request)) {
-        measure(wanted, rested || session_.playing);
-        more |= !picture_measured_ || samples_ < most_samples;
-    } else if (std::exchange(measured_, {})) {
-        session_.measurer.reset();
+    // While the view stands still, measures the spectrum of what it shows.
+    SpectrumMeter& meter = session_.spectrum;
+    const bool has_spectrum = render::is_flat(wanted.request.view) && !wanted.request.colour &&
+                              !render::has_material(wanted.request);
+    if (has_spectrum && !measured_ && meter.idle() && glfwGetTime() - changed_ >= rest &&
+        !session_.exporter.running()) {
+        measured_ = true;
+        meter.start(canvas_.pixels(), canvas_.channels().size(), canvas_.grid(),
+                    wanted.request.scale * camera.zoom);
     }
-    return more || !session_.measurer.idle();
-}
-
-// While the view stands still, measures the spectrum of what it shows, and the statistics of more values in
-// each frame.
-void App::measure(const Drawing& drawing, bool rested) {
-    const render::Request values = value_request(drawing);
-    if (measured_ != values) {
-        measured_ = values;
-        samples_ = 0;
-        picture_measured_ = false;
-        session_.measurer.reset();
-    }
-    if (!rested || !session_.measurer.idle())
-        return;
-    if (canvas_.fine() && !picture_measured_) {
-        picture_measured_ = true;
-        if (render::is_flat(drawing.request.view) && !drawing.request.colour)
-            session_.measurer.add_picture(canvas_.pixels(), static_cast<int>(canvas_.channels().size()),
-                                          canvas_.grid(), drawing.request.scale * shown().camera.zoom);
-    } else if ((canvas_.fine() || session_.playing) && samples_ < most_samples) {
-        const std::span<const float> sampled =
-            sampler_.sample(values, draws_++, session_.playing ? sampling_budget : resting_budget);
-        const bool covered = render::in_space(values);
-        const int channels = covered ? 2 : 1;
-        samples_ += static_cast<std::uint32_t>(sampled.size()) / static_cast<std::uint32_t>(channels);
-        session_.measurer.add_samples(sampled, channels, covered ? channels - 1 : -1);
-    }
+    return more || (has_spectrum && !measured_) || !meter.idle();
 }
 
 // Where the pointer is, and the channels there.
@@ -238,7 +213,7 @@ void App::panels() {
         reading_overlay(session_, view);
         photograph_overlay(session_, view, size.y);
     }
-    message_overlay(session_, size.y);
+    message_overlay(session_, view, size.y);
     help_window(session_);
     if (!session_.panels) {
         if (small_)
@@ -251,12 +226,10 @@ void App::panels() {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
     // Tab moves between fields only while one is edited; else it is a shortcut.
     ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
     side_panel(session_);
     ImGui::PopAllowKeyboardFocus();
-    ImGui::PopItemWidth();
     ImGui::End();
 }
 
@@ -335,6 +308,8 @@ void App::save_picture(const std::string& path) {
 
 bool App::frame(const FrameHook& hook) {
     swapchain_.wait();
+    for (const std::string_view name : file_names(session_))
+        gui_.prepare(name);
     gui_.begin();
     if (hook && !hook(*this))
         return false;
@@ -376,10 +351,6 @@ bool App::frame(const FrameHook& hook) {
         });
     if (const Target* target = swapchain_.acquire(extent)) {
         draw(*target);
-        if (session_.metered) {
-            swapchain_.wait();
-            session_.meter.drawn(glfwGetTime());
-        }
     }
     return true;
 }
@@ -388,8 +359,8 @@ int App::run(const FrameHook& hook) {
     for (const int signal : {SIGINT, SIGTERM})
         std::signal(signal, note_signal);
     do {
-        const bool wanted = busy_ || hook || session_.playing || session_.metered ||
-                            session_.exporter.running() || session_.fitter.running();
+        const bool wanted =
+            busy_ || hook || session_.playing || session_.exporter.running() || session_.fitter.running();
         if (!window_.shown())
             glfwWaitEventsTimeout(hook ? 0.02 : 0.25);
         else if (wanted || glfwGetTime() - last_input_ < 0.5)
@@ -400,7 +371,6 @@ int App::run(const FrameHook& hook) {
             if (glfwGetTime() - before < 0.9 * waking_interval)
                 last_input_ = glfwGetTime(); // an event came
         }
-        session_.meter.read(glfwGetTime());
     } while (frame(hook));
     return received_signal;
 }

@@ -13,12 +13,11 @@
 namespace gabor::viewer {
 
 struct Options {
-    std::optional<Document> document;      ///< none: that of the last session
-    std::string preset;                    ///< where the document comes from; empty for none
-    std::string device;                    ///< as for vulkan::Device
-    std::optional<std::string> screenshot; ///< save one picture, and open no window
-    std::optional<Extent> size;            ///< of the window
-    std::optional<float> ui_scale;         ///< none: that of the last session
+    std::optional<Document> document; ///< none: that of the last session
+    std::string preset;               ///< where the document comes from; empty for none
+    std::string device;               ///< as for vulkan::Device
+    std::optional<Extent> size;       ///< of the window
+    std::optional<float> ui_scale;    ///< none: that of the last session
 };
 
 /// The program: a window and everything in it.
@@ -53,7 +52,6 @@ class App {
     void save_session();
     Area view_area(Extent window) const; ///< of the noise, in window pixels
     bool refine(Extent window);          ///< returns whether anything is left to do
-    void measure(const Drawing& drawing, bool rested);
     std::string value_under_pointer();
     float view_width() const; ///< in Dear ImGui's units
     void fold_panel();
@@ -75,12 +73,8 @@ class App {
     Commands commands_;
     Session session_;
     Canvas canvas_;
-    ValueSampler sampler_;
-    std::optional<render::Request> measured_; ///< whose values have been sampled
-    std::uint32_t samples_ = 0;
-    std::uint32_t draws_ = 0;
-    bool picture_measured_ = false;
-    Drawing drawn_; ///< in the last frame
+    bool measured_ = false; ///< the spectrum of what is shown
+    Drawing drawn_;         ///< in the last frame
     Camera drawn_from_;
     double changed_ = 0;                           ///< when the view last changed
     std::shared_ptr<const Photograph> photograph_; ///< in `photograph_pixels_`
@@ -90,7 +84,6 @@ class App {
     double last_input_ = 0;
     double saved_at_ = 0; ///< when the session was last saved
     bool busy_ = true;
-    bool remember_;         ///< save the session
     bool small_ = false;    ///< the window, so that the panel folds away
     bool offering_ = false; ///< to restore a session that was not saved
 };

@@ -84,18 +84,4 @@ class Canvas {
     Cost cost_;
 };
 
-/// Samples a noise at random points, for statistics.
-class ValueSampler {
-  public:
-    explicit ValueSampler(const vulkan::Device& device);
-
-    /// Draws values of a `value_request` for about `seconds`. Each `draw` uses other points and instances.
-    std::span<const float> sample(const render::Request& request, std::uint32_t draw, double seconds);
-
-  private:
-    render::Renderer renderer_;
-    ValueGrid grid_;
-    Cost cost_;
-};
-
 } // namespace gabor::viewer

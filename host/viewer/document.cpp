@@ -123,51 +123,33 @@ void History::go_to(std::size_t step) {
     now = steps_[at_];
 }
 
-std::string_view disabled_reason(const Document& document, std::string_view control) {
+bool has_effect(const Document& document, std::string_view control) {
     const render::Request& request = document.request;
     const Output output = document.output;
     const bool space = render::in_space(request);
-    const bool painted = !request.paint.empty();
-    if (control == "tiles") {
-        const auto* plane = std::get_if<render::Plane>(&request.view);
-        return plane && plane->tileable ? "" : "Tiles need a tileable picture";
+    const auto* plane = std::get_if<render::Plane>(&request.view);
+    if (control == "tiles")
+        return plane && plane->tileable;
+    if (control == "profile" || control == "colours" || control == "contrast") {
+        if (render::has_material(request))
+            return control == "contrast" && document.look == Look::height;
+        const bool stripes = output == Output::phasor || output == Output::lit_phasor;
+        return control == "profile"                        ? stripes
+               : request.colour && output == Output::value ? false // a photograph's noise keeps its colours
+               : control == "colours"
+                   ? output != Output::gradient
+                   : output != Output::phase && output != Output::variance && output != Output::phasor;
     }
-    if (render::has_material(request)) {
-        if (control == "colours" || control == "output" || control == "profile")
-            return "A material has its own colours";
-        if (control == "contrast" && document.look != Look::height)
-            return "For a material, contrast affects only its height";
-        return control == "contrast" || (control != "recipe" && render::applies_to_material(request, control))
-                   ? ""
-               : render::has_terrain(request) ? "Terrain does not use this"
-                                              : "A material does not use this";
-    }
-    if (request.colour && document.output == Output::value && (control == "colours" || control == "contrast"))
-        return "A photograph's noise keeps its colours";
-    if (control == "recipe" && space)
-        return "Noise in space has one recipe, the lattice";
+    if (render::has_material(request))
+        return control != "recipe" && render::applies_to_material(request, control);
+    if (control == "recipe")
+        return !space;
     if (control == "orientation" && space && request.lobes.size() == 1 &&
         render::is_isotropic(request.lobes.front()))
-        return "With an orientation spread of 90 degrees, waves have all orientations";
-    if ((control == "frequency" || control == "orientation") && painted)
-        return "Frequency and orientation are painted";
-    if (control == "lobes" && painted)
-        return "Paint replaces the frequency and orientation of a single lobe";
-    if (control == "paint" && !std::holds_alternative<render::Plane>(request.view))
-        return "Paint requires the view flat";
-    if (control == "paint" && request.lobes.size() > 1)
-        return "Paint requires a single lobe";
-    if (control == "colours" && output == Output::gradient)
-        return "A gradient is shown as a normal map";
-    if (control == "contrast" && output == Output::phase)
-        return "A phase uses all colours once";
-    if (control == "contrast" && output == Output::variance)
-        return "The share of the variance always goes from 0 to 1";
-    if (control == "contrast" && output == Output::phasor)
-        return "Stripes have the same contrast everywhere";
-    if (control == "profile" && output != Output::phasor && output != Output::lit_phasor)
-        return "Only stripes have a profile";
-    return {};
+        return false;
+    if (control == "frequency" || control == "orientation" || control == "lobes")
+        return request.paint.empty();
+    return control != "paint" || (plane && request.lobes.size() == 1);
 }
 
 bool is_lit(const Document& document) {

@@ -88,12 +88,9 @@ class History {
     std::size_t at_ = 0;
 };
 
-/// Tells the user why a control changes nothing in the window; empty if it does. `control`: the name of a
-/// parameter, or `colours`, `contrast` or `tiles`.
-std::string_view disabled_reason(const Document& document, std::string_view control);
-inline bool has_effect(const Document& document, std::string_view control) {
-    return disabled_reason(document, control).empty();
-}
+/// Whether a control changes anything in the window. `control`: the name of a parameter, or `colours`,
+/// `contrast`, `profile` or `tiles`.
+bool has_effect(const Document& document, std::string_view control);
 
 /// Whether the window shows a lit surface, and whether it shows a normal map.
 bool is_lit(const Document& document);

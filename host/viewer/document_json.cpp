@@ -66,6 +66,12 @@ std::vector<ColourStop> ramp_of(const json& stops) {
     return ramp;
 }
 
+std::string hex(const std::array<float, 3>& colour) {
+    return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * std::clamp(colour[0], 0.0f, 1.0f)),
+                       std::lround(255 * std::clamp(colour[1], 0.0f, 1.0f)),
+                       std::lround(255 * std::clamp(colour[2], 0.0f, 1.0f)));
+}
+
 json json_of(const std::vector<ColourStop>& ramp) {
     json stops = json::array();
     for (const ColourStop& stop : ramp)
@@ -98,12 +104,6 @@ void read_view(json view, Document& document) {
 }
 
 } // namespace
-
-std::string hex(const std::array<float, 3>& colour) {
-    return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * std::clamp(colour[0], 0.0f, 1.0f)),
-                       std::lround(255 * std::clamp(colour[1], 0.0f, 1.0f)),
-                       std::lround(255 * std::clamp(colour[2], 0.0f, 1.0f)));
-}
 
 std::string to_json(const Document& document) {
     ordered_json object = ordered_json::parse(render::to_json(document.request));

@@ -16,9 +16,6 @@ std::string to_json(const Document& document);
 /// Reads such an object; what it lacks is as in `defaults`. Throws RequestError, saying what is accepted.
 Document document_from_json(std::string_view json, const Document& defaults = {});
 
-/// #rrggbb for red, green and blue from 0 to 1.
-std::string hex(const std::array<float, 3>& colour);
-
 /// Names in the order of Output, Look, the colour maps and the profiles of stripes.
 inline constexpr std::array<std::string_view, 8> output_names{"value",    "gradient", "phase", "intensity",
                                                               "variance", "stripes",  "lit",   "lit stripes"};

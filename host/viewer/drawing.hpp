@@ -26,13 +26,6 @@ render::Viewport viewport_of(const Drawing& drawing, const Camera& camera, Exten
 /// painted noise keep at least three values per wave.
 int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double zoom);
 
-/// Reduces a noise to what its statistics need: its value, unfiltered, not on a horizon.
-render::Request value_request(const Drawing& drawing);
-
-/// Plans values of a `value_request` at independent points of instance `draw`. Channel `A` is 0 where a ray
-/// misses the body.
-render::Plan random_points(render::Request request, Extent grid, std::uint32_t draw);
-
 /// Four copies of a tileable picture, two by two, to look for seams.
 struct Tiling {
     Extent tile;                  ///< pixels of a copy

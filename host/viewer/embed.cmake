@@ -1,6 +1,5 @@
-# Writes OUTPUT, a C++ source with the text of every one of FILES, for the viewer to fall back on where there is no
-# folder of shaders. FILES are relative to FOLDER.
-set(text "#include \"viewer/shader_compiler.hpp\"\n\nnamespace gabor::viewer {\n\n")
+# Writes OUTPUT, a C++ source with the text of every one of FILES, which are relative to FOLDER.
+set(text "#include \"viewer/embedded_shaders.hpp\"\n\nnamespace gabor::viewer {\n\n")
 string(APPEND text "std::span<const EmbeddedShader> embedded_shaders() {\n    static constexpr EmbeddedShader all[] = {\n")
 foreach(file ${FILES})
     file(READ ${FOLDER}/${file} content)

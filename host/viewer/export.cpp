@@ -1,6 +1,7 @@
 #include "viewer/export.hpp"
 
 #include "image/exr.hpp"
+#include "image/png.hpp"
 #include "render/maps.hpp"
 #include "render/parameters.hpp"
 #include "render/texture.hpp"
@@ -9,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <utility>
 
 namespace gabor::viewer {
@@ -19,13 +21,54 @@ image::Rect whole(const render::Request& request) {
     return {0, 0, request.width, request.height};
 }
 
+// One of the maps of noise.
+struct NoiseMap {
+    const char* name;
+    Document shown;
+    bool normals = false;
+    int channels = 3;
+    int bits = 8;
+};
+
+std::array<NoiseMap, 3> noise_maps(const Document& document) {
+    const bool stripes = document.output == Output::phasor || document.output == Output::lit_phasor;
+    std::array<NoiseMap, 3> maps{NoiseMap{"base_color.png", document},
+                                 {"normal.png", document, true},
+                                 {"height.png", document, false, 1, 16}};
+    auto& [colour, normal, height] = maps;
+    if (is_lit(document) || shows_normals(document))
+        colour.shown.output = stripes ? Output::phasor : Output::value;
+    normal.shown.output = stripes ? Output::lit_phasor : Output::lit;
+    height.shown.output = stripes ? Output::phasor : Output::value;
+    height.shown.colours = 0;
+    return maps;
+}
+
+// A folder that goes away again if it stays empty.
+struct NewFolder {
+    explicit NewFolder(std::filesystem::path made) : path(std::move(made)) {
+        std::filesystem::create_directories(path);
+    }
+    ~NewFolder() {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    }
+    std::filesystem::path path;
+};
+
 } // namespace
+
+bool can_export_maps(const render::Request& request) {
+    return render::has_maps(render::from_above(request)) ||
+           (std::holds_alternative<render::Plane>(request.view) && !request.colour);
+}
 
 ExportTarget ExportTarget::of(const render::Request& request) const {
     ExportTarget target = *this;
-    if (as == ExportAs::maps && !render::has_maps(render::from_above(request)))
+    target.of_noise = !render::has_material(request);
+    target.as = chosen.value_or(target.of_noise ? ExportAs::picture : ExportAs::maps);
+    if (target.as == ExportAs::maps && !can_export_maps(request))
         target.as = ExportAs::picture;
-    target.heightmap &= render::has_terrain(request) && target.as == ExportAs::picture;
     return target;
 }
 
@@ -39,19 +82,22 @@ std::vector<render::Files> files_of(const ExportTarget& target) {
         each.exr = render::frame_path(exr, frame, frames);
         if (target.png && target.as != ExportAs::texture)
             each.png = render::frame_path(png, frame, frames);
-        if (target.heightmap)
-            each.heightmap = std::filesystem::path(exr).replace_extension(".heightmap.png");
         each.compression = image::compression_names()[target.compression];
     }
     return files;
 }
 
 std::vector<std::filesystem::path> paths_of(const ExportTarget& target) {
-    if (target.as == ExportAs::maps)
-        return render::map_paths(target.folder, {.directx = target.directx});
     std::vector<std::filesystem::path> paths;
+    if (target.as == ExportAs::maps && !target.of_noise)
+        return render::map_paths(target.folder, {.directx = target.directx});
+    if (target.as == ExportAs::maps) {
+        for (const NoiseMap& map : noise_maps({}))
+            paths.push_back(std::filesystem::path(target.folder) / map.name);
+        return paths;
+    }
     for (const render::Files& files : files_of(target))
-        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png, files.heightmap})
+        for (const std::optional<std::filesystem::path>& path : {files.exr, files.png})
             if (path)
                 paths.push_back(*path);
     return paths;
@@ -61,7 +107,8 @@ render::Request exported(const Document& document, ExportAs as) {
     render::Request request = with_output(document.request, document.output);
     if (as == ExportAs::maps)
         request = render::from_above(request);
-    request.filter |= as == ExportAs::texture || (as == ExportAs::maps && !render::has_terrain(request));
+    request.filter |= as == ExportAs::texture || (as == ExportAs::maps && render::has_material(request) &&
+                                                  !render::has_terrain(request));
     return request;
 }
 
@@ -84,6 +131,32 @@ std::string Exporter::result() const {
                             : fmt::format("cancelled after {} files", written_.size());
 }
 
+void Exporter::write_noise_maps(const vulkan::Device& device, const Document& document,
+                                const std::filesystem::path& folder,
+                                const std::function<void(std::uint64_t)>& advance) const {
+    const NewFolder made(folder);
+    const auto maps = noise_maps(document);
+    std::vector<image::PngWriter> writers; // open before the work begins, to fail early
+    for (const NoiseMap& map : maps)
+        writers.emplace_back(folder / map.name, document.request.width, document.request.height, map.channels,
+                             map.bits);
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const NoiseMap& map = maps[i];
+        const render::Request request = exported(map.shown, ExportAs::maps);
+        FileColours colours(device, map.shown, render::channels(request), map.normals);
+        render::render_region(device, request, whole(request), [&](std::span<const float> values) {
+            const std::span<const float> shown = colours.of(values);
+            advance(shown.size() / 3);
+            std::vector<float> row;
+            for (std::size_t at = 0; at < shown.size(); at += map.channels == 1 ? 3 : 1)
+                row.push_back(shown[at]);
+            writers[i].write_rows(row);
+        });
+    }
+    for (image::PngWriter& writer : writers)
+        writer.commit();
+}
+
 void Exporter::run(const Document& document, const ExportTarget& target, const render::Request& request) {
     const Clock::time_point start = Clock::now();
     const vulkan::Device device(selector_);
@@ -91,15 +164,18 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
     const auto frames = static_cast<int>(all.size());
     const auto picture =
         static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
-    const std::uint64_t total = target.as == ExportAs::texture
-                                    ? render::texture_pixels(picture)
-                                    : picture * (all.size() + (target.heightmap ? 1 : 0));
+    const std::uint64_t total = target.as == ExportAs::texture ? render::texture_pixels(picture)
+                                : target.as == ExportAs::maps && target.of_noise
+                                    ? picture * noise_maps(document).size()
+                                    : picture * all.size();
     std::uint64_t done = 0;
     const auto advance = [&](std::uint64_t pixels) {
         done += pixels;
         work_.advance(static_cast<double>(done) / static_cast<double>(total));
     };
-    if (target.as == ExportAs::maps) {
+    if (target.as == ExportAs::maps && target.of_noise) {
+        write_noise_maps(device, document, target.folder, advance);
+    } else if (target.as == ExportAs::maps) {
         render::render_maps(device, request, target.folder, {.directx = target.directx}, advance);
     } else if (target.as == ExportAs::texture) {
         render::render_texture(device, request, whole(request), *all.front().exr,
@@ -108,8 +184,6 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
         std::optional<FileColours> colours;
         for (int frame = 0; frame < frames; ++frame) {
             render::Files files = all[static_cast<std::size_t>(frame)];
-            const render::Files heights{
-                .exr = {}, .png = {}, .heightmap = std::exchange(files.heightmap, {})};
             if (files.png && !shows_plainly(document)) {
                 if (!colours)
                     colours.emplace(device, document, render::channels(request));
@@ -117,11 +191,7 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
             }
             render::render_file(device, render::frame_of(request, frame, frames), whole(request), files,
                                 advance);
-            if (heights.heightmap) {
-                const render::Request above = render::from_above(request);
-                render::render_file(device, above, whole(above), heights, advance);
-            }
-            for (const std::optional<std::filesystem::path>& path : {files.exr, files.png, heights.heightmap})
+            for (const std::optional<std::filesystem::path>& path : {files.exr, files.png})
                 if (path)
                     written_[std::filesystem::absolute(*path)] = file_stamp(*path);
         }
@@ -131,7 +201,7 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
     const std::string size =
         fmt::format("{} x {} pixels in {:.2f} s", request.width, request.height, seconds_since(start));
     if (target.as == ExportAs::maps)
-        result_ = fmt::format("maps in {}: {}", target.folder, size);
+        result_ = fmt::format("maps in the folder {}: {}", target.folder, size);
     else if (target.as == ExportAs::texture)
         result_ = fmt::format("{}: a texture of {}", target.path, size);
     else

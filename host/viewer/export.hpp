@@ -5,33 +5,39 @@
 #include "viewer/document.hpp"
 #include "viewer/file_stamp.hpp"
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace gabor::viewer {
 
-/// What a document is exported as: a picture, the frames of its animation, a mip-mapped texture, or the maps
-/// of its material.
+/// What a document is exported as: a picture, the frames of its animation, a mip-mapped texture, or maps for
+/// other programs: those of a material, or colour, normals and height of noise in the plane.
 enum class ExportAs { picture, frames, texture, maps };
 
 /// Where an export goes and in what form.
 struct ExportTarget {
     std::string path = "noise.exr"; ///< frames are numbered: NAME.0001.exr
     std::string folder = "maps";    ///< of maps
-    ExportAs as = ExportAs::maps;   ///< or a picture, where there are no maps
-    bool png = true;                ///< write a PNG beside each EXR, except for a texture
-    bool heightmap = false;         ///< of terrain: also write NAME.heightmap.png
+    std::optional<ExportAs> chosen; ///< by default a material's maps, or a picture
+    ExportAs as = ExportAs::picture;
+    bool of_noise = false; ///< the maps
+    bool png = true;       ///< write a PNG beside each EXR, except for a texture
     int frames = 24;
     bool half = false;           ///< 16-bit floats in a texture
     bool directx = false;        ///< of maps: also write normals whose green points down
     std::size_t compression = 0; ///< of EXRs, as in image::compression_names()
 
-    /// The target of this request: a picture instead of maps if it has none.
+    /// The target of this request, with the last of these set.
     ExportTarget of(const render::Request& request) const;
     /// The EXR, or the folder of maps.
     const std::string& name() const { return as == ExportAs::maps ? folder : path; }
 };
+
+/// Whether there are maps of this request.
+bool can_export_maps(const render::Request& request);
 
 /// The files that an export writes, but for maps.
 std::vector<render::Files> files_of(const ExportTarget& target);
@@ -63,6 +69,9 @@ class Exporter {
     }
 
   private:
+    void write_noise_maps(const vulkan::Device& device, const Document& document,
+                          const std::filesystem::path& folder,
+                          const std::function<void(std::uint64_t)>& advance) const;
     void run(const Document& document, const ExportTarget& target, const render::Request& request);
 
     std::string selector_;

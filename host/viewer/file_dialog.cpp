@@ -19,7 +19,12 @@ void ask(Session& session, FileDialog dialog, const std::filesystem::path& besid
     dialog.folder = std::filesystem::absolute(beside, unknown).parent_path();
     if (!std::filesystem::is_directory(dialog.folder, unknown))
         dialog.folder = std::filesystem::current_path(unknown);
-    session.dialog = std::move(dialog);
+    if (session.desktop_dialog.is_open())
+        return;
+    if (session.desktop_dialog.open(dialog))
+        session.asked = std::move(dialog);
+    else
+        session.dialog = std::move(dialog);
 }
 
 // Lists these files, photographs, and EXRs, which may be either.
@@ -31,8 +36,7 @@ void ask_to_open(Session& session, const char* title, std::vector<std::string> e
         {.title = title,
          .action = "Open",
          .endings = std::move(endings),
-         .take = [&session](const std::string& path) { open_file(session, path); },
-         .recent = true},
+         .take = [&session](const std::string& path) { open_file(session, path); }},
         beside);
 }
 
@@ -58,33 +62,21 @@ void list(Session& session, FileDialog& dialog) {
     std::ranges::sort(dialog.files);
 }
 
-// What was clicked in a list.
-struct Choice {
-    std::string name;
-    bool twice = false; ///< double-clicked
-};
-
-Choice contents(const FileDialog& dialog) {
-    Choice choice;
+// The list. Returns whether something in it was double-clicked.
+bool contents(FileDialog& dialog) {
+    bool twice = false;
     const auto entry = [&](const std::string& shown, const std::string& name) {
-        if (ImGui::Selectable(shown.c_str(), name == dialog.name, ImGuiSelectableFlags_AllowDoubleClick))
-            choice = {name, ImGui::IsMouseDoubleClicked(0)};
+        if (ImGui::Selectable(shown.c_str(), name == dialog.name, ImGuiSelectableFlags_AllowDoubleClick)) {
+            dialog.name = name;
+            twice = ImGui::IsMouseDoubleClicked(0);
+        }
     };
     entry("..", "..");
     for (const std::string& name : dialog.folders)
         entry(name + "/", name);
     for (const std::string& name : dialog.files)
         entry(name, name);
-    return choice;
-}
-
-Choice recent_files(const Session& session, const FileDialog& dialog) {
-    Choice choice;
-    for (const std::string& path : session.recent)
-        if (std::ranges::find(dialog.endings, lower_extension(path)) != dialog.endings.end() &&
-            ImGui::Selectable(path.c_str(), path == dialog.name, ImGuiSelectableFlags_AllowDoubleClick))
-            choice = {path, ImGui::IsMouseDoubleClicked(0)};
-    return choice;
+    return twice;
 }
 
 } // namespace
@@ -120,7 +112,8 @@ void ask_where_to_save(Session& session) {
              [&session](const std::string& path) {
                  session.document().path = path;
                  save_preset(session);
-             }},
+             },
+         .saves = true},
         session.document().path);
 }
 
@@ -137,6 +130,7 @@ void ask_where_to_export(Session& session) {
                  name = path;
                  start_export(session);
              },
+         .saves = !maps,
          .folder_wanted = maps},
         name);
 }
@@ -156,7 +150,25 @@ void answer_dialog(Session& session) {
     answered.take(path.string());
 }
 
+namespace {
+
+void poll_desktop_dialog(Session& session) {
+    if (!session.desktop_dialog.is_open())
+        return;
+    const std::optional<std::string> path = session.desktop_dialog.poll();
+    if (session.desktop_dialog.is_open())
+        return;
+    FileDialog asked = std::move(session.asked);
+    if (!path)
+        session.dialog = std::move(asked); // it failed
+    else if (!path->empty())
+        asked.take(*path);
+}
+
+} // namespace
+
 void dialog_window(Session& session) {
+    poll_desktop_dialog(session);
     constexpr const char* id = "###file dialog";
     if (session.dialog && !ImGui::IsPopupOpen(id))
         ImGui::OpenPopup(id);
@@ -175,20 +187,9 @@ void dialog_window(Session& session) {
     if (dialog.listed != dialog.folder)
         list(session, dialog);
     ImGui::TextUnformatted(dialog.folder.string().c_str());
-    const bool recent = dialog.recent && !session.recent.empty();
-    const float below = (recent ? 8.5f : 2.0f) * ImGui::GetFrameHeightWithSpacing();
-    ImGui::BeginChild("contents", {0, -below}, true);
-    Choice choice = contents(dialog);
+    ImGui::BeginChild("contents", {0, -2.0f * ImGui::GetFrameHeightWithSpacing()}, true);
+    const bool twice = contents(dialog);
     ImGui::EndChild();
-    if (recent) {
-        ImGui::TextUnformatted("Recent");
-        ImGui::BeginChild("recent", {0, -2.0f * ImGui::GetFrameHeightWithSpacing()}, true);
-        if (Choice late = recent_files(session, dialog); !late.name.empty())
-            choice = std::move(late);
-        ImGui::EndChild();
-    }
-    if (!choice.name.empty())
-        dialog.name = choice.name;
     if (ImGui::IsWindowAppearing())
         ImGui::SetKeyboardFocusHere();
     const float buttons = 8 * em;
@@ -201,7 +202,7 @@ void dialog_window(Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {buttons, 0}))
         session.dialog.reset();
-    else if (entered || taken || choice.twice)
+    else if (entered || taken || twice)
         answer_dialog(session);
     ImGui::EndPopup();
 }

@@ -9,7 +9,8 @@ namespace gabor::viewer {
 
 struct Session;
 
-/// A dialog that asks for a file: a folder's contents, recent files, and a field for the name.
+/// A dialog that asks for a file. Without one of the desktop's it shows a folder's contents, and a field for
+/// the name.
 struct FileDialog {
     std::string title;
     std::string action;               ///< label of its button
@@ -17,8 +18,8 @@ struct FileDialog {
     std::filesystem::path folder = {};
     std::string name = {};                        ///< in the field
     std::function<void(const std::string&)> take; ///< called with the chosen path
-    bool recent = false;                          ///< also list recent files
-    bool folder_wanted = false;                   ///< without a name, take the folder
+    bool saves = false;
+    bool folder_wanted = false; ///< without a name, take the folder
 
     std::filesystem::path listed = {}; ///< folder of the two lists below
     std::vector<std::string> folders = {};
@@ -35,7 +36,7 @@ void ask_where_to_export(Session& session);
 /// Enters the folder that its field names, or takes the file.
 void answer_dialog(Session& session);
 
-/// Draws the dialog, if one is open. Call after all other windows.
+/// Draws the dialog, or takes the answer of the desktop's. Call after all other windows.
 void dialog_window(Session& session);
 
 } // namespace gabor::viewer

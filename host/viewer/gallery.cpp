@@ -46,6 +46,7 @@ void gallery_window(Session& session, float width, float height) {
         const ImVec2 end{corner.x + side, corner.y + side};
         ImGui::SetCursorScreenPos(corner);
         const bool chosen = ImGui::InvisibleButton(name.c_str(), {side, side});
+        tooltip(name);
         draw.AddRect(corner, end,
                      ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark : ImGuiCol_Separator), 0,
                      0, 2);

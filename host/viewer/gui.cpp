@@ -3,14 +3,19 @@
 #include "viewer/target.hpp"
 
 #include <GLFW/glfw3.h>
-#include <imgui.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <imgui_internal.h>
 
 #include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_vulkan.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <cstdio>
 #include <deque>
+#include <filesystem>
+#include <map>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -72,25 +77,67 @@ void set_style(float density) {
     colour[ImGuiCol_PlotHistogram] = dim;
     colour[ImGuiCol_Separator] = {0.2f, 0.205f, 0.22f, 1};
     colour[ImGuiCol_NavHighlight] = accent;
+    colour[ImGuiCol_TitleBg] = colour[ImGuiCol_TitleBgActive] = colour[ImGuiCol_Header];
+    colour[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.5f};
     style.ScaleAllSizes(density);
 }
 
-void load_font(float density) {
-    // A sans font of the desktop, or else Dear ImGui's own.
-    ImGuiIO& io = ImGui::GetIO();
+// A sans font of the desktop; empty if there is none.
+std::string sans_font() {
     for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                              "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
                              "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"})
-        if (std::filesystem::exists(path) && io.Fonts->AddFontFromFileTTF(path, 14.0f * density))
-            return;
-    ImFontConfig config;
-    config.SizePixels = 13.0f * density;
-    io.Fonts->AddFontDefault(&config);
+        if (std::filesystem::exists(path))
+            return path;
+    return {};
 }
 
-void upload_font(const vulkan::Device& device) {
-    Commands(device).run(ImGui_ImplVulkan_CreateFontsTexture);
-    ImGui_ImplVulkan_DestroyFontUploadObjects();
+// The font of the desktop that has most of these characters, and its number in the file, by fontconfig.
+std::pair<std::string, int> font_with(const std::vector<ImWchar>& characters) {
+    constexpr std::size_t enough = 64; // to tell a script
+    const std::size_t asked = std::min(characters.size(), enough);
+    const std::string command = fmt::format("fc-match --format '%{{index}} %{{file}}' ':charset={:x}' 2>&-",
+                                            fmt::join(std::span(characters).first(asked), " "));
+    std::string said(4096, '\0');
+    if (std::FILE* const pipe = ::popen(command.c_str(), "re")) {
+        said.resize(std::fread(said.data(), 1, said.size(), pipe));
+        ::pclose(pipe);
+    }
+    const std::size_t space = said.find(' ');
+    if (space == std::string::npos)
+        return {};
+    return {said.substr(space + 1), std::atoi(said.c_str())};
+}
+
+// Loads the font of all text, and for characters that it lacks others of the desktop: one for each script.
+void build_fonts(float pixels, const std::set<ImWchar>& characters) {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    std::deque<ImVector<ImWchar>> kept; // until the atlas is built
+    const auto add = [&](const std::pair<std::string, int>& font, const auto& wanted) {
+        ImFontConfig config;
+        config.MergeMode = !atlas.Fonts.empty(); // only what is still missing
+        config.FontNo = font.second;
+        ImFontGlyphRangesBuilder ranges;
+        ranges.AddRanges(atlas.GetGlyphRangesDefault());
+        for (const ImWchar character : wanted)
+            ranges.AddChar(character);
+        ranges.BuildRanges(&kept.emplace_back());
+        if (std::filesystem::exists(font.first))
+            atlas.AddFontFromFileTTF(font.first.c_str(), pixels, &config, kept.back().Data);
+    };
+    add({sans_font(), 0}, characters);
+    if (atlas.Fonts.empty()) {
+        ImFontConfig config;
+        config.SizePixels = std::round(13.0f / 14.0f * pixels);
+        atlas.AddFontDefault(&config); // Dear ImGui's own
+    }
+    std::map<int, std::vector<ImWchar>> scripts;
+    for (const ImWchar c : characters)
+        scripts[c < 0x3000 || c >= 0xa000 ? c >> 8 : 0x30].push_back(c); // one for Chinese and Japanese
+    for (const auto& [script, wanted] : scripts)
+        add(font_with(wanted), wanted);
+    atlas.Build();
 }
 
 vk::raii::DescriptorPool make_descriptors(const vulkan::Device& device) {
@@ -103,27 +150,39 @@ vk::raii::DescriptorPool make_descriptors(const vulkan::Device& device) {
 
 Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass, std::uint32_t images,
          float scale)
-    : descriptors_(make_descriptors(device)), density_(window.density()), scale_(scale), font_scale_(scale) {
+    : device_(device), pass_(pass), density_(window.density()), scale_(scale) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // see settings.hpp
     set_style(density_ * scale);
-    load_font(density_ * scale);
     glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's calls it
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
     const vulkan::Device::State& state = device.state();
-    ImGui_ImplVulkan_InitInfo info{};
-    info.Instance = *state.instance;
-    info.PhysicalDevice = *state.physical;
-    info.Device = *state.device;
-    info.QueueFamily = state.family;
-    info.Queue = *state.queue;
-    info.DescriptorPool = *descriptors_;
-    info.MinImageCount = 2;
-    info.ImageCount = std::max(images, 2u);
-    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
-    info.CheckVkResultFn = check_result;
-    ImGui_ImplVulkan_Init(&info, pass);
-    upload_font(device);
+    info_.Instance = *state.instance;
+    info_.PhysicalDevice = *state.physical;
+    info_.Device = *state.device;
+    info_.QueueFamily = state.family;
+    info_.Queue = *state.queue;
+    info_.MinImageCount = 2;
+    info_.ImageCount = std::max(images, 2u);
+    info_.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+    info_.CheckVkResultFn = check_result;
+    load_fonts();
+}
+
+// Starts Dear ImGui's drawing over: it does not free a font's texture before that.
+void Gui::load_fonts() {
+    if (std::exchange(loaded_, true))
+        return;
+    if (info_.DescriptorPool) {
+        device_.state().device.waitIdle();
+        ImGui_ImplVulkan_Shutdown();
+    }
+    build_fonts(14.0f * density_ * scale_, characters_);
+    descriptors_ = make_descriptors(device_);
+    info_.DescriptorPool = *descriptors_;
+    ImGui_ImplVulkan_Init(&info_, pass_);
+    Commands(device_).run(ImGui_ImplVulkan_CreateFontsTexture);
+    ImGui_ImplVulkan_DestroyFontUploadObjects();
 }
 
 Gui::~Gui() {
@@ -136,12 +195,24 @@ void Gui::set_scale(float scale) {
     if (scale == scale_)
         return;
     scale_ = scale;
+    loaded_ = false;
     ImGui::GetStyle() = ImGuiStyle();
     set_style(density_ * scale);
-    ImGui::GetIO().FontGlobalScale = scale / font_scale_;
+}
+
+void Gui::prepare(std::string_view text) {
+    constexpr ImWchar last_of_latin = 0xff; // always loaded
+    for (const char *at = text.data(), *const end = at + text.size(); at < end;) {
+        unsigned int character = 0;
+        at += ImTextCharFromUtf8(&character, at, end);
+        if (character > last_of_latin && character <= IM_UNICODE_CODEPOINT_MAX &&
+            characters_.insert(static_cast<ImWchar>(character)).second)
+            loaded_ = false;
+    }
 }
 
 void Gui::begin() {
+    load_fonts();
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();

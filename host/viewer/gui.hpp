@@ -3,13 +3,16 @@
 #include "viewer/window.hpp"
 #include "vulkan/state.hpp"
 
-#include <filesystem>
+#include <backends/imgui_impl_vulkan.h>
+#include <imgui.h>
 
-struct ImDrawData;
+#include <set>
+#include <string_view>
+#include <vector>
 
 namespace gabor::viewer {
 
-/// Dear ImGui in a window, with its style and font.
+/// Dear ImGui in a window, with its style and fonts.
 class Gui {
   public:
     /// `scale`: size of panels and text relative to the desktop's.
@@ -19,20 +22,28 @@ class Gui {
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    /// Changes the scale; the font keeps its first resolution.
+    /// Changes the scale from the next frame on.
     void set_scale(float scale);
-    /// Begins a frame with the input since the last one.
+    /// Loads the characters of a text from the desktop's fonts, for the next frame on.
+    void prepare(std::string_view text);
+    /// Begins a frame with the input since the last one. The device must have drawn the last one.
     void begin();
     /// Ends the frame; `draw` then records it inside a render pass.
     void end();
     void draw(vk::CommandBuffer commands) const;
 
   private:
-    vk::raii::DescriptorPool descriptors_;
+    void load_fonts();
+
+    const vulkan::Device& device_;
+    vk::RenderPass pass_;
+    vk::raii::DescriptorPool descriptors_ = nullptr;
+    ImGui_ImplVulkan_InitInfo info_{};
     float density_;
-    float scale_;               ///< the current one
-    float font_scale_;          ///< of the font
-    std::vector<int> released_; ///< keys to release after this frame
+    float scale_;
+    std::set<ImWchar> characters_; ///< besides those of western Europe
+    bool loaded_ = false;          ///< the fonts, with all of them
+    std::vector<int> released_;    ///< keys to release after this frame
 };
 
 } // namespace gabor::viewer

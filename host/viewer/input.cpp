@@ -111,6 +111,7 @@ struct Shortcut {
     int key = 0; ///< 0 for what is handled elsewhere
     void (*act)(Session&) = nullptr;
     std::string_view control = {}; ///< control that must have an effect; empty for none
+    const char* without = "";      ///< said if it has none
 };
 
 constexpr std::array shortcuts{
@@ -123,21 +124,20 @@ constexpr std::array shortcuts{
     Shortcut{"V", "the next view", GLFW_KEY_V, [](Session& s) { next_choice(s, "view"); }},
     Shortcut{"F", "filter on and off", GLFW_KEY_F,
              [](Session& s) { set_parameter(s.document(), "filter", !s.document().request.filter); },
-             "filter"},
+             "filter", "There is nothing to filter here"},
     Shortcut{"C", "the next colour map", GLFW_KEY_C,
              [](Session& s) {
                  s.document().colours = (s.document().colours + 1) % static_cast<int>(colour_names.size());
              },
-             "colours"},
+             "colours", "What is shown has its own colours"},
     Shortcut{"N", "the next seed", GLFW_KEY_N, [](Session& s) { ++s.document().request.seed; }},
     Shortcut{"Tab", "the photograph beside its noise, or the noise alone", GLFW_KEY_TAB,
              [](Session& s) { s.photograph_beside ^= s.fitter.photograph() != nullptr; }},
     Shortcut{"T", "a tileable picture two by two, to look for seams", GLFW_KEY_T,
-             [](Session& s) { s.tiles = !s.tiles; }, "tiles"},
+             [](Session& s) { s.tiles = !s.tiles; }, "tiles", "Tiles need a tileable picture"},
     Shortcut{"P", "the presets as pictures", GLFW_KEY_P, [](Session& s) { s.gallery = !s.gallery; }},
-    Shortcut{"M", "frame rate and latency", GLFW_KEY_M, [](Session& s) { s.metered = !s.metered; }},
     Shortcut{"Space", "play time in a loop", GLFW_KEY_SPACE, [](Session& s) { s.playing = !s.playing; },
-             "time"},
+             "time", "Nothing here changes with time"},
     Shortcut{"Ctrl Z", "undo", ctrl + GLFW_KEY_Z,
              [](Session& s) { ImGui::GetIO().KeyShift ? s.history.redo() : s.history.undo(); }},
     Shortcut{"Ctrl Y, Ctrl Shift Z", "redo", ctrl + GLFW_KEY_Y, [](Session& s) { s.history.redo(); }},
@@ -200,12 +200,13 @@ void keys(Session& session) {
         session.help = session.gallery = false;
     if (io.WantTextInput)
         return;
-    for (const auto& [name, effect, key, act, control] : shortcuts) {
-        if (!key || (key >= ctrl) != io.KeyCtrl || !pressed(key % ctrl))
-            continue;
-        const std::string_view dead = control.empty() ? "" : disabled_reason(session.document(), control);
-        dead.empty() ? act(session) : notify(session, std::string(dead));
-    }
+    for (const auto& [name, effect, key, act, control, without] : shortcuts)
+        if (key && (key >= ctrl) == io.KeyCtrl && pressed(key % ctrl)) {
+            if (control.empty() || has_effect(session.document(), control))
+                act(session);
+            else
+                notify(session, without);
+        }
     if (!io.KeyCtrl)
         held_keys(session);
 }

@@ -1,10 +1,13 @@
 #include "viewer/painter.hpp"
 
-#include "viewer/shader_compiler.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <utility>
+
+#include "show_frag.h"
+#include "show_vert.h"
 
 namespace gabor::viewer {
 
@@ -37,9 +40,8 @@ vk::raii::DescriptorPool make_pool(const vk::raii::Device& device) {
                                                  colours_set + 1, size)};
 }
 
-vk::raii::ShaderModule make_module(const vk::raii::Device& device, std::string_view path) {
-    const std::vector<std::uint32_t> spirv = compile_shader(path);
-    return {device, {{}, spirv.size() * sizeof(std::uint32_t), spirv.data()}};
+vk::raii::ShaderModule make_module(const vk::raii::Device& device, std::span<const std::uint32_t> spirv) {
+    return {device, {{}, spirv.size_bytes(), spirv.data()}};
 }
 
 vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
@@ -76,8 +78,8 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
 Painter::Painter(const vulkan::Device& device, vk::RenderPass pass)
     : device_(device), set_layout_(make_set_layout(device.state().device)),
       layout_(make_layout(device.state().device, *set_layout_)), pool_(make_pool(device.state().device)),
-      pass_(pass), vertex_(make_module(device.state().device, "viewer/show.vert")),
-      fragment_(make_module(device.state().device, "viewer/show.frag")) {
+      pass_(pass), vertex_(make_module(device.state().device, show_vert_spirv)),
+      fragment_(make_module(device.state().device, show_frag_spirv)) {
     const std::vector<vk::DescriptorSetLayout> layouts(colours_set + 1, *set_layout_);
     vk::raii::DescriptorSets sets(device.state().device, vk::DescriptorSetAllocateInfo(*pool_, layouts));
     for (vk::raii::DescriptorSet& set : sets)

@@ -3,7 +3,6 @@
 #include "image/exr.hpp"
 #include "render/file.hpp"
 #include "render/load.hpp"
-#include "render/maps.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/photograph.hpp"
 
@@ -109,28 +108,6 @@ void control(Session& session, std::string_view name) {
         attempt(session, [&] { set_parameter(session.document(), name, *edited); });
 }
 
-void recipe_ingredients(render::Request& request) {
-    noise::Recipe recipe = request.recipe;
-    bool changed = slider("impulses N", recipe.impulses, 1, noise::most_impulses, "%d");
-    tooltip("Impulses per cell");
-    changed |= slider("radius R", recipe.radius, 1.0f, noise::largest_radius, "%.2f cells");
-    tooltip("Cells per kernel radius: each pixel visits (ceil(2 R) + 1)^2 N impulses");
-    changed |= slider("floor A", recipe.weight_floor, 0.0f, 1.0f, "%.3f");
-    tooltip("A weight's magnitude is A or 1, equally likely");
-    int power = static_cast<int>(std::lround(std::log2(recipe.phases)));
-    constexpr std::array names{"2, a sine", "4", "8", "16", "32", "64", "128", "256"};
-    if (slider("phases", power, 1, 8, names.at(static_cast<std::size_t>(std::clamp(power, 1, 8) - 1)),
-               ImGuiSliderFlags_NoInput)) {
-        recipe.phases = 1 << std::clamp(power, 1, 8);
-        changed = true;
-    }
-    tooltip("Phases of the impulses, evenly spread over a turn; with 2 each kernel integrates to exactly 0");
-    changed |= ImGui::DragFloat3("window", recipe.window.data(), 0.01f, -10, 10, "%.2f");
-    tooltip("c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2");
-    if (changed && noise::acceptable(recipe))
-        request.recipe = noise::find_recipe(noise::to_string(recipe));
-}
-
 constexpr const char* output_tips[]{
     "The noise itself, of mean 0 and variance 1",
     "Its analytic gradient, as a normal map",
@@ -150,19 +127,21 @@ constexpr const char* look_tips[]{"Lit by a lamp",
 // A slider that a double click sets back.
 void resettable(const char* label, float& value, float low, float high, const char* format,
                 float by_default) {
-    slider(label, value, low, high, format, ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderFloat(label, &value, low, high, format,
+                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     if (reset_asked(label))
         value = by_default;
 }
 
-// What is exported of a document, as in ExportAs. Only a material has maps.
+// What is exported of a document, as in ExportAs.
 constexpr std::string_view exports[]{"a picture", "an animation", "a texture", "a set of maps"};
 constexpr const char* export_tips[]{
     "An EXR of 32-bit floats with its parameters in the header",
     "NAME.0001.exr and so on: the frames of one period, which loops",
     "A mip-mapped, tiled EXR for renderers, with each level filtered. Sides must be powers of two.",
-    "A folder with base colour, normal, height, roughness, metalness and occlusion as PNG and EXR, a "
-    "MaterialX document and a glTF scene"};
+    "A folder of images for other programs: base colour, normal and height, and of a material also "
+    "roughness, "
+    "metalness, occlusion, an EXR of all, a MaterialX document and a glTF scene"};
 
 } // namespace
 
@@ -189,12 +168,12 @@ bool choose_number(const char* label, std::size_t& number, std::span<const std::
     return number != before;
 }
 
-void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour) {
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
     const float pad = ImGui::GetStyle().FramePadding.x;
     draw.AddRectFilled({at.x, at.y}, {at.x + size.x + 2 * pad, at.y + size.y + pad},
                        IM_COL32(12, 13, 15, 200), ImGui::GetStyle().FrameRounding);
-    draw.AddText({at.x + pad, at.y + pad / 2}, colour, text.c_str());
+    draw.AddText(nullptr, 0, {at.x + pad, at.y + pad / 2}, colour, text.c_str(), nullptr, wrap);
 }
 
 namespace {
@@ -238,8 +217,7 @@ void animation_panel(Session& session) {
         session.playing = !session.playing;
     tooltip("Space: play time in a loop from 0 to 1");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX() +
-                            ImGui::GetStyle().WindowPadding.x);
+    ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX());
     control(session, "time");
     resettable("period", session.period, 1, 60, "%.1f s", Session::default_period);
     tooltip("Seconds for one period of the animation");
@@ -304,13 +282,21 @@ void file_panel(Session& session) {
     if (ImGui::Button("Save as...", {third, 0}))
         ask_where_to_save(session);
 
+    if (!session.recent.empty() && ImGui::BeginCombo("##recent", "Recent files")) {
+        for (const std::string& path : std::vector(session.recent)) { // opening one changes the list
+            if (ImGui::Selectable(std::filesystem::path(path).filename().string().c_str()))
+                open_file(session, path);
+            tooltip(path);
+        }
+        ImGui::EndCombo();
+    }
     if (ImGui::BeginCombo("interface", fmt::format("{:.0f} %", 100 * session.ui_scale).c_str())) {
         for (const float scale : {0.75f, 1.0f, 1.25f, 1.5f, 2.0f, 3.0f})
             if (ImGui::Selectable(fmt::format("{:.0f} %", 100 * scale).c_str(), scale == session.ui_scale))
                 session.ui_scale = scale;
         ImGui::EndCombo();
     }
-    tooltip("Size of panels and text; text is sharp after a restart");
+    tooltip("Size of panels and text");
 }
 
 void export_panel(Session& session) {
@@ -319,20 +305,19 @@ void export_panel(Session& session) {
     const render::Request& request = session.document().request;
     ExportTarget& target = session.export_target;
     ExportAs as = target.of(request).as;
-    const std::size_t forms =
-        render::has_maps(render::from_above(request)) ? std::size(exports) : std::size(exports) - 1;
+    const std::size_t forms = can_export_maps(request) ? std::size(exports) : std::size(exports) - 1;
     if (choose("as", as, std::span(exports).first(forms), export_tips))
-        target.as = as;
+        target.chosen = as;
     for (const char* name : {"width", "height"})
         control(session, name);
     if (as == ExportAs::frames) {
-        slider("frames", target.frames, 2, 240, "%d");
+        ImGui::SliderInt("frames", &target.frames, 2, 240);
         target.frames = std::clamp(target.frames, 1, render::most_frames);
     }
-    if (as == ExportAs::maps) {
+    if (as == ExportAs::maps && render::has_material(request)) {
         ImGui::Checkbox("DirectX normals", &target.directx);
         tooltip("Also write normal_directx.png, whose green points down");
-    } else {
+    } else if (as != ExportAs::maps) {
         choose("compression", target.compression, image::compression_names());
         tooltip("Of the EXR; zip and the others lose nothing, and take longer");
     }
@@ -341,10 +326,6 @@ void export_panel(Session& session) {
     if (as == ExportAs::picture || as == ExportAs::frames) {
         ImGui::Checkbox("PNG beside it", &target.png);
         tooltip("Also write what the window shows");
-    }
-    if (render::has_terrain(request) && as == ExportAs::picture) {
-        ImGui::Checkbox("heightmap beside it", &target.heightmap);
-        tooltip("NAME.heightmap.png: heights of 16 bits from above, with their scale in a .json file");
     }
     if (as == ExportAs::maps) {
         ImGui::InputText("folder", &target.folder);
@@ -369,15 +350,8 @@ void export_panel(Session& session) {
 }
 
 void laboratory_panel(Session& session) {
-    render::Request& request = session.document().request;
-    control(session, "recipe");
-    if (!request.recipe.is_lattice() && !render::has_material(request) && ImGui::TreeNode("ingredients")) {
-        recipe_ingredients(request);
-        ImGui::TreePop();
-    }
-    for (const char* name : {"quadrature", "gradient", "phasor", "values"}) // more channels to export
+    for (const char* name : {"recipe", "quadrature", "gradient", "phasor", "values"}) // the last are channels
         control(session, name);
-    measurements_panel(session);
 }
 
 // What is done most, at the top.
@@ -433,6 +407,8 @@ void side_panel(Session& session) {
         Section{"Export", export_panel, false},
         Section{"File", file_panel, false},
         Section{"Laboratory", laboratory_panel, false}};
+    ImGui::BeginChild("sections"); // which scroll below the buttons
+    ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
     for (const Section& section : sections) {
         if (!section.applies(session))
             continue;
@@ -448,6 +424,8 @@ void side_panel(Session& session) {
         if (asked)
             ImGui::SetScrollHereY(1);
     }
+    ImGui::PopItemWidth();
+    ImGui::EndChild();
 }
 
 void unfold_button(Session& session) {
@@ -476,36 +454,32 @@ void reading_overlay(const Session& session, float width) {
     if (session.reading.empty())
         return;
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float left = width - ImGui::CalcTextSize(session.reading.c_str()).x - 2 * style.FramePadding.x;
-    label(*ImGui::GetBackgroundDrawList(), {left - style.WindowPadding.x, style.WindowPadding.x},
-          session.reading, ImGui::GetColorU32(ImGuiCol_Text));
+    const float margin = style.WindowPadding.x;
+    const float wrap = width - 2 * (margin + style.FramePadding.x);
+    const float wide = ImGui::CalcTextSize(session.reading.c_str(), nullptr, false, wrap).x;
+    label(*ImGui::GetBackgroundDrawList(), {width - margin - wide - 2 * style.FramePadding.x, margin},
+          session.reading, ImGui::GetColorU32(ImGuiCol_Text), wrap);
 }
 
-void message_overlay(const Session& session, float height) {
-    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const float margin = ImGui::GetStyle().WindowPadding.x;
-    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
-    const ImU32 red = IM_COL32(255, 120, 100, 255);
-    const auto say = [&](int line, const std::string& what, ImU32 colour) { // counts lines from the bottom
-        const float up = static_cast<float>(line) * (ImGui::GetFrameHeight() + 4);
-        label(draw, {margin, height - up - margin}, what, colour);
+void message_overlay(const Session& session, float width, float height) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float left = style.WindowPadding.x;
+    const float wrap = width - 2 * (left + style.FramePadding.x);
+    float bottom = height - style.WindowPadding.y;
+    const auto say = [&](const std::string& what, ImU32 colour) {
+        bottom -= ImGui::CalcTextSize(what.c_str(), nullptr, false, wrap).y + style.FramePadding.x;
+        label(*ImGui::GetBackgroundDrawList(), {left, bottom}, what, colour, wrap);
+        bottom -= style.ItemSpacing.y;
     };
+    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
     if (const Message& message = session.message; ImGui::GetTime() < message.until)
-        say(1, message.text, message.error ? red : text);
-    const bool closing = session.closing == Closing::after_export;
+        say(message.text, message.error ? IM_COL32(255, 120, 100, 255) : text);
     if (session.exporter.running())
-        say(2,
-            fmt::format("exporting: {:.0f} %{}", 100 * session.exporter.progress(),
-                        closing ? ", then closing" : ""),
+        say(fmt::format("exporting: {:.0f} %{}", 100 * session.exporter.progress(),
+                        session.closing == Closing::after_export ? ", then closing" : ""),
             text);
-    else if (session.fitter.running())
-        say(2, fmt::format("fitting a noise: {:.0f} %", 100 * session.fitter.progress()), text);
-    const std::optional<FrameMeter::Figures> figures = session.meter.figures();
-    if (session.metered && figures)
-        say(3,
-            fmt::format("{:.0f} frames per second, {:.0f} ms from input to picture at most", figures->rate,
-                        1e3 * figures->latency),
-            text);
+    if (session.fitter.running())
+        say(fmt::format("fitting a noise: {:.0f} %", 100 * session.fitter.progress()), text);
 }
 
 void question_window(Session& session) {
@@ -550,8 +524,9 @@ bool number_slider(const char* label, double& value, const render::Range& range,
                    double by_default) {
     auto shown = static_cast<float>(value);
     const ImGuiSliderFlags logarithmic = usual.low > 0 ? ImGuiSliderFlags_Logarithmic : 0;
-    const bool moved = slider(label, shown, static_cast<float>(usual.low), static_cast<float>(usual.high),
-                              "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    const bool moved =
+        ImGui::SliderFloat(label, &shown, static_cast<float>(usual.low), static_cast<float>(usual.high),
+                           "%.3g", logarithmic | ImGuiSliderFlags_NoRoundToFormat);
     if (reset_asked(label)) {
         const bool changed = value != by_default;
         value = by_default;

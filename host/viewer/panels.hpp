@@ -16,15 +16,14 @@ void unfold_button(Session& session);
 /// Parts of it.
 void spectrum_panel(Session& session);
 void ramp_editor(Session& session);
-void measurements_panel(Session& session);
 void help_window(Session& session);
 void question_window(Session& session);
 /// Says on the picture how the view differs from it.
 void view_overlay(const Session& session);
 /// Shows what is under the pointer, at the upper right of a view of this width.
 void reading_overlay(const Session& session, float width);
-/// Shows messages at the foot of the view.
-void message_overlay(const Session& session, float height);
+/// Shows messages at the foot of a view of that size.
+void message_overlay(const Session& session, float width, float height);
 
 /// Handles keys, and the mouse over a view of this size, unless a panel has taken them.
 void handle_input(Session& session, float width, float height);
@@ -53,8 +52,8 @@ bool choose(const char* label, T& value, std::span<const std::string_view> names
 /// The label of a parameter's control.
 std::string label_of(std::string_view name);
 
-/// Draws text on a picture.
-void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour);
+/// Draws text on a picture, in lines no wider than `wrap`, if it is given.
+void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap = 0);
 
 /// Explains the last item once the pointer rests on it; `top`: where, if not beside the pointer.
 void tooltip(std::string_view text, std::optional<float> top = {});
@@ -69,9 +68,5 @@ GalleryPlace gallery_place(float width, float height);
 
 /// Labels the pictures, and opens the preset that is clicked.
 void gallery_window(Session& session, float width, float height);
-
-/// A slider that shows its number away from the grab. For float and int.
-template <typename T>
-bool slider(const char* label, T& value, T low, T high, const char* format, ImGuiSliderFlags flags = 0);
 
 } // namespace gabor::viewer

@@ -101,13 +101,6 @@ std::optional<std::string> fitted_glsl(const Session& session) {
 void photograph_panel(Session& session) {
     Fitter& fitter = session.fitter;
     const float width = ImGui::GetContentRegionAvail().x;
-    if (ImGui::Button("Fit a photograph...", {width, 0}))
-        ask_for_photograph(session);
-    tooltip(
-        "Choose a PNG, JPEG or EXR of a texture, at least 128 x 128 pixels, or drop one on the window. Its "
-        "noise gets the same spectrum, colours and histogram.");
-    if (fitter.path().empty())
-        return;
     ImGui::TextUnformatted(std::filesystem::path(fitter.path()).filename().string().c_str());
     int lobes = fitter.lobes();
     if (ImGui::SliderInt("lobes", &lobes, 1, Fitter::most_lobes, "%d", ImGuiSliderFlags_AlwaysClamp))

@@ -52,12 +52,9 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
     app.set_version_flag("--version", "gabor-viewer " GABOR_VERSION);
     std::string preset;
     std::string size;
-    std::string screenshot;
     Options options;
     app.add_option("FILE,--preset", preset,
                    "Open a JSON file of parameters, an EXR that gabor rendered, or a preset by name")
-        ->type_name("FILE");
-    app.add_option("--screenshot", screenshot, "Save the picture as a PNG of the preset's size, and exit")
         ->type_name("FILE");
     app.add_option("--window", size, "Window size")->type_name("WIDTHxHEIGHT");
     app.add_option("--ui-scale", options.ui_scale,
@@ -78,19 +75,12 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
     options.preset = preset;
     if (!preset.empty())
         options.document = load_document(preset);
-    else if (!screenshot.empty())
-        options.document = document_of({});
     if (!size.empty())
         options.size = parse_size(size);
-    if (!screenshot.empty())
-        options.screenshot = screenshot;
     int signal = 0;
     {
         App viewer(options);
-        if (options.screenshot)
-            viewer.save_picture(*options.screenshot);
-        else
-            signal = viewer.run(hook);
+        signal = viewer.run(hook);
     }
     if (signal) {
         std::signal(signal, SIG_DFL);

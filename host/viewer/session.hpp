@@ -1,16 +1,16 @@
 #pragma once
 
+#include "viewer/desktop_dialog.hpp"
 #include "viewer/document.hpp"
 #include "viewer/drawing.hpp"
 #include "viewer/export.hpp"
-#include "viewer/file_dialog.hpp"
 #include "viewer/fitting.hpp"
-#include "viewer/frame_meter.hpp"
-#include "viewer/measurements.hpp"
+#include "viewer/measured_spectrum.hpp"
 
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gabor::viewer {
@@ -59,7 +59,7 @@ struct Session {
     float divider = 0.5f;          ///< between the two, as a share of the width
     bool dragging_divider = false;
     bool gallery = false; ///< show the presets in place of the view
-    Measurer measurer;
+    SpectrumMeter spectrum;
     std::size_t selected_lobe = 0;
     std::size_t selected_stop = 0; ///< of the colour map
 
@@ -72,13 +72,13 @@ struct Session {
     bool panels = true;
     bool full_screen = false;
     bool help = false;
-    float ui_scale = 1;   ///< size of panels and text, relative to the desktop's
-    bool metered = false; ///< show frame rate and latency
-    std::string reading;  ///< of the pixel under the pointer; empty for none
-    FrameMeter meter;
+    float ui_scale = 1;  ///< size of panels and text, relative to the desktop's
+    std::string reading; ///< of the pixel under the pointer; empty for none
 
     std::optional<Question> question;
     std::optional<FileDialog> dialog;
+    DesktopDialog desktop_dialog;
+    FileDialog asked; ///< with the desktop's dialog
     Message message;
     Closing closing = Closing::no;
 };
@@ -108,6 +108,8 @@ void continue_closing(Session& session);
 /// Runs an action; what it throws becomes a message.
 void attempt(Session& session, const std::function<void()>& action);
 void notify(Session& session, std::string text, bool error = false);
+/// Text on the screen that names files, in any script.
+std::vector<std::string_view> file_names(const Session& session);
 
 /// Reads a document from a JSON file, from an EXR that gabor rendered, or from a preset's name. What it lacks
 /// is as in `defaults`. Throws RequestError if there is none, or its paint is missing.

@@ -4,13 +4,15 @@
 #include "noise/spectrum.hpp"
 #include "render/file.hpp"
 #include "render/renderer.hpp"
-#include "viewer/shader_compiler.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+
+#include "show_comp.h"
 
 namespace gabor::viewer {
 
@@ -42,7 +44,7 @@ std::string_view companion(Output output) {
 } // namespace
 
 ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
-                             bool tiles) {
+                             bool tiles, bool unlit) {
     const auto find = [&](std::string_view name) {
         const auto found = std::ranges::find(channels, name);
         return found == channels.end() ? -1 : static_cast<std::int32_t>(found - channels.begin());
@@ -63,11 +65,12 @@ ShowConstants show_constants(const Document& document, std::span<const std::stri
             find("A"),
             coarse,
             tiles,
-            document.profile};
+            document.profile,
+            unlit};
 }
 
 ShowConstants colours_constants() {
-    return {coloured, 0, 3, 0, -1, -1, 1, 0, 0};
+    return {coloured, 0, 3, 0, -1, -1, 1, 0, 0, 0};
 }
 
 passes::ShowPush show_push(const Document& document, double stride, double zoom) {
@@ -150,10 +153,10 @@ bool shows_plainly(const Document& document) {
 }
 
 FileColours::FileColours(const vulkan::Device& device, const Document& document,
-                         std::span<const std::string> channels)
-    : device_(device), pass_(device, compile_shader("viewer/show.comp"), {2, sizeof(passes::ShowPush)},
+                         std::span<const std::string> channels, bool unlit)
+    : device_(device), pass_(device, show_comp_spirv, {2, sizeof(passes::ShowPush)},
                              std::bit_cast<std::array<std::uint32_t, std::tuple_size_v<ShowConstants>>>(
-                                 show_constants(document, channels, false))),
+                                 show_constants(document, channels, false, false, unlit))),
       push_(show_push(document, 1, 1)), channels_(channels.size()),
       values_(device, 4, vulkan::Memory::upload), colours_(device, 4, vulkan::Memory::readback) {
     if (!render::has_material(document.request) && document.output == Output::lit &&

@@ -14,12 +14,13 @@
 namespace gabor::viewer {
 
 /// The specialization constants of shaders/viewer/show.glsl.
-using ShowConstants = std::array<std::int32_t, 9>;
+using ShowConstants = std::array<std::int32_t, 10>;
 
 /// `channels`: of the values, as in render::channels. Without those that the output needs, the value is
-/// shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two.
+/// shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two. `unlit`:
+/// show the normals of what is lit.
 ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
-                             bool tiles = false);
+                             bool tiles = false, bool unlit = false);
 
 /// Constants that show red, green and blue unchanged.
 ShowConstants colours_constants();
@@ -44,9 +45,10 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
 /// Colours the pixels of a file as the window does: shaders/viewer/show.comp.
 class FileColours {
   public:
-    /// `channels`: of the file's pixels. Throws RequestError for outputs that only the window can show.
-    FileColours(const vulkan::Device& device, const Document& document,
-                std::span<const std::string> channels);
+    /// `channels`: of the file's pixels. `unlit`: as above. Throws RequestError for outputs that only the
+    /// window can show.
+    FileColours(const vulkan::Device& device, const Document& document, std::span<const std::string> channels,
+                bool unlit = false);
 
     /// Returns red, green and blue of each pixel of the next rows, from 0 to 1; valid until the next call.
     std::span<const float> of(std::span<const float> values);

@@ -3,7 +3,7 @@
 #include "fit/glsl.hpp"
 #include "noise/glsl_literal.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/shader_compiler.hpp"
+#include "viewer/embedded_shaders.hpp"
 #include "viewer/show.hpp"
 
 #include "passes/material_interface.h"
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace gabor::viewer {
 
@@ -41,8 +42,12 @@ constexpr Quantity value{
     "The noise, of mean 0 and variance 1.", "float", "noise", "field.value.y", "field.noise", "0.0"};
 constexpr Quantity gradient{"The gradient, per kernel radius.",       "vec2",           "gradient",
                             "vec2(field.slope_x.y, field.slope_y.y)", "field.gradient", "vec2(0.0)"};
-constexpr Quantity relief{"The gradient, per kernel radius, and the noise.",       "vec3", "relief",
-                          "vec3(field.slope_x.y, field.slope_y.y, field.value.y)", "",     "vec3(0.0)"};
+constexpr Quantity relief{"The gradient, per kernel radius, and the noise.",
+                          "vec4",
+                          "relief",
+                          "vec4(field.slope_x.y, field.slope_y.y, 0.0, field.value.y)",
+                          "vec4(field.gradient, field.noise)",
+                          "vec4(0.0)"};
 constexpr Quantity complex_value{"The noise as a complex number: its quadrature, and the noise itself.",
                                  "vec2",
                                  "complex",
@@ -64,8 +69,8 @@ constexpr Quantity colour{"The colour.",
 
 const Quantity& quantity(const Document& document) {
     switch (document.output) {
-    case Output::lit: // on a body without the window's light
-        return render::in_space(document.request) ? quantities::gradient : quantities::relief;
+    case Output::lit:
+        return quantities::relief;
     case Output::gradient:
         return quantities::gradient;
     case Output::phase:
@@ -123,7 +128,10 @@ std::string added(const Quantity& of, const Wave& wave, const std::string& call)
     }
     const double amplitude = wave.amplitude;
     if (&of == &quantities::relief)
-        return fmt::format("    sum += vec3({}, {}) * {};\n", per_radius(amplitude, wave.radius),
+        return fmt::format("    sum += vec4({}, {}) * {};\n",
+                           std::is_same_v<Wave, passes::SolidWave>
+                               ? fmt::format("vec3({})", per_radius(amplitude, wave.radius))
+                               : per_radius(amplitude, wave.radius) + ", 0.0",
                            literal(amplitude), call);
     const std::string factor = &of == &quantities::gradient  ? per_radius(amplitude, wave.radius)
                                : &of == &quantities::removed ? literal(amplitude * amplitude)
@@ -282,19 +290,38 @@ std::string of_space(const render::Request& request, const Quantity& of) {
     return text.append(summed(of));
 }
 
-// The gradient to the picture's right and down.
-std::string gradient_in_picture(const render::Request& request) {
-    std::string right = vec3(1, 0, 0);
-    std::string down = vec3(0, 1, 0);
-    if (std::holds_alternative<render::Body>(request.view)) { // the camera's axes of passes/solid.comp
-        const auto push =
-            render::values_of<passes::SolidPush>(pixel_plan(request).steps.front().push).front();
-        right = vec3(push.yaw.x, push.yaw.y, 0);
-        down = vec3(push.yaw.y * push.pitch.y, -push.yaw.x * push.pitch.y, -push.pitch.x);
-    }
-    return fmt::format("    vec3 g = gradient_of_body(p, normal);\n"
-                       "    vec2 seen = vec2(dot(g, {}), dot(g, {}));\n",
-                       right, down);
+constexpr double eye_distance = 4; // from a body, in radii of the sphere, as in passes/body.glsl
+
+// The push constants of the window's picture.
+template <typename Push>
+Push push_of(const Document& document, Extent extent) {
+    const Drawing drawing = drawing_of(document);
+    const render::Plan plan = render::plan(drawing.request, viewport_of(drawing, document.camera, extent));
+    return render::values_of<Push>(plan.steps.front().push).front();
+}
+
+// The picture's axes to the right, down and towards the eye.
+template <typename Push>
+std::string axes_of(const render::Request& request, const Push& push) {
+    if (!std::holds_alternative<render::Body>(request.view))
+        return "mat3(1.0)";
+    const auto [cos_yaw, sin_yaw] = std::pair(double{push.yaw.x}, double{push.yaw.y});
+    const auto [cos_pitch, sin_pitch] = std::pair(double{push.pitch.x}, double{push.pitch.y});
+    return fmt::format("mat3({}, {}, {})", vec3(cos_yaw, sin_yaw, 0),
+                       vec3(sin_yaw * sin_pitch, -cos_yaw * sin_pitch, -cos_pitch),
+                       vec3(sin_yaw * cos_pitch, -cos_yaw * cos_pitch, sin_pitch));
+}
+
+// Where a point of a body is in the picture: from its middle, in units of its longer side.
+std::string place_of(const render::Request& request, const passes::SolidPush& push, Extent extent) {
+    const double longer = std::max(extent.width, extent.height);
+    const double pixel = double{push.pixel} * longer;
+    if (std::holds_alternative<render::Body>(request.view))
+        return fmt::format("(p * axes).xy / ({} * ({} - dot(p, axes[2])))", literal(pixel),
+                           literal(eye_distance * double{push.unit}));
+    return fmt::format("p.xy / {} - {}", literal(pixel),
+                       vec2((push.first_column + extent.width / 2.0) / longer,
+                            (push.first_row + extent.height / 2.0) / longer));
 }
 
 // In the 8 bits that the window's shader has for it.
@@ -318,16 +345,18 @@ std::string own_colours(const std::vector<ColourStop>& ramp) {
     return text + "    return colour;\n}\n";
 }
 
+std::string_view embedded(std::string_view path) {
+    return std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path)->text;
+}
+
 // The colours that the window shows.
 std::string of_colours(const Document& document, const Quantity& of, Extent extent) {
     const render::Request& request = document.request;
     const bool space = render::in_space(request);
-    const bool relief = &of == &quantities::relief;
-    const bool lit_stripes = document.output == Output::lit_phasor && !space;
+    const bool lit = is_lit(document);
+    const bool lit_stripes = document.output == Output::lit_phasor;
+    const double scale = request.scale * document.camera.zoom;
     const std::string contrast = literal(document.contrast);
-    const auto embedded = [](std::string_view path) {
-        return std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path)->text;
-    };
     const bool own = document.colours == passes::own_colours;
     const auto mapped = [&](const std::string& share) {
         return own ? fmt::format("viewer_own_colour({})", share)
@@ -340,45 +369,57 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
     std::string text = fmt::format("\n{}\n", embedded("viewer/colours.glsl"));
     if (own)
         text += own_colours(document.ramp) + "\n";
-    if (relief || lit_stripes)
+    if (lit)
         text += fmt::format("{}\n", embedded("passes/light.glsl"));
     if (lit_stripes)
-        text += fmt::format("float stripes_of_view(vec2 pixel)\n{{\n    return {};\n}}\n\n",
-                            stripes("complex_of_view(pixel)"));
-    text += space && is_lit(document) ? "// What the viewer showed there, without its light.\n"
-                                      : "// What the viewer showed there.\n";
+        text += fmt::format("float stripes_of_{0})\n{{\n    return {1};\n}}\n\n",
+                            space ? "body(vec3 p, vec3 normal" : "view(vec2 pixel",
+                            stripes(space ? "complex_of_body(p, normal)" : "complex_of_view(pixel)"));
+    text += "// What the viewer showed there.\n";
     text += space ? "vec3 colour_of_body(vec3 p, vec3 normal)\n{\n" : "vec3 colour_of_view(vec2 pixel)\n{\n";
-    if (space && &of == &quantities::gradient)
-        text += gradient_in_picture(request);
+    const auto push = space ? push_of<passes::SolidPush>(document, extent) : passes::SolidPush{};
+    if (space && (lit || of.name == quantities::gradient.name))
+        text +=
+            fmt::format("    mat3 axes = {}; // to the right, down and to the eye\n", axes_of(request, push));
+    if (space && of.name == quantities::gradient.name)
+        text += "    vec2 seen = (gradient_of_body(p, normal) * axes).xy;\n";
     else if (!lit_stripes)
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
                             space ? "body(p, normal)" : "view(pixel)");
-    const double slope = 0.5 * document.contrast / slope_deviation(request);
-    // As lit_surface of shaders/viewer/show.glsl.
-    const auto lit = [&](std::string_view slopes, const std::string& colour) {
+    if (lit) { // as lit_surface of shaders/viewer/show.glsl
+        const double relief = 0.5 * document.contrast / slope_deviation(request);
         const auto [right, below] = render::light_direction(request);
-        return fmt::format(R"(    vec3 normal = normalize(vec3(-{} * {}, 1.0));
-    vec2 place = (pixel - {}) / {};
-    vec3 linear = pow({}, vec3(2.2));
-    vec3 light = clamp(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, {})), 0.0, 1.0);
-    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
+        text +=
+            space
+                ? fmt::format("    vec2 place = {};\n", place_of(request, push, extent))
+                : fmt::format("    vec3 normal = vec3(0.0, 0.0, 1.0);\n    vec2 place = (pixel - {}) / {};\n",
+                              vec2(extent.width / 2.0, extent.height / 2.0),
+                              literal(std::max(extent.width, extent.height)));
+        if (!lit_stripes)
+            text += fmt::format("    vec3 slope = {} * seen.xyz{};\n    vec3 colour = {};\n", literal(relief),
+                                space ? " * axes" : "",
+                                mapped(fmt::format("viewer_value(seen.w, {})", contrast)));
+        else // differences from the pixels to the left and above
+            text += fmt::format(
+                "    float height = stripes_of_{0};\n"
+                "    vec3 slope = {1} * vec3(height - stripes_of_{2}, height - stripes_of_{3}, 0.0);\n"
+                "    vec3 colour = {4};\n",
+                space ? "body(p, normal)" : "view(pixel)", literal(2 * relief * scale),
+                space ? "body(p - dFdx(p), normal)" : "view(pixel - vec2(1.0, 0.0))",
+                space ? "body(p - dFdy(p) * sign(dot(dFdy(p), axes[1])), normal)"
+                      : "view(pixel - vec2(0.0, 1.0))",
+                mapped("height"));
+        if (space)
+            text += "    normal = normalize(normal * axes);\n";
+        return text + fmt::format(R"(    normal = normalize(normal - (slope - dot(slope, normal) * normal));
+    vec3 linear = pow(colour, vec3(2.2));
+    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, {})));
 }}
 )",
-                           literal(slope), slopes, vec2(extent.width / 2.0, extent.height / 2.0),
-                           literal(std::max(extent.width, extent.height)), colour, vec2(right, below));
-    };
-    if (relief)
-        return text + lit("seen.xy", mapped(fmt::format("viewer_value(seen.z, {})", contrast)));
-    if (lit_stripes)
-        return text +
-               fmt::format("    float height = stripes_of_view(pixel);\n"
-                           "    vec2 slope = {} * (height - vec2(stripes_of_view(pixel - vec2(1.0, 0.0)),\n"
-                           "        stripes_of_view(pixel - vec2(0.0, 1.0))));\n",
-                           literal(2 * request.scale * document.camera.zoom)) +
-               lit("slope", mapped("height"));
+                                  vec2(right, below));
+    }
     std::string shown;
     switch (document.output) {
-    case Output::lit:
     case Output::gradient:
         shown = fmt::format("viewer_gradient(seen, {}, {}, {})", literal(slope_deviation(request)), contrast,
                             literal(document.directx_normals ? -1 : 1));
@@ -387,7 +428,6 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
         shown = fmt::format("viewer_phase(seen, {})", document.colours);
         break;
     case Output::phasor:
-    case Output::lit_phasor:
         shown = mapped(stripes("seen"));
         break;
     case Output::intensity:
@@ -397,17 +437,12 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
         shown = mapped("viewer_variance(seen)");
         break;
     case Output::value:
+    case Output::lit:
+    case Output::lit_phasor:
         shown = mapped(fmt::format("viewer_value(seen, {})", contrast));
         break;
     }
     return text + fmt::format("    return {};\n}}\n", shown);
-}
-
-// A call at a place, with the steps to the next pixels if it is filtered.
-std::string call(const render::Request& request, std::string_view p, std::string_view dx,
-                 std::string_view dy) {
-    return request.filter ? fmt::format("material_at(gabor_pixel_filtered({}, {}, {}))", p, dx, dy)
-                          : fmt::format("material_at(gabor_pixel({}))", p);
 }
 
 // The material with its parameters.
@@ -421,7 +456,8 @@ std::string material_function(const render::Request& request) {
                         ? static_cast<char>(std::toupper(static_cast<unsigned char>(function[i])))
                         : function[i];
     std::string text = fmt::format(R"(
-GaborMaterial material_at(GaborPixel pixel)
+// The material at p, in its own units; dx and dy lead to the next pixels.
+GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)
 {{
     {} m = gabor_{}_default();
 )",
@@ -437,86 +473,110 @@ GaborMaterial material_at(GaborPixel pixel)
                             colour ? vec3((*colour)[0], (*colour)[1], (*colour)[2])
                                    : literal(angle ? noise::radians(number) : number));
     }
+    text += fmt::format("    GaborPixel pixel = {};\n",
+                        request.filter ? "gabor_pixel_filtered(p, dx, dy)" : "gabor_pixel(p)");
     const auto* plane = std::get_if<render::Plane>(&request.view);
     if (plane && plane->tileable)
         text += fmt::format("    pixel = gabor_pixel_tiled(pixel, {});\n",
                             vec2(request.width / request.scale, request.height / request.scale));
-    return text + fmt::format("    return gabor_{}_at(pixel, m, {}u);\n}}\n", function, request.seed);
+    return text + fmt::format("    return gabor_{}_at(pixel, m, {}u);\n}}\n\n", function, request.seed);
 }
 
-std::string material_of_body(const render::Request& request) {
-    const auto on = [&](std::string_view plane) {
-        return call(request, plane, fmt::format("dFdx({})", plane), fmt::format("dFdy({})", plane));
-    };
-    return fmt::format(R"(
-// p: a point of the body, in units of the material. normal: of the surface there, of length 1. The material lies on the
-// planes of the axes, and is seen on those that the surface faces.
-GaborMaterial material_of_body(vec3 p, vec3 normal)
-{{
-    vec3 share = pow(abs(normal), vec3(8.0));
-    share /= share.x + share.y + share.z;
-    vec2 on_x = vec2(p.y, -p.z);
-    vec2 on_y = vec2(p.x, -p.z);
-    vec2 on_z = p.xy;
-    GaborMaterial x = {};
-    GaborMaterial y = {};
-    GaborMaterial z = {};
-    return GaborMaterial(share.x * x.colour + share.y * y.colour + share.z * z.colour,
-                         dot(share, vec3(x.height, y.height, z.height)),
-                         dot(share, vec3(x.roughness, y.roughness, z.roughness)),
-                         dot(share, vec3(x.metalness, y.metalness, z.metalness)));
-}}
-)",
-                       on("on_x"), on("on_y"), on("on_z"));
-}
-
-std::string material_of_plane(const render::Request& request, const passes::MaterialPush& push,
-                              Extent extent) {
-    std::string text = fmt::format(R"(
-// pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing downwards.
-GaborMaterial material_of_view(vec2 pixel)
-{{
-)",
-                                   extent.width, extent.height);
-    if (push.sky > 0)
-        text += fmt::format(
-            "    vec2 at = pixel - {0};\n"
-            "    float near = {1} / max(at.y, 1e-3); // units of the material per pixel; above is the sky\n"
-            "    vec2 p = {2} + near * vec2(at.x, {3});\n"
-            "    vec2 dx = vec2(near, 0.0);\n"
-            "    vec2 dy = near / max(at.y, 1e-3) * vec2(-at.x, {4});\n",
-            vec2(double{push.center.x}, double{push.sky}), literal(double{push.pixel}),
-            vec2(double{push.corner.x}, double{push.corner.y}), literal(-extent.width),
-            literal(extent.width));
-    else
-        text += fmt::format("    vec2 p = {0} + {1} * pixel;\n"
-                            "    vec2 dx = vec2({1}, 0.0);\n"
-                            "    vec2 dy = vec2(0.0, {1});\n",
-                            vec2(double{push.corner.x}, double{push.corner.y}), literal(double{push.pixel}));
-    return text + fmt::format("    return {};\n}}\n", call(request, "p", "dx", "dy"));
+// What the window shows of a `relief`, whose `normal` and `slope` are those in the picture.
+std::string material_colour(const Document& document) {
+    const auto [right, below] = render::light_direction(document.request);
+    switch (document.look) {
+    case Look::lit:
+        return fmt::format("srgb(lit(Surface(m.colour, m.roughness, m.metalness), "
+                           "bumped_normal(normal, slope), eye, lamp_above(place, {})))",
+                           vec2(right, below));
+    case Look::colour:
+        return "srgb(m.colour)";
+    case Look::height:
+        return fmt::format("vec3(0.5 + m.height / {})", literal(0.1 * double{document.contrast}));
+    case Look::normal:
+        return fmt::format("0.5 + 0.5 * normalize(vec3(-slope.xy, 1.0)) * vec3(1.0, {}, 1.0)",
+                           document.directx_normals ? "1.0" : "-1.0");
+    case Look::roughness:
+        return "vec3(m.roughness)";
+    case Look::metalness:
+        break;
+    }
+    return "vec3(m.metalness)";
 }
 
 std::string material_snippet(const Document& document, Extent extent) {
     const render::Request& request = document.request;
-    const std::string text =
-        fmt::format(R"(// A material of Gabor noise, as gabor-viewer showed it: put after #version.
+    const auto push = push_of<passes::MaterialPush>(document, extent);
+    std::string text = fmt::format(
+        R"(// A material of Gabor noise, as gabor-viewer showed it: put after #version.
 #include "gabor_lattice.glsl" // or paste it here
 #include "gabor_spectrum.glsl" // and this one
 #include "gabor_materials.glsl" // and this one
-{})",
-                    material_function(request));
-    if (render::in_space(request))
-        return text + material_of_body(request);
-    const render::Plan plan =
-        render::plan(request, viewport_of(drawing_of(document), document.camera, extent));
-    const auto push = render::values_of<passes::MaterialPush>(plan.steps.front().push).front();
-    return text + material_of_plane(request, push, extent);
+{}{}
+{}
+)",
+        material_function(request), embedded("passes/relief.glsl"), embedded("passes/light.glsl"));
+    const double wide = double{push.size.x};
+    const std::string pixel = literal(double{push.pixel});
+    const std::string corner = vec2(double{push.corner.x}, double{push.corner.y});
+    const bool body = render::in_space(request);
+    const bool horizon = push.sky > 0;
+    if (body)
+        text += fmt::format(
+            R"(// What the viewer showed there, in a fragment shader. p: a point of the body, in units of the material.
+// normal: of the surface there, of length 1.
+vec3 colour_of_body(vec3 p, vec3 normal)
+{{
+    mat3 axes = {}; // to the right, down and to the eye
+    Relief relief = relief_at(p, dFdx(p), dFdy(p), normal, true);
+    normal = normal * axes;
+    vec3 slope = relief.slope * axes;
+    vec3 eye = normalize(vec3(0.0, 0.0, {}) - p * axes);
+)",
+            axes_of(request, push), literal(eye_distance * double{push.unit}));
+    else
+        text += fmt::format(
+            R"(// What the viewer showed there. pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y
+// growing downwards.
+vec3 colour_of_view(vec2 pixel)
+{{
+    vec3 normal = vec3(0.0, 0.0, 1.0);
+)",
+            extent.width, extent.height);
+    if (horizon)
+        text += fmt::format("    vec2 at = pixel - {};\n"
+                            "    if (at.y <= 0.0)\n"
+                            "        return {};\n"
+                            "    float near = {} / at.y;\n"
+                            "    vec2 p = {} + near * vec2(at.x, {});\n"
+                            "    vec2 dx = vec2(near, 0.0), dy = near / at.y * vec2(-at.x, {});\n"
+                            "    vec3 eye = normalize(vec3(-at.x, {}, at.y));\n",
+                            vec2(double{push.center.x}, double{push.sky}),
+                            document.look == Look::lit
+                                ? fmt::format("srgb(sky_colour(-at.y / {}))", literal(double{push.sky}))
+                                : "vec3(0.0)",
+                            pixel, corner, literal(-wide), literal(wide), literal(wide));
+    else if (!body)
+        text += fmt::format("    vec2 p = {} + {} * pixel;\n"
+                            "    vec2 dx = vec2({}, 0.0), dy = dx.yx;\n",
+                            corner, pixel, pixel);
+    if (!body)
+        text += "    Relief relief = relief_at(vec3(p, 0.0), vec3(dx, 0.0), vec3(dy, 0.0), normal, false);\n"
+                "    vec3 slope = relief.slope;\n";
+    if (body || horizon)
+        text += "    vec2 place = vec2(0.0); // below the lamp\n";
+    else
+        text += fmt::format("    vec2 place = (pixel - {}) / {};\n"
+                            "    vec3 eye = eye_above(place);\n",
+                            vec2(double{push.center.x}, double{push.center.y}),
+                            literal(double{std::max(push.size.x, push.size.y)}));
+    return text + fmt::format("    GaborMaterial m = relief.material;\n    return {};\n}}\n",
+                              material_colour(document));
 }
 
 std::string terrain_snippet(const Document& document, Extent extent) {
-    const render::Plan plan =
-        render::plan(document.request, viewport_of(drawing_of(document), document.camera, extent));
-    const auto push = render::values_of<passes::TerrainPush>(plan.steps.front().push).front();
+    const auto push = push_of<passes::TerrainPush>(document, extent);
     const render::Terrain& terrain = std::get<render::Terrain>(document.request.view);
     const render::Erosion& e = terrain.erosion;
     std::string members = fmt::format("{}", e.octaves);
@@ -525,8 +585,6 @@ std::string terrain_snippet(const Document& document, Extent extent) {
         members += ", " + literal(value);
     const auto pair = [](const passes::vec2& v) { return vec2(double{v.x}, double{v.y}); };
     const std::string pixel = literal(double{push.pixel});
-    const auto landscape =
-        std::ranges::find(embedded_shaders(), "passes/landscape.glsl", &EmbeddedShader::path);
     const std::string seen =
         terrain.perspective
             ? fmt::format("    vec2 yaw = {}, pitch = {};\n"
@@ -553,8 +611,9 @@ vec3 colour_of_view(vec2 pixel)
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
 }}
 )",
-                       landscape->text, extent.width, extent.height, members, push.cell.x, push.cell.y,
-                       pair(push.period), push.seed, literal(double{push.reach}), pair(push.sun), seen);
+                       embedded("passes/landscape.glsl"), extent.width, extent.height, members, push.cell.x,
+                       push.cell.y, pair(push.period), push.seed, literal(double{push.reach}), pair(push.sun),
+                       seen);
 }
 
 } // namespace

@@ -134,22 +134,7 @@ void move_lobe(const Plane& plane, noise::Lobe& lobe, double sign, ImVec2 handle
     lobe.orientation = noise::degrees(std::atan2(fy, fx));
 }
 
-// Whether two lobes would overlap.
-bool coincide(const noise::Lobe& a, const noise::Lobe& b) {
-    return std::abs(std::remainder(a.orientation - b.orientation, 180.0)) < 10 &&
-           std::abs(std::log2(a.frequency / b.frequency)) < 0.2;
-}
-
-// Adds a lobe, turned until it overlaps no other.
-void add_lobe(Session& session, std::vector<noise::Lobe>& lobes, noise::Lobe lobe) {
-    const auto taken = [&] {
-        return std::ranges::any_of(lobes, [&](const noise::Lobe& other) { return coincide(lobe, other); });
-    };
-    for (int turn = 1; taken(); ++turn) {
-        lobe.orientation = std::remainder(lobe.orientation + 22.5, 360.0);
-        if (turn % 8 == 0)
-            lobe.frequency *= 1.25;
-    }
+void add_lobe(Session& session, std::vector<noise::Lobe>& lobes, const noise::Lobe& lobe) {
     lobes.push_back(lobe);
     session.selected_lobe = lobes.size() - 1;
 }
@@ -198,12 +183,13 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
             session.selected_lobe = i;
     }
     if (ImGui::SmallButton("add")) {
-        add_lobe(session, lobes, lobes[std::min(session.selected_lobe, lobes.size() - 1)]);
+        noise::Lobe lobe = lobes[std::min(session.selected_lobe, lobes.size() - 1)];
+        lobe.orientation = std::remainder(lobe.orientation + 22.5, 360.0); // beside the selected one
+        add_lobe(session, lobes, lobe);
         changed = true;
     }
     tooltip("Add a lobe: another noise, which costs as much");
     if (lobes.size() > 1 && session.selected_lobe < lobes.size()) {
-        ImGui::SameLine();
         if (ImGui::SmallButton("remove"))
             changed |= remove_lobe(session, lobes);
         tooltip("Delete");
@@ -257,7 +243,7 @@ void spectrum_panel(Session& session) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(8, 9, 11, 255));
-    const std::optional<MeasuredSpectrum>& measured = session.measurer.measured().spectrum;
+    const std::optional<MeasuredSpectrum>& measured = session.spectrum.measured();
     if (measured && render::is_flat(session.document().request.view))
         draw_measured(draw, plane, *measured);
     draw_scale(draw, plane);

@@ -31,12 +31,10 @@ Extent screen() {
 
 } // namespace
 
-Window::Window(const Placement& placement, bool visible) {
+Window::Window(const Placement& placement) {
     glfwSetErrorCallback(note_error);
     if (!glfwInit())
-        throw std::runtime_error(fmt::format("no display ({}): start it on a desktop, or under xvfb-run for "
-                                             "pictures",
-                                             last_error));
+        throw std::runtime_error(fmt::format("no display ({}): start it on a desktop", last_error));
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, placement.maximized);
@@ -53,8 +51,7 @@ Window::Window(const Placement& placement, bool visible) {
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
     if (placement.x >= 0 && placement.y >= 0)
         glfwSetWindowPos(window_, placement.x, placement.y);
-    if (visible)
-        glfwShowWindow(window_);
+    glfwShowWindow(window_);
 }
 
 Window::~Window() {

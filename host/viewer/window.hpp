@@ -20,7 +20,7 @@ struct Placement {
 /// A GLFW window. Throws std::runtime_error if there is no display.
 class Window {
   public:
-    Window(const Placement& placement, bool visible);
+    explicit Window(const Placement& placement);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;

@@ -35,22 +35,7 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
     return GABOR_MATERIAL(there, look, seed);
 }
 
-// A plane in space that carries the material, and its origin's place on the material: far from those of other planes, which
-// would otherwise mirror each other where they meet.
-struct Plane {
-    vec3 right;
-    vec3 down;
-    vec2 origin;
-};
-
-Plane plane_along(int axis) {
-    return Plane(axis == 0 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0),
-                 axis == 2 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, -1.0), vec2(64.0 * float(2 - axis)));
-}
-
-vec2 on_plane(vec3 v, Plane plane) {
-    return vec2(dot(v, plane.right), dot(v, plane.down));
-}
+#include "relief.glsl"
 
 void main() {
     look = parameters; // before any branch, or lavapipe would load it once for each invocation
@@ -100,34 +85,10 @@ void main() {
         eye = normalize(in_picture(eye_distance * axes.toward_eye - seen.p, axes));
     }
 
-    // Projects the material onto a body from three planes along the axes, weighted by how much the surface faces each. Slopes
-    // are over a pixel's smaller side. It is a loop so that compilers do not inline the material three times.
-    vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
-    facing /= facing.x + facing.y + facing.z;
-    GaborMaterial m = GaborMaterial(vec3(0.0), 0.0, 0.0, 0.0);
-    vec3 slope = vec3(0.0);
-    for (int axis = body ? 0 : 2; axis < 3; ++axis) {
-        float share = facing[axis];
-        if (share < 0.01)
-            continue;
-        Plane plane = plane_along(axis);
-        vec2 step_x = on_plane(dx, plane);
-        vec2 step_y = on_plane(dy, plane);
-        float side = min(length(step_x), length(step_y));
-        for (int i = 0; i < 5; ++i) { // the place, then half a side to the right, left, down and up
-            vec2 along = i == 0 ? vec2(0.0) : (i % 2 == 0 ? -0.5 : 0.5) * (i < 3 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-            GaborMaterial there = material_at(plane.origin + on_plane(p, plane) + side * along, step_x, step_y);
-            if (i == 0) {
-                m.colour += share * there.colour;
-                m.height += share * there.height;
-                m.roughness += share * there.roughness;
-                m.metalness += share * there.metalness;
-            } else {
-                slope += share * there.height / side * (2.0 * along.x * plane.right + 2.0 * along.y * plane.down);
-            }
-        }
-    }
-    vec3 bumped = normalize(normal - (slope - dot(slope, normal) * normal));
+    Relief relief = relief_at(p, dx, dy, normal, body);
+    GaborMaterial m = relief.material;
+    vec3 slope = relief.slope;
+    vec3 bumped = bumped_normal(normal, slope);
     if (body)
         bumped = in_picture(bumped, axes);
     vec3 light = lit(Surface(m.colour, m.roughness, m.metalness), bumped, eye, lamp_above(seen_from, lamp));

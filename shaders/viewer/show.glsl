@@ -16,17 +16,13 @@ layout(constant_id = 5) const int coverage_at = -1; // channel of the coverage, 
 layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
 layout(constant_id = 7) const bool tiles = false;   // whether to repeat the canvas two by two
 layout(constant_id = 8) const int profile = 0;      // of stripes
+layout(constant_id = 9) const bool unlit = false;   // whether to show the normals of what is lit
 
 // A channel at a pixel.
 float value_at(vec2 pixel, int channel);
 
 vec3 three_at(vec2 pixel, int first) {
     return vec3(value_at(pixel, first), value_at(pixel, first + 1), value_at(pixel, first + 2));
-}
-
-vec3 srgb(vec3 light) {
-    light = clamp(light, 0.0, 1.0);
-    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, greaterThan(light, vec3(0.0031308)));
 }
 
 // The colour of a share from 0 to 1.
@@ -52,6 +48,8 @@ vec3 lit_surface(vec2 pixel, vec3 colour, vec3 slope) {
         slope -= dot(slope, normal) * normal;
     }
     normal = normalize(normal - slope * (0.5 * contrast / deviation));
+    if (unlit)
+        return viewer_normal(normal, green);
     vec2 whole = tiles ? 2.0 * size : size;
     vec2 place = (pixel - 0.5 * whole) / max(whole.x, whole.y);
     vec3 linear = pow(colour, vec3(2.2));
@@ -64,7 +62,9 @@ float stripes(vec2 pixel) {
 
 vec3 lit_stripes(vec2 pixel) {
     float height = stripes(pixel);
-    vec2 slope = height - vec2(stripes(pixel - vec2(stride, 0.0)), stripes(pixel - vec2(0.0, stride)));
+    vec2 at = max(pixel, vec2(1.5 * stride)); // the first row and column have the slopes of the next
+    vec2 slope = vec2(stripes(vec2(at.x, pixel.y)) - stripes(vec2(at.x - stride, pixel.y)),
+                      stripes(vec2(pixel.x, at.y)) - stripes(vec2(pixel.x, at.y - stride)));
     return lit_surface(pixel, mapped(height), vec3(2.0 * slope / spacing, 0.0));
 }
 

@@ -8,7 +8,7 @@
 GABOR_INTERFACE_BEGIN
 
 const uint show_group = 256; // pixels, in files
-const int own_colours = 5;  // the number of the user's colour map
+const int own_colours = 5;   // the number of the user's colour map
 
 GABOR_PUSH_CONSTANTS(ShowPush) {
     vec2 origin;     // of the canvas in the framebuffer, pixels

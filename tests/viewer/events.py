@@ -18,8 +18,8 @@ PATIENCE = 120 # seconds, after which something is wrong on any machine
 
 
 class EventsTest(ViewerTest):
-    def open(self, *arguments):
-        self.process = self.start(*arguments, program=WATCHED_VIEWER)
+    def open(self, *arguments, **changes):
+        self.process = self.start(*arguments, program=WATCHED_VIEWER, **changes)
         self.addCleanup(self.process.kill)
         self.said = threading.Condition()
         self.state = None

@@ -1,6 +1,7 @@
 """What artists come for: materials, photographs, a dialog for files."""
 
 import json
+import os
 import pathlib
 import sys
 import unittest
@@ -51,7 +52,7 @@ class Artist(EventsTest):
         self.assertGreater(np.abs(colour - lit)[inside].mean(), 10)
         copied = (self.folder / "material.glsl").read_text()
         for line in ("GaborBrushedMetal m = gabor_brushed_metal_default();", "m.contrast = 0.2", "m.colour = vec3(0.6, 0.4, 0.2",
-                     "return gabor_brushed_metal_at(pixel, m, 0u);"):
+                     "return gabor_brushed_metal_at(pixel, m, 0u);", "return srgb(m.colour);"):
             self.assertIn(line, copied)
 
     def test_a_photograph_becomes_a_noise(self):
@@ -184,6 +185,66 @@ class Artist(EventsTest):
         self.keys("n")
         self.assertEqual(self.document["seed"], 1)
         self.close()
+
+    def test_names_in_any_script_are_drawn(self):
+        # The last one's characters are in no font of the panel, but in others of the desktop.
+        scripts = {"latin": "ab", "cyrillic": "жщ", "greek": "ψω", "arabic": "شق", "symbols": "⌶⌷"}
+        seen = {}
+        for name, (first, second) in scripts.items():
+            with self.subTest(name):
+                for character in (first, second):
+                    folder = self.folder / f"{name}-{character}"
+                    folder.mkdir()
+                    (folder / f"{4 * character}.json").write_text("{}")
+                    self.open(*WINDOW, folder / f"{4 * character}.json")
+                    self.keys("ctrl+o")
+                    self.frames(4)
+                    row = self.screen(30, 85, 120, 24) # below the folder above
+                    seen[character] = row
+                    self.assertGreater((row.max(axis=2) > 150).sum(), 20)
+                    self.keys("Escape")
+                    self.close()
+                self.assertGreater((np.abs(seen[first] - seen[second]).max(axis=2) > 100).sum(), 20)
+
+    def test_the_desktop_asks_for_files_where_there_is_one(self):
+        (self.folder / "mine.json").write_text('{"frequency": 3, "width": 64, "height": 64}')
+        programs = self.folder / "bin"
+        programs.mkdir()
+        for name in ("zenity", "kdialog"):
+            (programs / name).write_text(f"""#!/bin/sh
+                echo {name} "$@" >> asked.txt
+                cat answer.txt
+                exit $(cat status.txt)""")
+            (programs / name).chmod(0o755)
+
+        def answers(status, path=""):
+            (self.folder / "status.txt").write_text(str(status))
+            (self.folder / "answer.txt").write_text(f"{path}\n")
+            (self.folder / "asked.txt").unlink(missing_ok=True)
+
+        def asked():
+            self.wait_for(lambda state: not state["asked"] and self.read("asked.txt"))
+            return self.read("asked.txt").decode()
+
+        for desktop in ("GNOME", "KDE"):
+            self.open(*WINDOW, XDG_CURRENT_DESKTOP=desktop, PATH=f"{programs}:{os.environ['PATH']}")
+            answers(0, self.folder / "mine.json")
+            self.keys("ctrl+o")
+            self.wait_for(lambda state: state["document"].get("frequency") == 3)
+            self.assertIn("kdialog --title Open --getopenfilename" if desktop == "KDE" else
+                          "zenity --file-selection --title=Open --filename=", asked())
+            self.assertIn("*.json *.exr", asked())
+            answers(1) # cancelled
+            self.keys("n", "ctrl+o")
+            asked()
+            self.frames(2)
+            self.assertIsNone(self.state["dialog"])
+            self.assertEqual(self.document["seed"], 1)
+            answers(255) # it failed
+            self.keys("ctrl+o")
+            self.wait_for(lambda state: state["dialog"])
+            self.keys("Escape")
+            self.close()
 
 
 if __name__ == "__main__":

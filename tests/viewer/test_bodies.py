@@ -6,8 +6,9 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next one)
+from events import EventsTest  # noqa: I001 (it finds the next two)
 from outputs import COLOURED, GRADIENT, HEIGHT, INTENSITY, LOBES, NAMES, PHASE, VALUE, WIDTH, OutputsTest, padded
+from png import read_colour_png
 
 BODIES = {
     "sphere": ({"view": "sphere", "filter": False, "orientation": 30, "frequency": 2, "yaw": 20}, GRADIENT, 0, 2),
@@ -22,8 +23,51 @@ class Bodies(OutputsTest):
         # Rays that graze a torus meet it elsewhere for the smallest difference.
         self.check(BODIES, {"torus": (1e-2, 2)})
 
+    def test_what_is_lit_is_copied_with_its_light(self):
+        # On bodies, the slopes of stripes are differences from where a quad's derivatives lead instead of the next pixel.
+        sphere = {"view": "sphere", "frequency": 2, "orientation": 30, "yaw": 20, "pitch": 40}
+        metal = {"material": "brushed-metal", "seed": 3}
+        cases = {
+            "sphere": ({**sphere, "lobes": LOBES, "filter": False, "viewer": {"output": "lit", "colours": "ember"}}, 1.5),
+            "solid torus": ({"view": "torus", "solid": True, "frequency": 1.5,
+                             "viewer": {"output": "lit", "light": [30, 60]}}, 1.5),
+            "slice": ({"view": "slice", "depth": 0.3, "viewer": {"output": "lit", "colours": "sea"}}, 1.5),
+            "stripes": ({**sphere, "frequency": 1, "filter": False, "viewer": {"output": "lit stripes", "colours": "ember"}}, 20),
+            "leather": ({"material": "leather", "view": "sphere", "filter": True, "yaw": 20, "leather.cells": 4}, 3),
+            "metal": ({**metal, "view": "torus", "light_azimuth": 40}, 3),
+            "metal's colour": ({**metal, "view": "torus", "viewer": {"look": "colour"}}, 1.5),
+            "a plane of metal": ({**metal, "filter": True, "light_elevation": 70}, 1.5),
+            "a tile of metal": ({**metal, "tileable": True, "viewer": {"look": "normal", "normals": "DirectX"}}, 1.5),
+            "leather's height": ({"material": "leather", "viewer": {"look": "height", "contrast": 3}}, 1.5),
+            "a horizon of wood": ({"material": "wood", "filter": True, "view": "horizon"}, 1.5),
+        }
+        script = []
+        for number, (parameters, _) in enumerate(cases.values()):
+            shown = {"look": "lit", "contrast": 2, "normals": "OpenGL", **parameters.get("viewer", {})}
+            text = json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters, "viewer": shown})
+            (self.folder / f"{number}.json").write_text(text)
+            script += [f"open {number}.json", "key ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png"]
+        self.play("\n".join(script + ["quit"]), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
+        for number, (name, (parameters, tolerance)) in enumerate(cases.items()):
+            with self.subTest(name):
+                seen = read_colour_png(self.folder / f"{number}.png").astype(int)
+                code = (self.folder / f"{number}.glsl").read_text()
+                inside = np.ones((HEIGHT, WIDTH), bool)
+                if "view" in parameters and parameters["view"] != "horizon":
+                    points, normals, found = places(parameters)
+                    inside = found & (normals @ axes(parameters)[2] > 0.3) # away from the outline
+                    call = "colour_of_body(texelFetch(places, ivec2(at), 0).xyz, texelFetch(normals, ivec2(at), 0).xyz)"
+                    colours = self.run_code(code, f"pixels = vec4(0.0); colour = {call};", places=points, normals=normals)[1]
+                else:
+                    colours = self.run_code(code, "pixels = vec4(0.0); colour = colour_of_view(at);")[1]
+                self.assertGreater(inside.mean(), 0.1)
+                self.assertGreater(seen[inside].std(), 3)
+                off = np.abs(seen - 255 * colours).max(axis=2)[inside]
+                print(f"{name}: the copied code is off by {np.quantile(off, 0.98):.2f} of 255 in 98 %")
+                self.assertLess(np.quantile(off, 0.98), tolerance)
+
     def draw(self, parameters, snippet, output):
-        points, normals = places(parameters)
+        points, normals, _ = places(parameters)
         if "colour" in parameters:
             body = "colour_of_body(texelFetch(places, ivec2(at), 0).xyz, texelFetch(normals, ivec2(at), 0).xyz)"
             return self.draw_colours(snippet, body, places=points, normals=normals)
@@ -49,12 +93,12 @@ def axes(parameters):
 
 
 def places(parameters):
-    """Where each pixel's ray meets the body, in kernel radii, and the normal there."""
+    """Where each pixel's ray meets the body, in kernel radii, the normal there, and whether it does."""
     scale = parameters.get("scale", 24)
     y, x = np.mgrid[:HEIGHT, :WIDTH] + 0.5
     if parameters["view"] == "slice":
         points = np.stack([x / scale, y / scale, np.full_like(x, parameters["depth"])], axis=-1)
-        return points, np.broadcast_to([0.0, 0.0, 1.0], points.shape)
+        return points, np.broadcast_to([0.0, 0.0, 1.0], points.shape), np.ones(x.shape, bool)
     right, up, toward = axes(parameters)
     side = 2 * 1.05 * math.tan(math.asin(0.25)) / min(WIDTH, HEIGHT)
     unit = 1 / (3 * side * scale)
@@ -75,7 +119,7 @@ def places(parameters):
     if large:
         ring[..., :2] = large * p[..., :2] / np.linalg.norm(p[..., :2], axis=-1, keepdims=True)
     normal = (p - ring) / np.linalg.norm(p - ring, axis=-1, keepdims=True)
-    return unit * p, normal
+    return unit * p, normal, gap(p) < 1e-3
 
 
 class Turning(EventsTest):

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace gabor;
 using namespace gabor::viewer;
@@ -169,6 +170,9 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
     CHECK(coarsest(1) == 2);
     CHECK(coarsest(0.5) == 1);
     CHECK(coarsest(2) == 4);
+    document.request.filter = true; // which fades their intensity alone
+    document.output = Output::phasor;
+    CHECK(coarsest(1) == 2);
 }
 
 TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
@@ -185,14 +189,25 @@ TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
           std::pair{"torus", body(render::Body{Shape::torus}, 0)},
           std::pair{"solid sphere", body(render::Body{Shape::sphere, true}, 0)},
           std::pair{"slice", body(render::Slice{}, 0)}}) {
-        const render::Request request = value_request(drawing_of(document));
-        ValueSampler sampler(device());
+        // Points too far apart to share a kernel, at all places of a cell, and on bodies at all normals.
+        Document there = document;
+        there.camera = {};
+        there.request.scale = 1 / (4 + std::numbers::phi);
+        render::Renderer renderer(device());
         statistics::Moments moments;
         statistics::Gaussianity gaussianity;
         const std::uint64_t wanted = std::uint64_t{1} << 18;
         for (std::uint32_t draw = 0; moments.count() < wanted; ++draw) {
             REQUIRE(draw < 200);
-            const std::span<const float> values = sampler.sample(request, draw, 1);
+            there.request.seed = draw * 0x9e3779b1u;
+            const double share = std::fmod(draw * std::numbers::phi, 1.0);
+            if (auto* turned = std::get_if<render::Body>(&there.request.view)) {
+                turned->yaw = 360 * std::fmod(draw * std::numbers::sqrt2, 1.0);
+                turned->pitch = noise::degrees(std::asin(2 * share - 1));
+            } else {
+                there.request.view = render::Slice{share};
+            }
+            const std::vector<float> values = unbaked(renderer, there, {256, 256}, 1);
             for (std::size_t i = 0; i < values.size(); i += 2)
                 if (values[i + 1] > 0) { // covered
                     moments.add(values[i]);

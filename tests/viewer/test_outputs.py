@@ -53,10 +53,11 @@ class Planes(OutputsTest):
         if "colour" in parameters:
             return self.draw_colours(snippet, "colour_of_view(at)")
         single = output in (VALUE, VARIANCE)
-        components = 1 if single else 3 if output == LIT else 2
+        components = 1 if single else 4 if output == LIT else 2
         value = padded(f"{NAMES[output]}_of_view(at)", components)
         pixels, colours = self.run_code(snippet, f"pixels = {value}; colour = colour_of_view(at);")
-        return pixels[..., 0] if single else pixels[..., :components], colours
+        found = (0,) if single else (0, 1, 3) if output == LIT else (0, 1) # a relief has no slope to the eye
+        return pixels[..., found].squeeze(), colours
 
 
 if __name__ == "__main__":

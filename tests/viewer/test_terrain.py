@@ -36,7 +36,7 @@ class Copied(OutputsTest):
 
 
 class Terrain(EventsTest):
-    def test_the_mouse_turns_and_zooms_and_exports_have_heights(self):
+    def test_the_mouse_turns_and_zooms(self):
         (self.folder / "hills.json").write_text(json.dumps(VIEWS["landscape"]))
         self.open(*WINDOW, "hills.json")
         before = self.document
@@ -68,21 +68,6 @@ class Terrain(EventsTest):
         pictures = [read_colour_png(self.folder / f"{name.split()[0]}.png").astype(int) for name in names]
         for earlier, later in zip(pictures[:-2], pictures[1:-1]):
             self.assertGreater(np.abs(earlier - later).mean(), 0.5)
-
-    def test_the_heightmap_is_that_of_gabor_render(self):
-        (self.folder / "hills.json").write_text(json.dumps({**VIEWS["landscape"], "width": 64, "height": 48, "scale": 8}))
-        self.open(*WINDOW, "hills.json")
-        self.click(920, 51) # Export
-        self.frames(3)
-        self.click(800, 531) # as
-        self.click(800, 561) # a picture
-        self.click(661, 671) # with its heightmap
-        self.keys("ctrl+e")
-        self.exported()
-        self.wait_for(lambda state: (self.folder / "noise.heightmap.png.json").exists())
-        self.gabor("render", "--like", "hills.json", "--view=terrain", "--heightmap", "expected.png")
-        self.assertEqual(self.read("noise.heightmap.png"), self.read("expected.png"))
-        self.close()
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Presets as pictures, tiles two by two, frames and textures, and what the window says of its own speed."""
+"""Presets as pictures, tiles two by two, frames, textures and maps."""
 
 import json
 import shutil
@@ -6,12 +6,13 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next one)
+from events import EventsTest  # noqa: I001 (it finds the next two)
 from png import read_colour_png
+from test_maps import read_deep_png
 
 WINDOW = "--window", "1100x700"
 VIEW = 736 # its width, beside the panels
-ANIMATION, TEXTURE = 1, 2 # what is exported
+ANIMATION, TEXTURE, MAPS = 1, 2, 3 # what is exported
 
 
 class Workshop(EventsTest):
@@ -93,7 +94,7 @@ class Workshop(EventsTest):
             self.click(1020, 51)
             self.frames(3)
             self.click(820, 671) # Export now
-            self.wait_for(lambda state: "maps in maps" in state["message"])
+            self.wait_for(lambda state: "maps in the folder maps" in state["message"])
             from_above = ["--view=terrain"] if name == "valley" else []
             self.gabor("render", "--like", preset, *from_above, "--maps", "expected")
             names = sorted(path.name for path in (self.folder / "expected").iterdir())
@@ -112,13 +113,30 @@ class Workshop(EventsTest):
             for folder in ("maps", "expected"):
                 shutil.rmtree(self.folder / folder)
 
-    def test_the_window_says_how_fast_it_is(self):
-        self.open(*WINDOW)
-        self.assertIsNone(self.state["rate"])
-        self.keys("m")
-        self.wait_for(lambda state: state["rate"])
-        self.keys("m")
-        self.assertIsNone(self.state["rate"])
+    def test_stripes_have_maps(self):
+        preset = self.preset("corduroy.json", width=96, height=64, scale=32, frequency=3, seed=2, tileable=True,
+                             viewer={"output": "lit stripes", "colours": "ember", "contrast": 1, "normals": "OpenGL"})
+        self.open(*WINDOW, preset)
+        self.click(1020, 51)
+        self.frames(3)
+        self.click(900, 503) # what to export as
+        self.click(900, 533 + 20 * MAPS)
+        self.assertEqual(self.state["export"], MAPS)
+        self.keys("ctrl+e")
+        self.exported()
+        self.assertEqual(sorted(path.name for path in (self.folder / "maps").iterdir()),
+                         ["base_color.png", "height.png", "normal.png"])
+        colour, normal = (read_colour_png(self.folder / f"maps/{name}.png").astype(float) for name in ("base_color", "normal"))
+        height = read_deep_png(self.folder / "maps/height.png") / 65535
+        self.assertGreater(np.corrcoef(height.ravel(), colour.sum(axis=2).ravel())[0, 1], 0.9) # ember is brighter above
+        # Stripes of 1 and -1 with slopes in units of their deviation, of which `contrast` make 45 degrees.
+        right, up, out = (normal[..., i] / 127.5 - 1 for i in range(3))
+        relief = 0.5 * 1 / (2 * np.pi * 3 / np.sqrt(2))
+        for axis, seen, sign in ((1, right, -1), (0, up, 1)):
+            slope = 2 * 32 * relief * np.diff(height, axis=axis)
+            inside = (slice(None), slice(1, None)) if axis == 1 else (slice(1, None), slice(None))
+            self.assertLess(np.quantile(np.abs((seen / out)[inside] - sign * slope), 0.95), 0.03)
+            self.assertGreater(np.abs(slope).max(), 0.1)
         self.close()
 
 

@@ -67,11 +67,12 @@ void tell(App& app, const Seen& seen) {
         {"settled", app.settled()},
         {"document", json::parse(to_json(session.history.now))},
         {"dialog", dialog(session)},
+        {"asked", session.desktop_dialog.is_open()},
         {"question", session.question ? json(session.question->text) : json()},
         {"message", session.message.text},
         {"path", session.history.now.path},
         {"photograph", shows_photograph(session)},
-        {"export", static_cast<int>(session.export_target.as)},
+        {"export", static_cast<int>(session.export_target.of(session.history.now.request).as)},
         {"animation", session.export_target.frames},
         {"exporting", session.exporter.running()},
         {"progress", session.exporter.progress()},
@@ -79,7 +80,6 @@ void tell(App& app, const Seen& seen) {
         {"gallery", session.gallery},
         {"tiles", session.tiling ? json({session.tiling->tile.width, session.tiling->tile.height}) : json()},
         {"reading", session.reading},
-        {"rate", session.metered && session.meter.figures() ? json(session.meter.figures()->rate) : json()},
     };
     fmt::print("{}\n", line.dump());
     std::fflush(stdout);

@@ -1,0 +1,106 @@
+// What the panel says, without a window.
+
+#include "viewer/document_json.hpp"
+#include "viewer/panels.hpp"
+
+#include "render/load.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <imgui_internal.h>
+
+#include <regex>
+#include <string>
+
+using namespace gabor;
+using namespace gabor::viewer;
+
+namespace {
+
+// Dear ImGui that draws into nothing.
+struct NoWindow {
+    NoWindow() {
+        ImGui::CreateContext();
+        ImGui::GetIO().DisplaySize = {1440, 4000};
+        ImGui::GetIO().IniFilename = nullptr;
+        ImGui::GetIO().Fonts->Build();
+    }
+    ~NoWindow() { ImGui::DestroyContext(); }
+};
+
+// All text of the panel, with every section open but the laboratory.
+std::string panel_text(Session& session) {
+    const NoWindow none;
+    std::string text;
+    for (int frame = 0; frame < 3; ++frame) {
+        ImGui::NewFrame();
+        ImGui::SetNextWindowSize({400, 4000});
+        ImGui::Begin("panels");
+        ImGui::BeginChild("sections");
+        for (const char* title : {"Noise", "Material", "Terrain", "Photograph", "Spectrum", "View", "Light",
+                                  "Animation", "Export", "File"})
+            ImGui::GetStateStorage()->SetInt(ImGui::GetID(title), 1);
+        ImGui::EndChild();
+        ImGui::LogToBuffer(0);
+        side_panel(session);
+        text = ImGui::GetCurrentContext()->LogBuffer.c_str();
+        ImGui::LogFinish();
+        ImGui::End();
+        ImGui::EndFrame();
+    }
+    return text;
+}
+
+std::string panel_text(const Document& document) {
+    Session session(document, "");
+    return panel_text(session);
+}
+
+} // namespace
+
+TEST_CASE("the panel speaks an artist's language outside the laboratory") {
+    const std::regex jargon(R"(\b(recipe|lattice|quadrature|cvm|sd|visits|kurtosis)\b)", std::regex::icase);
+    const auto check = [&](const std::string& mode, const Document& document) {
+        INFO(mode);
+        const std::string text = panel_text(document);
+        INFO(text);
+        for (const char* word : {"Materials and presets", "Photograph", "Copy code", "Export", "Export now",
+                                 "Save as...", "Laboratory"})
+            CHECK(text.find(word) != std::string::npos);
+        CHECK_FALSE(std::regex_search(text, jargon));
+    };
+    for (const render::Preset& preset : render::presets())
+        check(std::string(preset.name), document_from_json(preset.json));
+    for (const std::string_view view :
+         {"flat", "horizon", "slice", "sphere", "torus", "terrain", "landscape"})
+        for (std::size_t output = 0; output < output_names.size(); ++output) {
+            Document document = document_of({});
+            set_parameter(document, "view", std::string(view));
+            document.output = static_cast<Output>(output);
+            document.colours = 5;
+            check(fmt::format("{}, {}", view, output_names.at(output)), document);
+        }
+}
+
+TEST_CASE("the panel shows what has an effect, and nothing else") {
+    const auto has = [](const Document& document, const std::string& label) {
+        const std::string text = panel_text(document);
+        return std::regex_search(text, std::regex("\\b" + label + "\\b"));
+    };
+    const Document noise = document_of({});
+    Document lit = noise;
+    lit.output = Output::lit;
+    Document stripes = noise;
+    stripes.output = Output::phasor;
+    const Document wood = document_from_json(R"({"material": "wood"})");
+    for (const auto& [label, with, without] : {std::tuple{"azimuth", lit, noise},
+                                               {"profile", stripes, noise},
+                                               {"rings", wood, noise},
+                                               {"frequency", noise, wood},
+                                               {"colours", noise, wood},
+                                               {"time", noise, wood}}) {
+        INFO(label);
+        CHECK(has(with, label));
+        CHECK_FALSE(has(without, label));
+    }
+}
