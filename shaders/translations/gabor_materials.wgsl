@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 841edf18a54a8a88
+// Digest of the GLSL and of this file: 3a7ad6793b22ba6d
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -727,7 +727,7 @@ fn gabor_ripples_default() -> GaborRipples {
 fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborMaterial {
     var height_5: f32 = 0f;
     var crest_1: f32 = 0f;
-    var removed_11: f32 = 0f;
+    var removed_12: f32 = 0f;
     var power_6: f32 = 0f;
     var i_8: i32 = 0i;
     var waves: f32;
@@ -767,11 +767,11 @@ fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> Gabo
             let _e80 = amplitude_6;
             let _e81 = wave_20;
             crest_1 = (_e79 + (_e80 * _e81.x));
-            let _e85 = removed_11;
+            let _e85 = removed_12;
             let _e86 = amplitude_6;
             let _e87 = amplitude_6;
             let _e89 = wave_20;
-            removed_11 = (_e85 + ((_e86 * _e87) * _e89.z));
+            removed_12 = (_e85 + ((_e86 * _e87) * _e89.z));
             let _e93 = power_6;
             let _e94 = amplitude_6;
             let _e95 = amplitude_6;
@@ -784,7 +784,7 @@ fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> Gabo
     }
     let _e98 = crest_1;
     let _e99 = power_6;
-    let _e102 = removed_11;
+    let _e102 = removed_12;
     let _e103 = power_6;
     let _e107 = gabor_impl_above((_e98 * inverseSqrt(_e99)), (_e102 / _e103), 0.5f, 1f);
     light_1 = _e107;
@@ -1001,7 +1001,7 @@ fn gabor_zebra_default() -> GaborZebra {
 
 fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMaterial {
     var skin_1: GaborPixel;
-    var place_24: GaborPlace;
+    var place_25: GaborPlace;
     var lean: f32;
     var stripe: vec3<f32>;
     var hair_1: vec3<f32>;
@@ -1015,8 +1015,8 @@ fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMater
     let _e9 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), _e8);
     skin_1 = _e9;
     let _e13 = gabor_impl_place(pixel, vec2(0.6f));
-    place_24 = _e13;
-    let _e15 = place_24;
+    place_25 = _e13;
+    let _e15 = place_25;
     let _e18 = gabor_kernel(0f, 0f);
     let _e20 = gabor_lobe_seed(seed, 1i);
     let _e21 = gabor_field(_e15, _e18, _e20);
@@ -1478,38 +1478,38 @@ fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
 //   density  kernels per unit along x and y
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     var density_2: vec2<f32>;
-    var place_23: GaborPlace;
-    var kernel_8: GaborKernel;
-    var removed_7: f32;
-    var footprint_4: GaborFootprint;
+    var place_24: GaborPlace;
+    var kernel_10: GaborKernel;
+    var removed_8: f32;
+    var footprint_6: GaborFootprint;
     var value_11: vec2<f32>;
 
     density_2 = density;
     let _e6 = density_2;
     let _e7 = gabor_impl_place(pixel, _e6);
-    place_23 = _e7;
+    place_24 = _e7;
     let _e9 = gabor_kernel(frequency, orientation);
-    kernel_8 = _e9;
+    kernel_10 = _e9;
     if !(pixel.filtered) {
-        let _e13 = place_23;
-        let _e14 = kernel_8;
+        let _e13 = place_24;
+        let _e14 = kernel_10;
         let _e15 = gabor_field(_e13, _e14, seed);
         return vec3<f32>(_e15.value.x, _e15.value.y, 0f);
     }
     let _e22 = density_2;
-    let _e23 = place_23;
+    let _e23 = place_24;
     density_2 = (_e22 * (_e23.radius / vec2(1.5f)));
     let _e32 = density_2;
     let _e35 = density_2;
     let _e38 = gabor_footprint((_e32 * pixel.dx), (_e35 * pixel.dy));
-    footprint_4 = _e38;
-    let _e40 = place_23;
-    let _e41 = kernel_8;
-    let _e42 = footprint_4;
-    let _e45 = gabor_field_filtered(_e40, _e41, _e42, seed, (&removed_7));
+    footprint_6 = _e38;
+    let _e40 = place_24;
+    let _e41 = kernel_10;
+    let _e42 = footprint_6;
+    let _e45 = gabor_field_filtered(_e40, _e41, _e42, seed, (&removed_8));
     value_11 = _e45.value;
     let _e48 = value_11;
-    let _e49 = removed_7;
+    let _e49 = removed_8;
     return vec3<f32>(_e48.x, _e48.y, _e49);
 }
 

@@ -620,8 +620,13 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     return GaborField_of(scale * value, scale * float2(-x.y, x.x), scale * float2(-y.y, y.x));
 }
 
-GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed,
-                                out float removed) {
+// The share of seven waves in the filtered noise; the others are three.
+float gabor_impl_wide_share(GaborFootprint footprint) {
+    return clamp(100.0 * sqrt(max(footprint.resolved.x, footprint.resolved.y)) - 9.0, 0.0, 1.0);
+}
+
+GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, float wide, uint seed,
+                               out float removed) {
     float2 stretch = place.radius / GABOR_RADIUS;
     float2 wave = kernel_.wave / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -634,17 +639,18 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFoot
     float amplitude = 1.0;
     if (any((footprint.resolved != footprint.covariance)))
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
-    float deviation = sqrt(max(s.x, s.y));
-    float wide = clamp(100.0 * deviation - 9.0, 0.0, 1.0);
-    if (wide < 1.0) {
+    if (wide < 1.0)
         gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude);
-    }
-    if (wide > 0.0) {
+    if (wide > 0.0)
         gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0, salt), wide * amplitude);
-    }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
     return sum;
+}
+
+GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, uint seed,
+                                out float removed) {
+    return gabor_impl_filtered(place, kernel_, footprint, gabor_impl_wide_share(footprint), seed, removed);
 }
 
 // ---- The filter in space -------------------------------------------------------------------------------------------

@@ -603,8 +603,13 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     return GaborField{scale * value, scale * gabor_vec2(-x.y, x.x), scale * gabor_vec2(-y.y, y.x)};
 }
 
-GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed,
-                                float& removed) {
+// The share of seven waves in the filtered noise; the others are three.
+GABOR_INLINE float gabor_impl_wide_share(GaborFootprint footprint) {
+    return gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(footprint.resolved.x, footprint.resolved.y)) - 9.0f, 0.0f, 1.0f);
+}
+
+GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, float wide, std::uint32_t seed,
+                               float& removed) {
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
     gabor_vec2 wave = kernel.wave / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
@@ -617,17 +622,18 @@ GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kerne
     float amplitude = 1.0f;
     if (gabor_cpp_any((footprint.resolved != footprint.covariance)))
         amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
-    float deviation = gabor_cpp_sqrt(gabor_cpp_max(s.x, s.y));
-    float wide = gabor_cpp_clamp(100.0f * deviation - 9.0f, 0.0f, 1.0f);
-    if (wide < 1.0f) {
+    if (wide < 1.0f)
         gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0f - wide) * amplitude);
-    }
-    if (wide > 0.0f) {
+    if (wide > 0.0f)
         gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0f, salt), wide * amplitude);
-    }
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
     return sum;
+}
+
+GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed,
+                                float& removed) {
+    return gabor_impl_filtered(place, kernel, footprint, gabor_impl_wide_share(footprint), seed, removed);
 }
 
 // ---- The filter in space -------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, and filtered for a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: e5d4c77ab1ff82f4
+// Digest of the GLSL and of this file: 0a41a496dc2fa879
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -173,11 +173,11 @@ fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     } else {
-        var place_18: GaborPlace;
+        var place_19: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_18 = _e13;
-        let _e15 = place_18;
+        place_19 = _e13;
+        let _e15 = place_19;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value.y;
     }
@@ -212,12 +212,12 @@ fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, f
         let _e24 = field_7;
         return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
     } else {
-        var place_19: GaborPlace;
+        var place_20: GaborPlace;
         var field_7: GaborField;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_19 = _e13;
-        let _e15 = place_19;
+        place_20 = _e13;
+        let _e15 = place_20;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         field_7 = _e16;
         let _e18 = field_7;
@@ -246,11 +246,11 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     } else {
-        var place_20: GaborPlace;
+        var place_21: GaborPlace;
 
         let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_20 = _e13;
-        let _e15 = place_20;
+        place_21 = _e13;
+        let _e15 = place_21;
         let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
         return _e16.value;
     }
@@ -330,11 +330,11 @@ fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, 
         let _e12 = gabor_field_isotropic(_e11, frequency, seed);
         return _e12.value.y;
     } else {
-        var place_21: GaborPlace;
+        var place_22: GaborPlace;
 
         let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-        place_21 = _e9;
-        let _e11 = place_21;
+        place_22 = _e9;
+        let _e11 = place_22;
         let _e12 = gabor_field_isotropic(_e11, frequency, seed);
         return _e12.value.y;
     }
@@ -344,15 +344,15 @@ fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, 
 // exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4.
 // For larger pixels only the variance is right.
 fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> vec2<f32> {
-    var removed_3: f32;
+    var removed_4: f32;
     var field_11: GaborField;
 
     let _e13 = gabor_place(vec2(0i), (p * 1.5f));
     let _e14 = gabor_footprint(dx, dy);
-    let _e17 = gabor_field_isotropic_filtered(_e13, frequency, _e14, seed, (&removed_3));
+    let _e17 = gabor_field_isotropic_filtered(_e13, frequency, _e14, seed, (&removed_4));
     field_11 = _e17;
     let _e19 = field_11;
-    let _e22 = removed_3;
+    let _e22 = removed_4;
     return vec2<f32>(_e19.value.y, _e22);
 }
 
@@ -379,18 +379,18 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
 // With its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows: its error is up
 // to 7 %.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
-    var removed_2: f32;
+    var removed_3: f32;
     var field_9: GaborField;
 
     let _e14 = gabor_place(vec2(0i), (p * 1.5f));
     let _e15 = gabor_kernel(frequency, orientation);
     let _e16 = gabor_footprint(dx, dy);
-    let _e19 = gabor_field_filtered(_e14, _e15, _e16, seed, (&removed_2));
+    let _e19 = gabor_field_filtered(_e14, _e15, _e16, seed, (&removed_3));
     field_9 = _e19;
     let _e21 = field_9;
     let _e24 = field_9;
     let _e27 = field_9;
-    let _e30 = removed_2;
+    let _e30 = removed_3;
     return vec4<f32>(_e21.value.y, _e24.slope_x.y, _e27.slope_y.y, _e30);
 }
 
@@ -455,7 +455,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     var i_6: i32 = 0i;
     var lobe_2: GaborLobe;
     var unit_3: vec2<f32>;
-    var removed_5: f32;
+    var removed_6: f32;
     var field_12: GaborField;
     var noise_3: vec3<f32>;
     var local_29: vec4<f32>;
@@ -482,7 +482,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             let _e51 = gabor_footprint((dx * _e47), (dy * _e49));
             let _e52 = i_6;
             let _e53 = gabor_lobe_seed(seed, _e52);
-            let _e56 = gabor_field_filtered(_e44, _e46, _e51, _e53, (&removed_5));
+            let _e56 = gabor_field_filtered(_e44, _e46, _e51, _e53, (&removed_6));
             field_12 = _e56;
             let _e58 = field_12;
             let _e61 = unit_3;
@@ -495,7 +495,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
             let _e79 = noise_3;
             let _e80 = (sqrt(_e76.power) * _e79);
             let _e81 = lobe_2;
-            let _e83 = removed_5;
+            let _e83 = removed_6;
             sum_14 = (_e75 + vec4<f32>(_e80.x, _e80.y, _e80.z, (_e81.power * _e83)));
             let _e90 = power_3;
             let _e91 = lobe_2;
@@ -1134,7 +1134,7 @@ struct GaborFootprint {
 fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var dx_1: vec2<f32>;
     var dy_1: vec2<f32>;
-    var footprint_2: GaborFootprint;
+    var footprint_4: GaborFootprint;
     var mean_1: f32;
     var axis_2: vec2<f32>;
     var apart_1: f32;
@@ -1164,21 +1164,21 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     let _e32 = dx_1;
     let _e35 = dy_1;
     let _e37 = dy_1;
-    footprint_2.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
-    let _e46 = footprint_2;
-    let _e49 = footprint_2;
+    footprint_4.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
+    let _e46 = footprint_4;
+    let _e49 = footprint_4;
     mean_1 = (0.5f * (_e46.covariance.x + _e49.covariance.y));
-    let _e56 = footprint_2;
-    let _e59 = footprint_2;
-    let _e64 = footprint_2;
+    let _e56 = footprint_4;
+    let _e59 = footprint_4;
+    let _e64 = footprint_4;
     axis_2 = vec2<f32>((0.5f * (_e56.covariance.x - _e59.covariance.y)), _e64.covariance.z);
     let _e69 = axis_2;
     apart_1 = length(_e69);
     let _e72 = mean_1;
     let _e73 = apart_1;
     larger = (_e72 + _e73);
-    let _e77 = footprint_2;
-    footprint_2.resolved = _e77.covariance;
+    let _e77 = footprint_4;
+    footprint_4.resolved = _e77.covariance;
     let _e79 = larger;
     if (_e79 > 0.25f) {
         {
@@ -1207,35 +1207,35 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             let _e127 = axis_2;
             let _e135 = max((vec2((0.5f * (0.25f + _e122))) + vec2<f32>(_e125.x, -(_e127.x))), vec2(0f));
             let _e136 = axis_2;
-            footprint_2.resolved = vec3<f32>(_e135.x, _e135.y, _e136.y);
+            footprint_4.resolved = vec3<f32>(_e135.x, _e135.y, _e136.y);
         }
     }
-    let _e141 = footprint_2;
+    let _e141 = footprint_4;
     return _e141;
 }
 
 // gabor_stripes_filtered at a place, with a footprint as for gabor_field_filtered.
 fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
-    var removed_6: f32;
+    var removed_7: f32;
     var value_10: vec2<f32>;
     var power_4: f32;
     var reach: f32;
 
     let _e6 = gabor_kernel_wave(wave);
-    let _e9 = gabor_field_filtered(place, _e6, footprint, seed, (&removed_6));
+    let _e9 = gabor_field_filtered(place, _e6, footprint, seed, (&removed_7));
     value_10 = _e9.value;
     let _e12 = value_10;
     let _e13 = value_10;
     power_4 = dot(_e12, _e13);
     let _e16 = power_4;
-    let _e18 = removed_6;
+    let _e18 = removed_7;
     reach = sqrt((_e16 + (2.546479f * max(_e18, 0f))));
     let _e25 = reach;
     let _e30 = value_10;
     let _e31 = ((sharpness / max((sharpness * _e25), 1f)) * _e30);
     let _e32 = power_4;
-    let _e34 = removed_6;
-    let _e40 = removed_6;
+    let _e34 = removed_7;
+    let _e40 = removed_7;
     return vec4<f32>(_e31.x, _e31.y, sqrt((_e32 + (1.5707963f * max(_e34, 0f)))), _e40);
 }
 
@@ -1243,81 +1243,13 @@ fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: Gabo
 // period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because its nodes are not 1 /
 // GABOR_RADIUS apart.
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
-    var kernel_7: GaborKernel;
-    var stretch_1: vec2<f32>;
-    var wave_15: vec2<f32>;
-    var transmitted: f32;
-    var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-    var s_4: vec3<f32>;
-    var salt_7: u32;
-    var amplitude_3: f32 = 1f;
-    var deviation_2: f32;
-    var wide: f32;
+    var kernel_9: GaborKernel;
 
-    kernel_7 = kernel;
-    stretch_1 = (place.radius / vec2(1.5f));
-    let _e14 = kernel_7;
-    let _e16 = stretch_1;
-    wave_15 = (_e14.wave / _e16);
-    let _e19 = wave_15;
-    let _e21 = gabor_impl_transmitted(_e19, footprint.covariance);
-    transmitted = _e21;
-    let _e24 = transmitted;
-    (*removed) = (1f - _e24);
-    let _e34 = transmitted;
-    if (_e34 < 0.0000000001f) {
-        let _e37 = sum_9;
-        return _e37;
-    }
-    s_4 = footprint.resolved;
-    let _e40 = gabor_impl_salt(seed);
-    salt_7 = _e40;
-    if any((footprint.resolved != footprint.covariance)) {
-        let _e48 = amplitude_3;
-        let _e49 = transmitted;
-        let _e50 = wave_15;
-        let _e51 = s_4;
-        let _e52 = gabor_impl_transmitted(_e50, _e51);
-        amplitude_3 = (_e48 * sqrt((_e49 / _e52)));
-    }
-    let _e56 = s_4;
-    let _e58 = s_4;
-    deviation_2 = sqrt(max(_e56.x, _e58.y));
-    let _e64 = deviation_2;
-    wide = clamp(((100f * _e64) - 9f), 0f, 1f);
-    let _e72 = wide;
-    if (_e72 < 1f) {
-        {
-            let _e76 = wave_15;
-            let _e77 = s_4;
-            let _e78 = salt_7;
-            let _e79 = gabor_impl_filtered_narrow(place, _e76, _e77, _e78);
-            let _e81 = wide;
-            let _e83 = amplitude_3;
-            gabor_impl_accumulate((&sum_9), _e79, ((1f - _e81) * _e83));
-        }
-    }
-    let _e86 = wide;
-    if (_e86 > 0f) {
-        {
-            let _e90 = wave_15;
-            let _e91 = s_4;
-            let _e92 = wide;
-            let _e95 = salt_7;
-            let _e96 = gabor_impl_filtered_wide(place, _e90, _e91, (_e92 > 0f), _e95);
-            let _e97 = wide;
-            let _e98 = amplitude_3;
-            gabor_impl_accumulate((&sum_9), _e96, (_e97 * _e98));
-        }
-    }
-    let _e102 = sum_9;
-    let _e104 = stretch_1;
-    sum_9.slope_x = (_e102.slope_x * _e104.x);
-    let _e108 = sum_9;
-    let _e110 = stretch_1;
-    sum_9.slope_y = (_e108.slope_y * _e110.y);
-    let _e113 = sum_9;
-    return _e113;
+    kernel_9 = kernel;
+    let _e6 = kernel_9;
+    let _e7 = gabor_impl_wide_share(footprint);
+    let _e10 = gabor_impl_filtered(place, _e6, footprint, _e7, seed, removed);
+    return _e10;
 }
 
 // The same for isotropic noise.
@@ -2127,6 +2059,73 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e302 = y_4;
     let _e305 = y_4;
     return GaborField((_e290 * _e291), (_e293 * vec2<f32>(-(_e294.y), _e297.x)), (_e301 * vec2<f32>(-(_e302.y), _e305.x)));
+}
+
+// The share of seven waves in the filtered noise; the others are three.
+fn gabor_impl_wide_share(footprint: GaborFootprint) -> f32 {
+    return clamp(((100f * sqrt(max(footprint.resolved.x, footprint.resolved.y))) - 9f), 0f, 1f);
+}
+
+fn gabor_impl_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, wide: f32, seed: u32, removed: ptr<function, f32>) -> GaborField {
+    var kernel_7: GaborKernel;
+    var stretch_1: vec2<f32>;
+    var wave_15: vec2<f32>;
+    var transmitted: f32;
+    var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var s_4: vec3<f32>;
+    var salt_7: u32;
+    var amplitude_3: f32 = 1f;
+
+    kernel_7 = kernel;
+    stretch_1 = (place.radius / vec2(1.5f));
+    let _e15 = kernel_7;
+    let _e17 = stretch_1;
+    wave_15 = (_e15.wave / _e17);
+    let _e20 = wave_15;
+    let _e22 = gabor_impl_transmitted(_e20, footprint.covariance);
+    transmitted = _e22;
+    let _e25 = transmitted;
+    (*removed) = (1f - _e25);
+    let _e35 = transmitted;
+    if (_e35 < 0.0000000001f) {
+        let _e38 = sum_9;
+        return _e38;
+    }
+    s_4 = footprint.resolved;
+    let _e41 = gabor_impl_salt(seed);
+    salt_7 = _e41;
+    if any((footprint.resolved != footprint.covariance)) {
+        let _e49 = amplitude_3;
+        let _e50 = transmitted;
+        let _e51 = wave_15;
+        let _e52 = s_4;
+        let _e53 = gabor_impl_transmitted(_e51, _e52);
+        amplitude_3 = (_e49 * sqrt((_e50 / _e53)));
+    }
+    if (wide < 1f) {
+        let _e60 = wave_15;
+        let _e61 = s_4;
+        let _e62 = salt_7;
+        let _e63 = gabor_impl_filtered_narrow(place, _e60, _e61, _e62);
+        let _e66 = amplitude_3;
+        gabor_impl_accumulate((&sum_9), _e63, ((1f - wide) * _e66));
+    }
+    if (wide > 0f) {
+        let _e72 = wave_15;
+        let _e73 = s_4;
+        let _e76 = salt_7;
+        let _e77 = gabor_impl_filtered_wide(place, _e72, _e73, (wide > 0f), _e76);
+        let _e78 = amplitude_3;
+        gabor_impl_accumulate((&sum_9), _e77, (wide * _e78));
+    }
+    let _e82 = sum_9;
+    let _e84 = stretch_1;
+    sum_9.slope_x = (_e82.slope_x * _e84.x);
+    let _e88 = sum_9;
+    let _e90 = stretch_1;
+    sum_9.slope_y = (_e88.slope_y * _e90.y);
+    let _e93 = sum_9;
+    return _e93;
 }
 
 // A symmetric matrix.

@@ -28,7 +28,7 @@ fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32)
 fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var period_11: vec3<f32>;
     var nodes_1: vec3<f32>;
-    var place_34: GaborPlace3d;
+    var place_35: GaborPlace3d;
 
     period_11 = period;
     let _e6 = period_11;
@@ -40,26 +40,26 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     let _e34 = nodes_1;
     let _e35 = period_11;
     let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
-    place_34 = _e38;
+    place_35 = _e38;
     let _e41 = nodes_1;
     let _e42 = period_11;
-    place_34.radius = (_e41 / _e42);
+    place_35.radius = (_e41 / _e42);
     let _e45 = nodes_1;
-    place_34.period = vec3<i32>(_e45);
-    let _e47 = place_34;
+    place_35.period = vec3<i32>(_e45);
+    let _e47 = place_35;
     let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
     return _e48.noise;
 }
 
 // As gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_35: GaborPlace3d;
+    var place_36: GaborPlace3d;
 
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_35 = _e12;
-    place_35.animated = true;
-    place_35.time = time;
-    let _e17 = place_35;
+    place_36 = _e12;
+    place_36.animated = true;
+    place_36.time = time;
+    let _e17 = place_36;
     let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
     return _e18.noise;
 }
