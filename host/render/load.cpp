@@ -1,6 +1,7 @@
 #include "render/load.hpp"
 
 #include "error.hpp"
+#include "image/picture.hpp"
 #include "render/parameters.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <numbers>
 
 namespace gabor::render {
 
@@ -29,6 +31,33 @@ std::string read_text(const std::string& path) {
     if (file.bad() || text.empty() || text.size() > most)
         throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of at most 1 MiB", path));
     return text;
+}
+
+void check_paint_size(const std::string& path, int width, int height) {
+    constexpr std::size_t most = std::size_t{1} << 24;
+    if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > most)
+        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in all are accepted", path,
+                                       width, height, most));
+}
+
+Paint load_directions(const std::string& path) {
+    const std::unique_ptr<image::PictureReader> file = image::open_picture(path);
+    const auto [width, height, channels, alpha, linear] = file->format();
+    check_paint_size(path, width, height);
+    if (channels != 3)
+        throw RequestError(fmt::format("paint '{}' is grey: it takes a picture whose red and green are "
+                                       "directions, or an EXR with channels frequency and orientation",
+                                       path));
+    Paint paint{width, height, {}, true};
+    std::vector<float> row(3 * static_cast<std::size_t>(width));
+    for (int y = 0; y < height; ++y) {
+        file->read_row(row);
+        for (std::size_t i = 0; i < row.size(); i += 3) {
+            const float along = std::atan2(row[i + 1] - 0.5f, row[i] - 0.5f);
+            paint.samples.insert(paint.samples.end(), {1, along + std::numbers::pi_v<float> / 2});
+        }
+    }
+    return paint;
 }
 
 } // namespace
@@ -67,17 +96,18 @@ Request preset(std::string_view name) {
     return from_json(found->json);
 }
 
+bool has_only_directions(const std::string& path) {
+    return !path.empty() && !path.ends_with(".exr");
+}
+
 Paint load_paint(const std::string& path) {
     if (path.empty())
         return {};
-    constexpr std::size_t most = std::size_t{1} << 24;
+    if (has_only_directions(path))
+        return load_directions(path);
     image::ExrReader file(path, {"frequency", "orientation"});
     const image::Rect& window = file.window();
-    const std::size_t samples =
-        static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
-    if (samples > most)
-        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in all are accepted", path,
-                                       window.width, window.height, most));
+    check_paint_size(path, window.width, window.height);
     const std::span<const float> values = file.read_rows(window.height);
     Paint paint{window.width, window.height, {values.begin(), values.end()}};
     for (std::size_t i = 0; i < paint.samples.size(); ++i) {

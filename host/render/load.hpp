@@ -41,9 +41,14 @@ struct Paint {
     int width = 1;
     int height = 1;
     std::vector<float> samples{0, 0}; ///< row by row: cycles per kernel radius, radians
+    bool relative = false;            ///< frequencies are factors of the lobe's, and orientations turn it
 };
 
-/// Reads the channels `frequency` and `orientation`, in degrees, of an EXR of at most 2^24 pixels. Returns
+/// Whether a file of paint has directions alone: any picture but an EXR.
+bool has_only_directions(const std::string& path);
+
+/// Reads the channels `frequency` and `orientation`, in degrees, of an EXR of at most 2^24 pixels; or of
+/// another picture red and green, whose distances from one half point right and down along the waves. Returns
 /// one sample of zeros for an empty path. Throws RequestError if it cannot be read or a value is not finite.
 Paint load_paint(const std::string& path);
 

@@ -295,7 +295,10 @@ std::vector<Parameter> make_table() {
              "of the variance that the filter removes",
              [](auto& r) { return &r.filter; }),
         row("paint", Kind::text, "", none, none, "",
-            "EXR with channels `frequency` and `orientation` (degrees), stretched over the picture",
+            "A map stretched over the picture: a PNG, JPEG or TGA whose red and green, less one half, point "
+            "right "
+            "and down along the waves, turned by the orientation; or an EXR with channels `frequency` and "
+            "`orientation` (degrees)",
             [](auto& r) { return &r.paint; }),
         flag("quadrature", "", "Add a channel `quadrature`: the noise with cosines instead of sines",
              [](auto& r) { return &r.quadrature; }),

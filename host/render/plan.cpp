@@ -109,9 +109,9 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
 std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewport& viewport,
                                              const Paint& paint) {
     std::vector<noise::Lobe> lobes = request.lobes;
-    double unit = 1;
-    if (!request.paint.empty()) { // a single lobe
-        unit = std::clamp(highest_frequency(paint), 1e-3, 1e6);
+    double unit = 1;                                 // of the paint's frequencies
+    if (!request.paint.empty() && !paint.relative) { // a single lobe
+        unit = std::clamp(highest_frequency(request, paint), 1e-3, 1e6);
         lobes.front().frequency = unit;
         lobes.front().orientation = 0;
     }
@@ -399,11 +399,11 @@ float wrapped_time(const Request& request) {
     return static_cast<float>(request.time - std::floor(request.time));
 }
 
-double highest_frequency(const Paint& paint) {
+double highest_frequency(const Request& request, const Paint& paint) {
     float highest = 0;
     for (std::size_t i = 0; i < paint.samples.size(); i += 2)
         highest = std::max(highest, std::abs(paint.samples[i]));
-    return highest;
+    return paint.relative ? highest * request.lobes.front().frequency : double{highest};
 }
 
 float share_left(const Request& request, const Viewport& viewport, double frequency) {

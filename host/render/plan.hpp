@@ -110,8 +110,8 @@ std::vector<Band> bands(const Plan& plan, int most_rows);
 /// Lists each step with its pass, work groups and non-zero constants, and the sizes of the tables.
 std::string to_string(const Plan& plan);
 
-/// The highest frequency in the paint, in cycles per kernel radius.
-double highest_frequency(const Paint& paint);
+/// The highest frequency that the paint of a request gives its lobe, in cycles per kernel radius.
+double highest_frequency(const Request& request, const Paint& paint);
 
 template <typename T>
 Bytes bytes_of(const std::vector<T>& values) {

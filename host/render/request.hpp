@@ -95,8 +95,8 @@ struct Request {
     double light_azimuth = -135; ///< degrees; of the lamp over a material and of terrain's sun
     double light_elevation = 38;
     bool filter = false;    ///< antialias with a normal filter of half a pixel
-    std::string paint = {}; ///< EXR with channels `frequency` and `orientation` (degrees), stretched over the
-                            ///< picture; replaces those of the lobe; empty for none
+    std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
+                            ///< load_paint; empty for none
 
     // Additional channels.
     bool quadrature = false; ///< the noise with cosines for sines

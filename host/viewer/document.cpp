@@ -148,7 +148,7 @@ bool has_effect(const Document& document, std::string_view control) {
         render::is_isotropic(request.lobes.front()))
         return false;
     if (control == "frequency" || control == "orientation" || control == "lobes")
-        return request.paint.empty();
+        return request.paint.empty() || (control != "lobes" && render::has_only_directions(request.paint));
     return control != "paint" || (plane && request.lobes.size() == 1);
 }
 

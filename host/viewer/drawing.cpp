@@ -13,7 +13,7 @@ namespace {
 // The highest frequency, in cycles per pixel of the picture.
 double highest_frequency(const render::Request& request, const render::Paint& paint) {
     if (!request.paint.empty())
-        return render::highest_frequency(paint) / request.scale;
+        return render::highest_frequency(request, paint) / request.scale;
     return std::ranges::max(noise::waves(request.lobes, request.seed), {}, &noise::Wave::frequency)
                .frequency /
            request.scale;

@@ -92,9 +92,9 @@ void ask_for_photograph(Session& session) {
 
 void ask_for_paint(Session& session) {
     ask(session,
-        {.title = "Paint with an EXR of frequency and orientation",
+        {.title = "Directions: a picture whose red and green point along the waves, or an EXR",
          .action = "Open",
-         .endings = {".exr"},
+         .endings = {".png", ".jpg", ".jpeg", ".tga", ".exr"},
          .take =
              [&session](const std::string& path) {
                  attempt(session, [&] { set_parameter(session.document(), "paint", path); });

@@ -36,14 +36,22 @@ layout(std430, set = 0, binding = 3) readonly buffer Waves { PixelsWave wave_tab
 layout(std430, set = 0, binding = 4) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
+// The sample with its orientation within half a turn of another's.
+vec2 nearest_turn(vec2 sampled, vec2 other) {
+    return vec2(sampled.x, sampled.y - 6.2831853 * floor((sampled.y - other.y) * 0.15915494 + 0.5));
+}
+
 // Frequency and orientation at a pixel, interpolated between the samples of the paint.
 vec2 painted_at(vec2 pixel) {
     vec2 at = clamp(paint_corner + (pixel + 0.5) * paint_scale - 0.5, vec2(0.0), vec2(paint_size - 1));
     ivec2 low = ivec2(at);
     ivec2 high = min(low + 1, paint_size - 1);
     vec2 between = at - vec2(low);
-    return mix(mix(paint[low.y * paint_size.x + low.x], paint[low.y * paint_size.x + high.x], between.x),
-               mix(paint[high.y * paint_size.x + low.x], paint[high.y * paint_size.x + high.x], between.x), between.y);
+    vec2 corner = paint[low.y * paint_size.x + low.x];
+    vec2 right = nearest_turn(paint[low.y * paint_size.x + high.x], corner);
+    vec2 below = nearest_turn(paint[high.y * paint_size.x + low.x], corner);
+    vec2 opposite = nearest_turn(paint[high.y * paint_size.x + high.x], corner);
+    return mix(mix(corner, right, between.x), mix(below, opposite, between.x), between.y);
 }
 
 struct Values {

@@ -5,6 +5,7 @@ import re
 import unittest
 
 import numpy as np
+from matplotlib.image import imsave
 
 from exr import write_exr
 from png import read_colour_png
@@ -342,6 +343,30 @@ class Channels(SpectraTest):
             self.assertLess(np.abs(np.diff(ramp, n=2, axis=1)).max(), (2 * np.pi * 6 / 40) ** 2 * 5)
             part = self.render("--paint=ramp.exr", region="100,110,90,80", **picture).pixels
             np.testing.assert_allclose(part, turned(ramp)[110:190, 100:190], atol=1e-5)
+
+    def paint_directions(self, red, green):
+        image = np.full((*np.shape(red), 3), 0.3)
+        image[..., 0], image[..., 1] = red, green
+        imsave(self.folder / "flow.png", image)
+
+    def test_stripes_follow_the_directions_of_a_picture(self):
+        picture = {"size": "200x150", "scale": 20, "frequency": 3}
+        self.paint_directions(np.full((4, 6), 204 / 255), np.full((4, 6), 51 / 255))
+        along = np.degrees(np.arctan2(51 / 255 - 0.5, 204 / 255 - 0.5))
+        for turn in (0, 35):
+            plain = self.render(output="plain.exr", orientation=along + 90 + turn, **picture).pixels
+            painted = self.render("--paint=flow.png", orientation=turn, **picture).pixels
+            np.testing.assert_allclose(painted, plain, atol=4e-5)
+
+    def test_directions_turn_the_short_way_around(self):
+        """From 177 to -177 degrees: the wave vector turns by 6 degrees and not by 354."""
+        self.paint_directions(np.zeros((2, 2)), np.array([[0.53, 0.47]] * 2))
+        drawn = self.render("--paint=flow.png", size="400x200", scale=40, frequency=2).pixels
+        self.assertLess(np.abs(np.diff(drawn, n=2, axis=1)).max(), (2 * np.pi * 3 / 40) ** 2 * 5)
+
+    def test_a_grey_picture_has_no_directions(self):
+        self.render("--png=grey.png", size="64x64")
+        self.assert_refused(["grey.png", "red and green"], "render", "--paint=grey.png", "-o", "x.exr")
 
 
 if __name__ == "__main__":

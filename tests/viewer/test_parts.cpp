@@ -145,6 +145,10 @@ TEST_CASE("controls have an effect, or are not shown") {
     painted.request.paint = "painted.exr";
     for (const char* control : {"frequency", "orientation", "lobes"})
         CHECK_FALSE(has_effect(painted, control));
+    painted.request.paint = "directions.png";
+    for (const char* control : {"frequency", "orientation"})
+        CHECK(has_effect(painted, control));
+    CHECK_FALSE(has_effect(painted, "lobes"));
     Document gradient = plain;
     gradient.output = Output::gradient;
     CHECK(has_effect(gradient, "filter"));
