@@ -153,6 +153,7 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
         step.constants[passes::visited_id] = vulkan::constant(noise::visited_cells(recipe));
         step.constants[passes::block_columns_id] = vulkan::constant(block.columns);
         step.constants[passes::sum_id] = waves.size() > 1;
+        step.constants[passes::few_waves_id] = push.wave_count == 1;
         step.push = bytes_of(push);
         step.across = static_cast<int>(across.size());
         step.group = {passes::bake_group, 1};

@@ -35,6 +35,7 @@ layout(constant_id = quadrature_id) const bool with_quadrature = false; // also 
 layout(constant_id = gradient_id) const bool with_gradient = false;   // also writes the derivatives along x and y
 layout(constant_id = animated_id) const bool animated = false;        // for the lattice: whether time is not 0
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
+layout(constant_id = few_waves_id) const int few_waves = 0; // 1: this step has one noise
 layout(constant_id = coloured_id) const bool coloured = false;        // writes the components of a colour instead of the noise
 layout(constant_id = view_id) const uint view = view_flat;
 const bool slice = view == view_slice; // of solid noise, with GABOR_TAPS 3
@@ -239,14 +240,15 @@ void fill(Run across, Run down, uint index) {
 }
 
 void main() {
+    // Without an early return, lavapipe loads the wave once instead of once for each invocation.
+    Run across = columns[first_column_run + min(gl_GlobalInvocationID.x, column_runs - 1u)];
     if (gl_GlobalInvocationID.x >= column_runs)
-        return;
-    Run across = columns[first_column_run + gl_GlobalInvocationID.x];
+        across.count = 0;
     Run down = rows[first_run + gl_GlobalInvocationID.y];
-    if (sum) {
+    if (few_waves == 1) { // compilers would keep a loop with one round
+        fill(across, down, first_wave);
+    } else {
         for (uint i = 0u; i < wave_count; ++i)
             fill(across, down, first_wave + i);
-    } else { // compilers would keep a loop with one round
-        fill(across, down, first_wave);
     }
 }

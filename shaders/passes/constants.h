@@ -42,7 +42,7 @@ const uint channels_id = 23;
 // passes/material.comp
 const uint tiled_id = 24;
 
-// passes/pixels.comp
+// passes/pixels.comp and passes/bake.comp
 const uint few_waves_id = 25;
 const uint narrow_waves_id = 26;
 const uint wide_waves_id = 27;
