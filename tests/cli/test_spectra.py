@@ -116,9 +116,9 @@ class Spectra(SpectraTest):
 
     def test_header_keeps_every_field_of_lobes(self):
         lobes = [{"frequency": 3.25, "orientation": -12.5, "frequency_spread": 0.125, "orientation_spread": 7.5,
-                  "power": 2.75, "radius": 0.625},
+                  "power": 2.75, "radius": 0.625, "stretch": 1.75},
                  {"frequency": 1.75, "orientation": 210.25, "frequency_spread": 0.375, "orientation_spread": 80.5,
-                  "power": 0.3, "radius": 1.0}]
+                  "power": 0.3, "radius": 1.0, "stretch": 1.0}]
         first = self.render(output="a.exr", lobes=self.write_lobes({"lobes": lobes}), size="64x48", scale=16)
         self.assertEqual(first.parameters["lobes"], lobes)
         (self.folder / "a.json").write_text(json.dumps(first.parameters))
