@@ -12,8 +12,8 @@
 
 namespace gabor::test {
 
-/// The largest difference seen, in units of its tolerance, and where it was. A NaN or an infinity is larger
-/// than any number and stays.
+/// The largest difference seen, in units of its tolerance, and where it was. A NaN or an infinity counts as
+/// larger than any number, and stays.
 class Largest {
   public:
     /// `place` is a string, a function that makes one, or has a function to_string.
@@ -27,7 +27,7 @@ class Largest {
         where_ = fmt::format("{} instead of {} at {}", value, expected, text_of(place));
     }
 
-    /// Whether it saw a point, and nothing beyond its tolerance.
+    /// Whether it saw a point and every difference was within its tolerance.
     bool holds() const { return points_ > 0 && difference_ <= 1; }
 
     void check(std::string_view name) const {
@@ -58,7 +58,7 @@ class Largest {
 using Differences = std::map<std::string, Largest>;
 
 inline void check(const Differences& differences, std::size_t functions) {
-    CHECK(differences.size() == functions); // none was left out
+    CHECK(differences.size() == functions); // no function was left out
     for (const auto& [name, largest] : differences)
         largest.check(name);
 }

@@ -245,7 +245,7 @@ void main() {
     if (gl_GlobalInvocationID.x >= column_runs)
         across.count = 0;
     Run down = rows[first_run + gl_GlobalInvocationID.y];
-    if (few_waves == 1) { // compilers would keep a loop with one round
+    if (few_waves == 1) { // compilers would keep a loop of one iteration
         fill(across, down, first_wave);
     } else {
         for (uint i = 0u; i < wave_count; ++i)

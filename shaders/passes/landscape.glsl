@@ -7,7 +7,7 @@ struct Ground {
     uint seed;
     GaborErosion erosion;
     float reach; // the most that erosion adds to the hills
-    vec2 sun;    // along x and y of the ground, of the direction to it, which has length 1
+    vec2 sun;    // x and y of the unit vector towards the sun
 };
 
 vec3 sun_of(Ground ground) {
@@ -44,8 +44,8 @@ vec3 sky_along(vec3 sun, vec3 ray) {
     return mix(vec3(0.1, 0.23, 0.5), vec3(0.5, 0.6, 0.7), exp(-5.0 * max(ray.y, 0.0))) + vec3(1.0, 0.75, 0.5) * glow;
 }
 
-// The distance along the ray to the ground, or -1. Steps grow with the height above the ground and with the distance; the
-// hills, which are cheap, show where erosion cannot reach the ray. `wide`: of a pixel at distance 1.
+// The distance along the ray to the ground, or -1. Steps grow with the height above the ground and with the distance;
+// the hills, which are cheap, tell where the ray is above any erosion. `wide`: width of a pixel at distance 1.
 float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
     float t = 0.0, before = 0.0;
     for (int i = 0; i < 200 && t < far; ++i) {
@@ -67,7 +67,7 @@ float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float fa
     return -1.0;
 }
 
-// How much of the sun is seen from there, past ground with one or two octaves.
+// How much of the sun is visible, with one or two octaves of erosion on the ground in between.
 float sunlight_at(Ground ground, vec3 at) {
     vec3 sun = sun_of(ground);
     float light = 1.0, t = 0.04;
@@ -80,7 +80,7 @@ float sunlight_at(Ground ground, vec3 at) {
     return smoothstep(0.0, 1.0, clamp(light, 0.0, 1.0));
 }
 
-// What is seen along a ray: the ground and its colour, and the light, linear. In the sky there is no ground.
+// The ground that a ray hits, its colour, and the linear light towards the eye. In the sky there is no ground.
 struct Sight {
     GaborTerrain ground;
     float added; // by erosion

@@ -44,7 +44,7 @@ struct Surface {
 // multiple-scattering microfacet model for real-time image based lighting", 2019). Both fits are to integrals over GGX.
 vec3 reflected(vec3 mirror, float roughness, float seen) {
     float square = roughness * roughness;
-    float once = 1.0 - square * (0.458 + 0.289 * square * seen); // by a perfect mirror's facets
+    float once = 1.0 - square * (0.458 + 0.289 * square * seen); // by a perfect mirror's facets, at the first bounce
     float grazing = pow(max(1.0 - seen, 0.0), 5.28 - 4.03 * roughness) * exp(-6.17 * square);
     return (mirror * (once - grazing) + grazing) * (1.0 + mirror * (1.0 / once - 1.0));
 }
@@ -74,7 +74,7 @@ vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp) {
            + facing * facets * shadow * fresnel * lamp_light;
 }
 
-// Light as a screen takes it.
+// Encodes light for a screen.
 vec3 srgb(vec3 light) {
     light = clamp(light, 0.0, 1.0);
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Draws the material that the function GABOR_MATERIAL makes with the parameters GABOR_PARAMETERS: its colour, height, roughness
-// and metalness, its look under a lamp, and its slopes or, of a body, the coverage.
+// Draws the material of the function GABOR_MATERIAL with the parameters GABOR_PARAMETERS: its colour, height, roughness
+// and metalness, its look under a lamp, and its slopes or, for a body, the coverage.
 
 #include "passes/material_interface.h"
 #include "gabor_lattice.glsl"
@@ -38,7 +38,7 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
 #include "relief.glsl"
 
 void main() {
-    look = parameters; // before any branch, or lavapipe would load it once for each invocation
+    look = parameters; // before any branch, or lavapipe would load it for each invocation
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;

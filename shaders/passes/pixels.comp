@@ -21,7 +21,7 @@ layout(constant_id = phasor_id) const bool with_phasor = false;
 layout(constant_id = values_id) const int values = 1; // independent noises
 layout(constant_id = animated_id) const bool animated = false; // for the lattice: whether time is not 0
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves, if there are few: their loop is unrolled
-// Of few waves, which the filter evaluates in one of its forms alone: a bit for each.
+// A bit for each of few waves whose filter needs only its narrow or only its wide form.
 layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
 layout(constant_id = wide_waves_id) const uint wide_waves = 0u;
 layout(constant_id = coloured_id) const bool coloured = false; // red, green and blue instead of the noise
@@ -98,7 +98,7 @@ Values wave_at(PixelsWave wave, int index, Footprint here) {
 #ifdef GABOR_TAPS
         uint seed = i == 0 ? wave.seed : gabor_lobe_seed(wave.seed, -i);
 #else
-        uint seed = wave.seed; // there is one value
+        uint seed = wave.seed; // here there is only one value
 #endif
 #if GABOR_TAPS == 3
         if (filtered)
@@ -132,7 +132,7 @@ Values values_at(Footprint here) {
         for (int i = 0; i < waves; ++i)
             add_wave(sum, i, here);
     }
-    // No loop: drivers unroll none that has loops within.
+    // No loop: drivers do not unroll loops that contain loops.
 #define ADD(i) if (few_waves > i) add_wave(sum, i, here);
     ADD(0) ADD(1) ADD(2) ADD(3) ADD(4) ADD(5) ADD(6) ADD(7) ADD(8) ADD(9) ADD(10) ADD(11) ADD(12) ADD(13) ADD(14) ADD(15)
     return sum;
@@ -161,7 +161,7 @@ void write_pixel(int at, Values here, vec3 colour) {
         picture[at++] = here.removed;
 }
 
-// Without an early return, lavapipe loads what all invocations share once instead of once for each.
+// Without an early return, lavapipe loads shared values once instead of once per invocation.
 void main() {
     ivec2 pixel_at = ivec2(gl_GlobalInvocationID.xy);
     bool inside = pixel_at.x < width && pixel_at.y < height;

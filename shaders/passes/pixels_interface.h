@@ -35,7 +35,7 @@ GABOR_PUSH_CONSTANTS(PixelsPush) {
     float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
     float focal_length; // pixels, in perspective
     int waves;
-    int tables; // number of tables of lines; each column and each row has one line in each, side by side
+    int tables; // number of tables of lines; for each column and row, their lines are adjacent
 };
 
 GABOR_INTERFACE_END

@@ -1,6 +1,6 @@
 // A material on a surface in space. Include after material_at(p, dx, dy), a material in the plane.
 
-// What the surface has at a place, and the slope of its relief, in space.
+// The material at a place of the surface, and the slope of its relief, in space.
 struct Relief {
     GaborMaterial material;
     vec3 slope;

@@ -74,7 +74,7 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
                 sum.complex += wave.amplitude * vec2(field.quadrature, field.noise);
                 sum.slope += wave.amplitude / wave.radius * field.gradient;
             }
-            if (coloured) // then there is one value
+            if (coloured) // colour implies a single value
                 add_to(sum.components, wave.weights, vec2(field.quadrature, field.noise), field.removed);
         }
     }
@@ -116,7 +116,7 @@ void main() {
         return;
     int at = (before + here.y * width + here.x) * channels;
     vec2 corner = vec2(here + ivec2(first_column, first_row));
-    if (view == view_slice) { // its axes are those of the plane, with y pointing down
+    if (view == view_slice) { // a slice has the plane's axes, with y pointing down
         Axes flat_axes = Axes(vec3(1.0, 0.0, 0.0), vec3(0.0, -1.0, 0.0), vec3(0.0, 0.0, 1.0));
         vec3 p = vec3(pixel * (corner + 0.5), depth);
         Values here_values = values_at(p, flat_axes.toward_eye, vec3(pixel, 0.0, 0.0), vec3(0.0, pixel, 0.0));

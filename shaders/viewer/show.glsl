@@ -16,7 +16,7 @@ layout(constant_id = 5) const int coverage_at = -1; // channel of the coverage, 
 layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
 layout(constant_id = 7) const bool tiles = false;   // whether to repeat the canvas two by two
 layout(constant_id = 8) const int profile = 0;      // of stripes
-layout(constant_id = 9) const bool unlit = false;   // whether to show the normals of what is lit
+layout(constant_id = 9) const bool unlit = false;   // whether to show normals instead of light
 
 // A channel at a pixel.
 float value_at(vec2 pixel, int channel);
@@ -39,8 +39,8 @@ vec3 mapped(float share) {
     return colour;
 }
 
-// A surface of that colour. `slope`: along x and y of the view, or in space for a body, which has its own normal, stored after
-// the gradient.
+// Lights a surface of that colour. `slope`: along x and y of the view, or in space for a body, which has its own
+// normal, stored after the gradient.
 vec3 lit_surface(vec2 pixel, vec3 colour, vec3 slope) {
     vec3 normal = vec3(0.0, 0.0, 1.0);
     if (normal_at >= 0) {

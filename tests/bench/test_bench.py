@@ -1,4 +1,4 @@
-"""`gabor-lab bench`: what it reports, not how fast it was."""
+"""Checks the report of `gabor-lab bench`, not its timings."""
 
 import datetime
 import json
@@ -28,7 +28,7 @@ class Bench(ProgramTest):
             self.assertLessEqual(row["seconds"], row["seconds_high"])
             self.assertGreater(row["pipeline_seconds"], 0)
             self.assertEqual(row["cvm"] is None, name in ("Perlin noise", "simplex noise", "writing alone"))
-        # 2^20 samples tell good from bad. With 16 times as many, the published noises have 0.49 and 0.37.
+        # 2^20 samples separate good from bad. With 16 times as many samples, the published noises have 0.49 and 0.37.
         for name in published:
             cvm = rows[name]["cvm"]
             self.assertTrue(cvm["low"] < 0.55 and cvm["high"] > 0.33, f"{name}: {cvm}")
@@ -38,7 +38,7 @@ class Bench(ProgramTest):
         self.check_page(report)
 
     def check_page(self, report):
-        """tools/performance puts these figures, and those of the code, into a page and leaves its prose as it was."""
+        """tools/performance puts these figures and the cost of the code into a page without changing its prose."""
         page = self.folder / "page.md"
         page.write_text("before\n<!-- tools/performance -->\nold\n<!-- end -->\nafter\n")
         code = {"name": "gabor_noise, lattice", "instructions": 369.2, "inverse_throughput": 525.0, "registers": 32}
@@ -60,8 +60,8 @@ class Bench(ProgramTest):
     def test_unwritable_report(self):
         self.assert_fails(2, ["nowhere"], "bench", "--quick", "--json", "nowhere/bench.json")
 
-    @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe, which does not tell")
-    def test_isa_needs_a_driver_that_tells(self):
+    @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe, which lacks statistics")
+    def test_isa_needs_a_driver_with_statistics(self):
         self.assert_fails(2, ["VK_KHR_pipeline_executable_properties"], "bench", "--isa", "--json", "isa.json",
                           env={"VK_ICD_FILENAMES": LAVAPIPE, "VK_DRIVER_FILES": None})
 

@@ -5,7 +5,7 @@ import re
 
 
 def can_hide_files(folder):
-    """Whether the file system knows files without a name; elsewhere a killed program leaves a hidden one."""
+    """Whether the file system supports unnamed files; elsewhere a killed program leaves a hidden one."""
     try:
         os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY))
         return True
@@ -24,8 +24,8 @@ def prepare(folder, names, older):
 def check_files(test, folder, complete, older):
     """complete: bytes by name. Returns the names of those that are complete.
 
-    While an older file is replaced, the new one has a hidden name for an instant: it is complete, and the next
-    that replaces the file removes it."""
+    While it replaces an older file, the new one briefly has a hidden name; it is complete, and the next replacement
+    removes it."""
     names = complete.keys()
     for path in list(folder.iterdir()):
         hidden = re.fullmatch(r"\.(.+)\.gabor-[0-9a-f]{8}", path.name)
@@ -33,7 +33,7 @@ def check_files(test, folder, complete, older):
             test.assertEqual(path.read_bytes(), complete[hidden[1]], f"{path.name} is not complete")
             path.unlink()
     files = {path.name: path.read_bytes() for path in folder.iterdir()}
-    test.assertLessEqual(files.keys(), names, "another file is left")
+    test.assertLessEqual(files.keys(), names, "an unexpected file is left")
     for name, content in complete.items():
         test.assertTrue(files.get(name) in [content, b"older" if older else None], f"{name} is not complete")
     return [name for name in files if files[name] == complete[name]]

@@ -11,11 +11,12 @@ from exr import Exr
 
 PROGRAM = os.environ["GABOR_PROGRAM"]
 NAME = pathlib.Path(PROGRAM).name
-LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None) # Mesa's driver, where it is
+LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None) # Mesa's driver, if installed
 
 
 def environment(**changes):
-    """This process's environment with these changes; None removes a variable. Validation is on unless GABOR_VALIDATION says
+    """This process's environment with these changes; None removes a variable. Validation is on unless GABOR_VALIDATION
+    says
     otherwise: any message of Vulkan's validation layers is then a failure."""
     merged = {"GABOR_VALIDATION": "1", **os.environ, **changes}
     return {name: value for name, value in merged.items() if value is not None}
@@ -41,7 +42,7 @@ class ProgramTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def files(self):
-        """Everything in the folder: the bytes of files, None for folders."""
+        """The contents of the folder: bytes of files, None for folders."""
         return {str(path.relative_to(self.folder)): None if path.is_dir() else path.read_bytes()
                 for path in self.folder.rglob("*")}
 
@@ -58,7 +59,7 @@ class ProgramTest(unittest.TestCase):
         self.assert_failed(status, words, gabor(*arguments, cwd=self.folder, **options), before)
 
     def assert_failed(self, status, words, result, before):
-        """The same of a result; `before` is what was in the folder."""
+        """Checks a result in the same way; `before` is the earlier contents of the folder."""
         case = f"{NAME} {result.args[1:]}: {result.stderr!r}"
         self.assertEqual(result.returncode, status, case)
         self.assertRegex(result.stderr, rf"\A{NAME}: [^\n]+\n\Z", case)
@@ -71,8 +72,8 @@ class ProgramTest(unittest.TestCase):
         self.assert_fails(2, words, *arguments, **options)
 
     def assert_plausible(self, interval, truth, name):
-        """The truth lies in 1.5 times the interval of 95 %. Of 40 pictures, two had it outside of the interval, the furthest
-        at 1.18 times its half."""
+        """The true value lies within 1.5 times the 95 % interval. Of 40 pictures, two had it outside the interval, the
+        furthest at 1.18 times its half-width."""
         middle, half = (interval["low"] + interval["high"]) / 2, (interval["high"] - interval["low"]) / 2
         self.assertLess(abs(truth - middle), 1.5 * half, f"{name}: {truth}, {interval}")
 

@@ -1,4 +1,4 @@
-"""`gabor render` that is killed or interrupted: its file is there completely, or not at all."""
+"""Kills and interrupts `gabor render`: its file is complete or missing."""
 
 import os
 import pathlib
@@ -76,7 +76,7 @@ class Atomicity(ProgramTest):
     def test_interrupted_from_the_keyboard(self):
         self.check_interrupts(signal.SIGINT)
 
-    def test_asked_to_end(self):
+    def test_asked_to_terminate(self):
         self.check_interrupts(signal.SIGTERM)
 
     def test_interrupted_before_anything_is_set_up(self):
@@ -90,7 +90,7 @@ class Atomicity(ProgramTest):
                 self.assertEqual(self.check_files(older=turn % 2), [])
 
     def test_interrupted_twice(self):
-        """The second ends the program at once, wherever it is: each file is complete, older, or not there."""
+        """A second signal ends the program at once: each file is complete, still the older one, or missing."""
         for turn in range(4):
             status, _, _ = self.interrupt(signal.SIGINT, 2, turn)
             self.assertIn(status, (0, -signal.SIGINT))

@@ -1,5 +1,5 @@
-"""The same pixels from the same request: on every run, however lavapipe divides its work, and, to the stated tolerance,
-on another driver (SwiftShader). With GABOR_OTHER_PROGRAM, from another compiler's build too."""
+"""A request gives the same pixels on every run, however lavapipe divides its work, and within the stated tolerance on
+another driver (SwiftShader). GABOR_OTHER_PROGRAM adds another compiler's build."""
 
 import glob
 import os
@@ -12,7 +12,7 @@ from program import LAVAPIPE, PROGRAM, ProgramTest
 
 SWIFTSHADER = next(iter(glob.glob("/usr/lib/chromium/vk_swiftshader_icd.json")), None)
 
-# Two channels more, a part of a cell at each edge, cells on both sides of the origin's.
+# Two more channels, partial cells at each edge, and cells on both sides of the origin.
 COMMON = ("--size=300x200", "--scale=21.7", "--orientation=33", "--seed=7", "--quadrature", "--gradient")
 REQUESTS = [*(("--recipe", recipe) for recipe in ("one", "pure", "paper")), ("--tileable",), ("--time=0.3",),
             ("--frequency=9.5",), ("--region=10,20,111,77",)]
@@ -40,7 +40,8 @@ class Drivers(ProgramTest):
 
     @unittest.skipUnless(LAVAPIPE and SWIFTSHADER, "needs lavapipe and SwiftShader")
     def test_two_drivers_agree(self):
-        """Each is within 2e-5 of the exact noise up to frequency 4, in proportion above: see render/request.hpp."""
+        """Each driver is within 2e-5 of the exact noise up to frequency 4, and in proportion above: see
+        render/request.hpp."""
         for options in REQUESTS:
             pixels = []
             for driver in (LAVAPIPE, SWIFTSHADER):

@@ -1,4 +1,4 @@
-"""`gabor erode`: a heightmap of any format gets gullies, alike in regions and as a whole, and closed in tiles."""
+"""`gabor erode` adds gullies to a heightmap of any format; regions match the whole, and tiles have no seams."""
 
 import json
 import struct
@@ -13,14 +13,14 @@ SIDE = 96
 
 
 def hills(side=SIDE, rows=None):
-    """Smooth heights in [0, 1] that close along both axes."""
+    """Smooth heights in [0, 1] that tile along both axes."""
     x = 2 * np.pi * np.arange(side) / side
     y = 2 * np.pi * np.arange(rows or side)[:, None] / (rows or side)
     return (0.5 + 0.2 * np.sin(x + 1) * np.cos(y) + 0.2 * np.sin(2 * y - x)).astype("f4")
 
 
 def read_png16(path):
-    """height x width, 0 to 65535, of a file with the filter Up."""
+    """Values 0 to 65535, height x width, of a file that uses the filter Up."""
     data = path.read_bytes()
     width, height, bits, colour = struct.unpack(">IIBB", data[16:26])
     assert (bits, colour) == (16, 0)
@@ -52,7 +52,7 @@ class Erode(ProgramTest):
         self.assertLess(np.abs(out["ridge"]).max(), 1.001)
         self.assertGreater(out["ridge"].std(), 0.2)
 
-    def test_without_octaves_the_map_stays_and_slopes_are_its_own(self):
+    def test_without_octaves_the_map_and_its_slopes_stay(self):
         out = self.eroded("--octaves=0", "--extent=8", "--tileable")
         np.testing.assert_array_equal(out["height"], self.map)
         pixel = 8 / SIDE
@@ -60,7 +60,7 @@ class Erode(ProgramTest):
         np.testing.assert_allclose(out["slope.x"], (along[1:-1, 2:] - along[1:-1, :-2]) / (2 * pixel), atol=0.01)
         np.testing.assert_allclose(out["slope.y"], (along[2:, 1:-1] - along[:-2, 1:-1]) / (2 * pixel), atol=0.01)
 
-    def test_regions_are_those_of_the_whole(self):
+    def test_regions_match_the_whole(self):
         for tileable in ([], ["--tileable"]):
             whole = self.eroded(*tileable)
             for x, y, width, height in ((0, 0, 40, 30), (33, 21, 40, 50), (90, 94, 6, 2), (0, 1, 96, 1)):
@@ -68,8 +68,8 @@ class Erode(ProgramTest):
                 for name, values in whole.items():
                     np.testing.assert_array_equal(part[name], values[y:y + height, x:x + width], name)
 
-    def test_tiles_close(self):
-        """Across its edges a tile steps no further than inside; a map eroded without --tileable does."""
+    def test_tiles_have_no_seam(self):
+        """A tile's steps across its edges are no larger than inside; without --tileable they are."""
         def edges(values):
             return np.abs(values[0] - values[-1]).mean() + np.abs(values[:, 0] - values[:, -1]).mean()
         inner = lambda values: np.abs(np.diff(values, axis=0)).mean() + np.abs(np.diff(values, axis=1)).mean()
@@ -79,7 +79,7 @@ class Erode(ProgramTest):
         self.assertGreater(edges(patch), 1.3 * inner(patch))
 
     def test_bands_do_not_show(self):
-        """A map of several bands, and a part of it that is one."""
+        """Compares a map of several bands with a part of it that fits in one."""
         write_exr(self.folder / "wide.exr", {"Y": np.tile(hills(1024, 64), (24, 8))})
         whole = self.eroded(map="wide.exr")
         part = self.eroded("--region=100,200,64,64", map="wide.exr")
@@ -105,7 +105,7 @@ class Erode(ProgramTest):
                 np.testing.assert_allclose(low + (high - low) * found / 65535, wanted, atol=0.51 * (high - low) / 65535 + 1e-6)
             self.assertEqual(len(ranges), 1)
             self.assertLess(low, -1)
-        again = self.eroded("--elevation=-1,2", map="out.png") # what it writes it reads
+        again = self.eroded("--elevation=-1,2", map="out.png") # it reads what it writes
         self.assertEqual(again["height"].shape, (40, 30))
 
     def test_presets_and_members_change_the_shape(self):

@@ -28,7 +28,7 @@ class Values(ErrorTest):
             self.refuse_render(["--size", text, "WIDTHxHEIGHT"], f"--size={text}")
 
     def test_numbers(self):
-        """Each text with one of the parameters, which share the function that reads them."""
+        """Tries each text with one parameter only, since all parameters share one parser."""
         accepted = {"scale": "2 to 4096", "frequency": "0.001 to 1024", "orientation": "-36000 to 36000"}
         for (name, interval), text in zip(itertools.cycle(accepted.items()),
                                           ("nan", "-nan", "inf", "-inf", "1e6", "-1e6", "1e308", "0", "1e5", "-0", "-4", "-1e5")):
@@ -36,7 +36,7 @@ class Values(ErrorTest):
         for name, text in zip(itertools.cycle(accepted), ("4abc", "4,5", "4 ", " 4", "four", "+4", "0x10", "1e999", "--4")):
             self.refuse_render([f"--{name}", text, "a number"], f"--{name}={text}")
 
-    def test_negative_numbers_as_a_word_of_their_own(self):
+    def test_negative_numbers_as_separate_arguments(self):
         self.refuse_render(["scale", "2 to 4096"], "--scale", "-4")
         self.refuse_render(["--seed", "-1"], "--seed", "-1")
         self.succeed("render", "-o", "out.exr", "--size=8x8", "--orientation", "-45")
@@ -188,7 +188,7 @@ class Devices(ErrorTest):
 
     def test_an_ambiguous_device_name(self):
         if not LAVAPIPE:
-            self.skipTest("needs Mesa's lavapipe, to have it twice")
+            self.skipTest("needs Mesa's lavapipe, to list it twice")
         shutil.copy(LAVAPIPE, self.folder / "again.json")
         twice = {"VK_ICD_FILENAMES": f"{LAVAPIPE}:{self.folder / 'again.json'}", "VK_DRIVER_FILES": None}
         self.refuse_render(["llvmpipe", "more than one", "0 (", "1 ("], "--device=LLVMpipe", env=twice)
@@ -227,7 +227,7 @@ class Disk(ErrorTest):
         mount = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
         small = "mount -t tmpfs -o size=1m tmpfs . && cd . && "
         if subprocess.run([*mount, small + ":"], cwd=self.folder, capture_output=True).returncode != 0:
-            self.skipTest("may not mount a small disk")
+            self.skipTest("not allowed to mount a small disk")
         script = small + 'echo older >old.exr; "$0" "$@"; status=$?; ls -A; cat old.exr; exit $status'
         for output in ("old.exr", "new.exr"):
             result = gabor("render", "-o", output, "--size=1024x1024", cwd=self.folder,

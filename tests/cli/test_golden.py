@@ -1,4 +1,5 @@
-"""The pixels of this version: 8 x 8 for each recipe, drawn in blocks and pixel by pixel, in the first and the last corner
+"""The pixels of this version: 8 x 8 for each recipe, drawn in blocks and pixel by pixel, in the first and the last
+corner
 of the largest picture. On lavapipe from Mesa 22.3 (Debian 12), their hashes must match tests/golden/pixels.txt; on other
 drivers, the sums of rows must agree within the tolerance in render/request.hpp. Changing pixels requires a new version.
 After an intended change, regenerate the file with this command and review the diff:
@@ -39,7 +40,7 @@ class Golden(ProgramTest):
                         blocks[f"{recipe} {' '.join(request)}, {corner} corner: {name}"] = values
         return blocks
 
-    def test_pixels_are_those_of_this_version(self):
+    def test_pixels_match_this_version(self):
         blocks = self.rendered()
         lines = [f"{name}: {hashlib.sha256(values.tobytes()).hexdigest()[:16]} " + " ".join(f"{v:.6f}" for v in sums(name, values))
                  for name, values in blocks.items()]
@@ -59,7 +60,7 @@ class Golden(ProgramTest):
 
 
 def sums(name, values):
-    """Of each row, with other weights for each column; of a phase its sine."""
+    """The sum of each row with a different weight per column, and with the sine of phases."""
     values = np.sin(2 * np.pi * values.astype(float)) if name.endswith("phase") else values.astype(float)
     return values @ [1, -0.9, 0.8, -0.7, 0.6, -0.5, 0.4, -0.3]
 

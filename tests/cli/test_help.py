@@ -42,7 +42,7 @@ class Help(ProgramTest):
             self.assertNotIn("TEXT", text)
         self.assertIn('[{"frequency": 4, "orientation": 45, "power": 1}]', self.succeed("render", "--help"))
 
-    def test_recipes_are_those_of_the_page(self):
+    def test_recipes_match_the_page(self):
         page = (pathlib.Path(__file__).parents[2] / "docs" / "recipes.md").read_text()
         recipes = json.loads(self.succeed("recipes", "--json"))
         self.assertEqual([(recipe["file"], recipe["macros"]) for recipe in recipes[:3]],

@@ -1,4 +1,4 @@
-"""`gabor join`: regions become, byte for byte, the picture that is rendered at once."""
+"""`gabor join`: joined regions equal, byte for byte, the picture rendered at once."""
 
 import pathlib
 import unittest
@@ -13,7 +13,7 @@ TILES = ["0,0,50,20", "50,0,46,33", "0,20,50,55", "50,33,20,42", "70,33,26,42"]
 
 
 class JoinTest(ProgramTest):
-    rendered = {} # the bytes of what any test has rendered, by its options
+    rendered = {} # the bytes of each rendered file, by its options
 
     def render(self, name, *options):
         if options not in self.rendered:
@@ -32,7 +32,7 @@ class JoinTest(ProgramTest):
 
 class Joined(JoinTest):
     def test_every_tiling_in_every_compression(self):
-        # Strips whose blocks are those of the whole, strips whose are not, and tiles; the last in a mixed order.
+        # Strips cut at block boundaries, strips cut elsewhere, and tiles; the last in mixed order.
         tilings = {"none": (STRIPS, UNEVEN, TILES, ["0,0,96,75"]), "zip": (STRIPS, UNEVEN, TILES), "rle": (UNEVEN,),
                    "zips": (UNEVEN,), "piz": (STRIPS, UNEVEN)}
         for compression, all_windows in tilings.items():
@@ -51,7 +51,7 @@ class Joined(JoinTest):
             self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"), windows)
 
     def test_strips_that_end_around_a_band(self):
-        for rows in (63, 64, 65):  # of so wide a picture 64 rows fill a band
+        for rows in (63, 64, 65):  # at this width 64 rows fill a band
             wide = [f"--size=65536x{rows}", "--scale=8"]
             self.render("whole.exr", *wide)
             for tiling in ([(0, 0, 65536, 1), (0, 1, 65536, rows - 1)], [(0, 0, 65536, rows - 1), (0, rows - 1, 65536, 1)],

@@ -60,8 +60,8 @@ class Maps(RenderTest):
         np.testing.assert_allclose((normal ** 2).sum(axis=2), 1, atol=1e-6)
         self.assertTrue(((maps["occlusion"] > 0) & (maps["occlusion"] <= 1)).all())
 
-    def test_normals_are_those_of_the_height(self):
-        """x to the right and y up in the picture. So near, height is smooth between pixels."""
+    def test_normals_match_the_height(self):
+        """x to the right and y up in the picture. At this distance the height is smooth between pixels."""
         scale = 1500
         _, maps = self.maps(f"--scale={scale}")
         down, right = np.gradient(maps["height"], 1 / scale)
@@ -102,7 +102,7 @@ class Maps(RenderTest):
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
 
     def test_levels_reflect_a_light_as_their_pixels_do(self):
-        """A highlight of GGX on a level, and the mean of the highlights on the pixels that it averages."""
+        """The GGX highlight on a mip level, and the mean of the highlights on the pixels that it averages."""
         side, block = 256, 16
         self.succeed("render", "--material=leather", f"--size={side}x{side}", "--maps", "set", "--texture")
         levels = Texture(self.folder / "set" / "maps.exr").levels

@@ -1,4 +1,4 @@
-"""Examples and figures of README.md and docs hold."""
+"""Checks that the examples and figures of README.md and docs are true."""
 
 import json
 import pathlib
@@ -30,7 +30,7 @@ class Readme(ProgramTest):
             self.assert_plausible(stats[f"{name}_interval"], truth, name)
         self.assertLess(abs(stats["cvm"]["value"]), 1.25 * stats["smallest_cvm"])  # of 40 pictures at most 1.04
 
-    def test_its_cycles_are_those_of_the_table_of_performance(self):
+    def test_its_cycles_match_the_table_of_performance(self):
         performance = (ROOT / "docs" / "performance.md").read_text()
         rows = re.findall(r"(?m)^\| `(\S+)` \|.* dB \| (\d+) \|", RECIPES)
         self.assertGreater(len(rows), 4)
@@ -40,7 +40,7 @@ class Readme(ProgramTest):
 
 class Engines(ProgramTest):
     def test_every_snippet_draws_the_readmes_picture(self):
-        """The places at which each evaluates the noise, pixel by pixel as its engine counts them."""
+        """The places where each snippet evaluates the noise, in its engine's pixel order."""
         side = 96
         self.succeed("render", "-o", "noise.exr", f"--size={side}x{side}", "--scale=32", "--frequency=4",
                      "--orientation=45", "--seed=7")
@@ -50,7 +50,7 @@ class Engines(ProgramTest):
         x, down = np.meshgrid(np.arange(side) + 0.5, np.arange(side) + 0.5)
         vec2 = lambda x, y: types.SimpleNamespace(x=x, y=y, xy=(x, y))
         for snippet in snippets:
-            upwards = "gl_FragCoord" in snippet  # of OpenGL; others count from the top
+            upwards = "gl_FragCoord" in snippet  # OpenGL counts from the bottom, others from the top
             place = eval(snippet.replace(".xy", ""), {
                 "gl_FragCoord": vec2(x, side - down), "FRAGCOORD": vec2(x, down), "position": vec2(x, down),
                 "vec2": vec2, "height": side})

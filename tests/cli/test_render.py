@@ -16,7 +16,7 @@ DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "s
             "tileable": False, "time": 0, "quadrature": False, "gradient": False, "frequency_spread": 0,
             "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False, "values": 1,
             "material": "none"}
-# What only some views have, and lists of lobes.
+# Parameters that only some views have, and lists of lobes.
 OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1, "light_azimuth": -135,
            "light_elevation": 38}
 
@@ -37,7 +37,7 @@ class Materials(RenderTest):
             np.testing.assert_array_equal(again.channels[name], other.channels[name])
 
     def test_tiles(self):
-        """The picture goes on at its opposite edge: steps there are as small as elsewhere."""
+        """The picture continues at its opposite edge: steps across it are as small as elsewhere."""
         for material in ("zebra", "marble", "bark"):
             tile = self.render(f"--material={material}", "--tileable", "--filter", size="192x96", scale=32).channels["height" if material == "bark" else "G"]
             for axis in (0, 1):
@@ -139,7 +139,7 @@ class Like(RenderTest):
             self.assertEqual(again.attributes, made.attributes)
 
     def test_it_takes_every_parameter(self):
-        """Sets all parameters that do not exclude each other to other values than their defaults."""
+        """Sets all parameters that do not exclude each other to values other than the defaults."""
         write_exr(self.folder / "paint.exr", {"frequency": np.full((2, 2), 3, "<f4"),
                                               "orientation": np.full((2, 2), 40, "<f4")})
         every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
@@ -212,7 +212,7 @@ class Periods(RenderTest):
                 across = np.abs(np.take(pixels, 0, axis) - np.take(pixels, -1, axis)).max()
                 self.assertEqual(across < 1.05 * inside, seamless, f"{flags}, axis {axis}: {across}, {inside}")
 
-    def test_a_tile_is_remembered(self):
+    def test_the_header_records_a_tile(self):
         tile = self.render("--tileable", time=0.3, **SMALL)
         self.assertEqual((tile.parameters["tileable"], tile.parameters["time"]), (True, 0.3))
         self.assert_same_bits(self.render(like="out.exr").pixels, tile.pixels)
@@ -248,9 +248,9 @@ class Noise(RenderTest):
         for scale, frequency in [(2, 0.001), (2, 1), (4096, 0.001), (4096, 1024)]:
             for orientation in (-36000, 36000):
                 exr = self.render(size="64x64", scale=scale, frequency=frequency, orientation=orientation)
-                self.assertLess(np.abs(exr.pixels).max(), 12) # NaN is not less either
+                self.assertLess(np.abs(exr.pixels).max(), 12) # also fails for NaN
 
-    def test_a_frequency_above_the_limit_of_the_picture_is_warned_of(self):
+    def test_a_warning_if_the_frequency_exceeds_the_limit_of_the_picture(self):
         result = gabor("render", "-o", "out.exr", "--size=16x16", "--scale=8", "--frequency=4.1", cwd=self.folder)
         self.assertEqual(result.returncode, 0)
         self.assertRegex(result.stderr, r"\Agabor: warning: [^\n]*0\.5[^\n]*\n\Z")
@@ -269,12 +269,12 @@ class Messages(RenderTest):
                     stdout = self.succeed("render", "-o", "out.exr", "--size=8x8", "--device", selector)
                     self.assertIn(name, stdout)
 
-    def test_one_line_tells_what_was_done(self):
+    def test_one_line_reports_what_was_done(self):
         stdout = self.succeed("render", "-o", "out.exr", "--size=61x47", "--region=0,0,11,13", "--recipe=paper")
         self.assertRegex(stdout, r"\Aout\.exr: 11 x 13 pixels, recipe paper, on [^\n]+\n\Z")
 
     def test_verbose_figures_of_a_large_picture(self):
-        # 256 MiB of pixels pass through bands of 16 MiB; /dev/null keeps them off the disk.
+        # 256 MiB of pixels pass through bands of 16 MiB; writing to /dev/null keeps them off the disk.
         stdout = self.succeed("render", "-o", "/dev/null", "--size=8192x8192", "--verbose", "--compression=none")
         figures = {name: float(value) for name, value in re.findall(r"^  (\w[\w ]*\w) +(-?[\d.]+) (?:s|MiB)", stdout,
                                                                      re.MULTILINE)}

@@ -1,4 +1,4 @@
-"""Files of `gabor render` with spectra, the filter, views, paint, several values and the phasor."""
+"""`gabor render` with spectra, the filter, views, paint, several values and the phasor."""
 
 import json
 import re
@@ -22,7 +22,7 @@ def power(values):
 
 
 def frequencies(side, scale):
-    """Of the spectrum's samples, in cycles per kernel radius: x, y."""
+    """The x and y frequency of each sample of the spectrum, in cycles per kernel radius."""
     return np.meshgrid(np.fft.fftfreq(side, 1 / scale), np.fft.fftfreq(side, 1 / scale))
 
 
@@ -32,7 +32,7 @@ def window_power(f):
 
 
 def pieces(c):
-    """Power and place, from -1 to 1, of each piece of a spread: int(c) pieces, and between counts a blend of both."""
+    """Power and position, from -1 to 1, of each piece of a spread: int(c) pieces, or a blend of two counts."""
     kept = min(5 - 5 * (c % 1), 1)
     return [(share / n, (2 * i + 1) / n - 1) for n, share in ((int(c), kept), (int(c) + 1, 1 - kept)) if share
             for i in range(n)]
@@ -46,7 +46,7 @@ class SpectraTest(RenderTest):
 
 class Spectra(SpectraTest):
     def assert_energies(self, values, scale, lobes):
-        """Each lobe's share of the energy, out to half way to the others, is within 3 % of what was asked for."""
+        """Each lobe's share of the energy, measured halfway to its neighbours, is within 3 % of the request."""
         measured = power(values)
         x, y = frequencies(len(values), scale)
         total = sum(lobe["power"] for lobe in lobes)
@@ -67,7 +67,7 @@ class Spectra(SpectraTest):
             ratio = measured[owner == i].sum() / expected[owner == i].sum()
             self.assertAlmostEqual(ratio, 1, delta=0.03, msg=lobe)
 
-    def test_lobes_have_the_energies_asked_for(self):
+    def test_lobes_have_the_requested_energies(self):
         name = self.write_lobes(LOBES)
         exr = self.render("--tileable", lobes=name, size="2048x2048", scale=8, seed=5)
         self.assertAlmostEqual(exr.pixels.var(), 1, delta=0.01)
@@ -83,7 +83,7 @@ class Spectra(SpectraTest):
         radius = np.hypot(x, y)
         self.assertAlmostEqual((measured * radius).sum() / measured.sum(), 2.513, delta=0.02)
 
-    def test_spreads_have_the_widths_asked_for(self):
+    def test_spreads_have_the_requested_widths(self):
         values = self.render("--tileable", orientation=30, orientation_spread=10, frequency=2.4,
                              frequency_spread=0.25, size="2048x2048", scale=8).pixels
         measured = power(values)
@@ -107,7 +107,7 @@ class Spectra(SpectraTest):
         self.assertAlmostEqual((weight * along).sum() / (share * frequency * np.cos(angle)).sum(), 1, delta=0.01)
 
     def test_a_sum_of_equal_lobes_has_variance_1(self):
-        # Were any two of the noises one, the variance would be 1.67 of three and 1.5 of four.
+        # If two of the noises were the same, the variance would be 1.67 for three and 1.5 for four.
         for count in (3, 4):
             lobes = self.write_lobes([{"frequency": 3, "orientation": 30, "power": 2}] * count)
             pixels = self.render(lobes=lobes, size="1024x1024", scale=8).pixels
@@ -165,7 +165,7 @@ class Spectra(SpectraTest):
 
     def test_a_body_has_all_of_a_material_on_every_side(self):
         metal = self.render(material="brushed-metal", view="sphere", size="80x60", scale=20).channels
-        np.testing.assert_allclose(metal["metalness"][metal["A"] == 1], 1, atol=0.02)  # from up to three planes, less 1 % of each
+        np.testing.assert_allclose(metal["metalness"][metal["A"] == 1], 1, atol=0.02)  # from up to three planes
 
     def test_contradictory_requests(self):
         good = self.write_lobes(LOBES)
@@ -199,7 +199,7 @@ class Spectra(SpectraTest):
 
 class Filter(SpectraTest):
     def test_it_works_with_time_and_tiles(self):
-        # Through pixels this small the filter changes the noise by 2 % at most: the same time, and the same tile.
+        # With pixels this small the filter changes the noise by at most 2 %, so time and tile must match.
         options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5}
         for more in ([], ["--time=0.3"], ["--tileable"], ["--tileable", "--time=0.3"]):
             with self.subTest(more):
@@ -217,7 +217,7 @@ class Filter(SpectraTest):
         def weights(pixels):
             weight = np.exp(-2 * (at[None, :16 * pixels] - (np.arange(pixels)[:, None] + 0.5)) ** 2)
             return weight / weight.sum(axis=1, keepdims=True)
-        inside = (slice(3, -3), slice(3, -3))  # where the fine picture has all that the filter sees
+        inside = (slice(3, -3), slice(3, -3))  # where the fine picture covers the whole filter
         for time in (0, 0.3):
             seen = self.render("--filter", *more, size="64x48", scale=4, time=time, **options).channels
             fine = self.render(*more, output="fine.exr", size="1024x768", scale=64, time=time, **options).channels
@@ -239,7 +239,7 @@ class Filter(SpectraTest):
         exr = self.render("--filter", view="horizon", size="320x240", scale=24, frequency=2, orientation=90)
         removed = exr.channels["removed"]
         self.assertTrue((removed[:60] == 1).all() and (exr.pixels[:60] == 0).all())  # the sky
-        self.assertTrue((np.diff(removed[61:].mean(axis=1)) <= 1e-6).all())  # less and less towards the viewer
+        self.assertTrue((np.diff(removed[61:].mean(axis=1)) <= 1e-6).all())  # decreasing towards the viewer
         self.assertLess(removed[-1].mean(), 0.25)
         self.assertGreater(removed[62].mean(), 0.99)
         self.assertTrue(np.isfinite(exr.pixels).all())
@@ -268,7 +268,7 @@ class Space(SpectraTest):
         self.assertAlmostEqual(slices[0].var(), 1, delta=0.06)
 
     def test_spectra_in_space(self):
-        """A sum of lobes is the sum of what each of them is alone, with its own kernel radius."""
+        """A sum of lobes equals the sum of the lobes rendered alone, each with its own kernel radius."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 3, "orientation": 110, "power": 1}]
         for view, ratio in ((["--view=slice", "--depth=1.3"], 3), (["--view=sphere"], 1), (["--view=torus", "--solid"], 2)):
             # A lobe alone has another seed than in a sum, so its noise is found by giving the other lobe almost no power.
@@ -299,8 +299,8 @@ class Space(SpectraTest):
 
 
 class Channels(SpectraTest):
-    def test_pixel_by_pixel_a_slice_is_the_noise_of_the_blocks(self):
-        # Of the plane tests/render/test_pixels.cpp says so.
+    def test_a_slice_drawn_pixel_by_pixel_equals_the_blocks(self):
+        # tests/render/test_pixels.cpp checks the same in the plane.
         options = {"view": "slice", "depth": -3.3, "frequency": 1.3, "frequency_spread": 0.5, "size": "300x200", "scale": 20,
                    "orientation": 25, "time": 0.2}
         for spread in (40, 90):
@@ -320,7 +320,7 @@ class Channels(SpectraTest):
         for options in (["--view=slice"], ["--view=sphere"]):
             self.assertEqual(self.render(*options, size="64x64").parameters["recipe"], "lattice")
 
-    def test_even_paint_is_the_plain_noise(self):
+    def test_uniform_paint_is_the_plain_noise(self):
         picture = {"size": "200x150", "scale": 20}
         write_exr(self.folder / "even.exr", {"frequency": np.full((5, 7), 3, "<f4"),
                                              "orientation": np.full((5, 7), 40, "<f4")})
@@ -331,7 +331,7 @@ class Channels(SpectraTest):
             np.testing.assert_allclose(even, plain, atol=4e-5)
 
     def test_paint_changes_without_a_seam(self):
-        """Before the middle third the one noise, after it the other, from left to right or from top to bottom."""
+        """One noise before the middle third, the other after it, from left to right or from top to bottom."""
         frequency = np.repeat(np.array([[2, 2, 5, 5]], "<f4"), 2, axis=0)
         for size, turned in (("400x200", np.asarray), ("200x400", np.transpose)):
             picture = {"size": size, "scale": 40}

@@ -74,8 +74,8 @@ class Rendered(StatsTest):
         self.assert_moments(stats, Exr(self.folder / "in.exr").pixels)
         self.assertEqual((stats["width"], stats["height"], stats["parameters"]["width"]), (200, 101, 300))
 
-    def test_regions_have_the_numbers_of_the_whole(self):
-        # More rows than are read at once; the variance known from another channel; one that has to be measured first.
+    def test_joined_regions_give_the_numbers_of_the_whole(self):
+        # More rows than are read at once; a variance known from another channel; a variance to measure first.
         for options, channel in ((["--size=1500x1100", "--scale=9"], "Y"),
                                  (["--size=300x200", "--filter", "--scale=9", "--compression=zip"], "Y"),
                                  (["--size=300x200", "--phasor"], "intensity")):
@@ -103,8 +103,8 @@ class Rendered(StatsTest):
             self.succeed("render", "-o", "packed.exr", "--size=300x200", "--compression", compression)
             self.assertEqual(self.stats("packed.exr"), plain, compression)
 
-    def test_the_peak_is_where_it_was_asked_for(self):
-        # From right towards down: 20, 120 and -60 degrees would be 160, 60 and 60 the other way round.
+    def test_the_peak_is_where_requested(self):
+        # Angles turn from right to down; the other way round, 20, 120 and -60 degrees would be 160, 60 and 60.
         for frequency, scale, orientation in [(4, 16, 0), (4, 16, 20), (4, 16, 45), (4, 16, 90), (4, 16, 120),
                                               (4, 16, -60), (3, 32, 200), (6, 13, 150)]:
             with self.subTest(frequency=frequency, scale=scale, orientation=orientation):
@@ -161,8 +161,8 @@ class Laws(StatsTest):
             self.assertIn(f"against a normal law of analytic mean 0 and variance {stats['reference_variance']:.6g}", text)
 
     def test_gradients(self):
-        """A wave's slope, and that of its windows: the energy of a window's derivative over its own, by sums over
-        a grid of the windows' definitions."""
+        """The wave's and the windows' contributions to the slope; the latter is the energy of a window's derivative
+        over the window's, summed on a grid."""
         x = (np.arange(4000) + 0.5) / 4000
         blend = np.hypot(1 - (s := x**2 * (3 - 2 * x)), s)
         for recipe, window in (("lattice", (1 + np.cos(np.pi * x)) / 2), ("lattice-2", (1 - s) / blend)):
@@ -174,8 +174,8 @@ class Laws(StatsTest):
         self.assert_known(1, "Y")
 
     def test_filtered(self):
-        """What is left of a wave's window, and of its derivative, along each axis: their energies after a blur, over
-        that of the window."""
+        """The energy that a blur leaves of a wave's window and of its derivative along each axis, relative to the
+        window's."""
         x = np.arange(-8, 8, 1 / 512)
         window = np.where(np.abs(x) < 1, (1 + np.cos(np.pi * x)) / 2, 0)
         def left(frequency, scale):
@@ -195,7 +195,8 @@ class Laws(StatsTest):
         self.assertAlmostEqual(1 - removed.min(), across[0] * down[0], delta=0.0105)
 
     def test_sums_of_waves(self):
-        """The predicted variance holds for sums, and for tiles, whose windows stretch to fit a whole number of nodes."""
+        """The predicted variance holds for sums, and for tiles, whose windows stretch to fit a whole number of
+        nodes."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 1, "radius": 2, "power": 1}]
         (self.folder / "lobes.json").write_text(json.dumps(lobes))
         self.render("--lobes=lobes.json", "--gradient", "--tileable", size="540x512", scale=8)
@@ -322,7 +323,7 @@ class Foreign(StatsTest):
         self.assertIn("1 not finite, 2460 left out as outside (A below 1)", self.succeed("stats", "in.exr"))
         self.assertEqual(self.stats("in.exr", "--channel=A")["outside"], 0)
 
-    def test_nothing_is_finite(self):
+    def test_a_picture_without_finite_values(self):
         self.write(Y=np.full((32, 32), np.nan, "f4"))
         stats = self.stats()
         self.assertEqual((stats["pixels"], stats["not_finite"]), (0, 1024))

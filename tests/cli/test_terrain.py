@@ -16,7 +16,7 @@ class Terrain(ProgramTest):
         self.succeed("render", "--terrain", f"--size={size}", "--seed=5", "-o", "out.exr", *options)
         return Exr(self.folder / "out.exr").channels
 
-    def test_hills_and_what_erosion_adds_are_the_height(self):
+    def test_hills_plus_erosion_give_the_height(self):
         hills, mountains = self.drawn("--octaves=0"), self.drawn()
         self.assertEqual(set(mountains), {"R", "G", "B", "height", "slope.x", "slope.y", "lit.R", "lit.G", "lit.B", "ridge", "erosion"})
         self.assertGreater(hills["height"].std(), 0.1)
@@ -24,14 +24,14 @@ class Terrain(ProgramTest):
         np.testing.assert_allclose(mountains["height"], hills["height"] + mountains["erosion"], atol=1e-6)
         self.assertGreater(mountains["ridge"].std(), 0.2)
 
-    def test_the_hills_slope_is_their_heights_difference(self):
+    def test_the_slope_of_the_hills_matches_height_differences(self):
         hills, pixel = self.drawn("--octaves=0", "--scale=160"), 1 / 160
         for name, axis in (("slope.x", 1), ("slope.y", 0)):
             middle = np.take(hills[name], range(1, hills[name].shape[axis] - 1), axis)
             upper, lower = (np.take(hills["height"], range(start, hills[name].shape[axis] - 2 + start), axis) for start in (2, 0))
             np.testing.assert_allclose(middle, (upper - lower) / (2 * pixel), atol=0.002)
 
-    def test_every_gully_parameter_counts(self):
+    def test_every_gully_parameter_has_an_effect(self):
         plain = self.drawn()["height"]
         for option in ("octaves=3", "gully-frequency=2", "strength=0.3", "lacunarity=3", "gain=0.7", "onset=2", "detail=0.5",
                        "sharpness=9", "ridge-rounding=2", "crease-rounding=2", "gully-weight=0.1", "branching=0", "preset=canyon",
@@ -44,7 +44,7 @@ class Terrain(ProgramTest):
         for name, values in part.items():
             np.testing.assert_array_equal(values, whole[name][50:81, 37:127])
 
-    def test_tiles_close(self):
+    def test_tiles_have_no_seam(self):
         tile = self.drawn("--tileable", "--scale=12", size="96x96")["height"]
         for tile in (tile, tile.T):
             steps = np.abs(np.diff(tile, axis=0))

@@ -9,7 +9,7 @@ from exr import Exr, Texture
 from program import ProgramTest
 
 NOISE = ["--frequency=1.5", "--orientation-spread=20", "--seed=7"]
-SCALED = 4 # levels with a scale that a flat picture may have
+SCALED = 4 # the levels whose scale a flat picture may have
 
 
 def text(texture, name):
@@ -74,7 +74,7 @@ class Levels(TextureTest):
 
 class Joined(TextureTest):
     def levels(self, width, height, options, strips=3):
-        """Level 0 in uneven strips, all others whole, down to a line."""
+        """Renders level 0 in uneven strips and all others whole, down to a line."""
         regions = []
         for level in range(min(width, height).bit_length()):
             rows = [height * k // strips for k in range(strips + 1)] if level == 0 else [0, height >> level]

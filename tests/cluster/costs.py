@@ -1,7 +1,7 @@
 """Measures the cost of textures and of pictures of 16384 x 16384 pixels, for the tables of docs/farm.md.
 
-tools/test-long farm runs it. Takes what test_cluster.py takes, GNU time, and 4 GiB of disk; each way's picture is compared
-with the first one's. CPU seconds are those of all processes, Slurm's own too, and grow little with what else the machine does.
+tools/test-long farm runs it. Needs what test_cluster.py needs, GNU time, and 4 GiB of disk; each method's picture is
+compared with the first one's. CPU seconds include all processes, also Slurm's own, and depend little on other load.
 """
 
 import contextlib
@@ -123,7 +123,7 @@ def by_hand():
 
 
 def textures():
-    """The texture with all levels, and the filtered flat picture, in turns, so that other load affects both."""
+    """Times the texture with all levels and the filtered flat picture alternately, so that other load affects both."""
     row("texture", "CPU", "the filtered picture alone", "ratio", "memory")
     row(*["---"] * 5)
     for side, rounds in ((1024, 5), (4096, 3), (16384, 1)):

@@ -1,6 +1,6 @@
-"""Slurm on this machine alone, without systemd or a database: munged, slurmctld and slurmd for as long as it is asked
-for. Takes root, Debian's munge, slurmctld, slurmd and slurm-client, and a machine without a Slurm of its own, for
-clients look for /etc/slurm/slurm.conf and nowhere else."""
+"""Slurm on this machine alone, without systemd or a database: munged, slurmctld and slurmd run while it is in use.
+Needs root, Debian's munge, slurmctld, slurmd and slurm-client, and a machine without its own Slurm, because clients
+read only /etc/slurm/slurm.conf."""
 
 import contextlib
 import os

@@ -1,6 +1,7 @@
-"""tools/cluster on this machine and on a real Slurm: the same bytes as one machine makes, nothing run twice, no job left.
+"""tools/cluster, on this machine and on a real Slurm, makes the same bytes as a single run, runs nothing twice and
+leaves no job.
 
-tools/test-long farm runs it; GABOR_PROGRAM and GABOR_LAB are the programs. What it measures it prints.
+tools/test-long farm runs it; GABOR_PROGRAM and GABOR_LAB are the programs. It prints its measurements.
 """
 
 import collections

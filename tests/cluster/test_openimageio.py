@@ -39,7 +39,7 @@ class OpenImageIO(ProgramTest):
                               text=True).stdout
 
     def test_levels_have_the_variance_that_the_filter_leaves(self):
-        side = 4096 # 512 x 512 kernel radii, so that chance is 0.3 %
+        side = 4096 # 512 x 512 kernel radii, so that the sampling error is 0.3 %
         self.succeed("render", "--texture", *noise(side), "-o", "ours.exr")
         self.succeed("render", *noise(side), "-o", "flat.exr")
         self.run_tool("maketx", "--filter", "box", "--wrap", "periodic", "flat.exr", "-o", "maketx.exr")

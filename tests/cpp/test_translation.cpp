@@ -171,7 +171,7 @@ TEST_CASE("pixels that are lines, points or of any size have a footprint") {
     }
 }
 
-TEST_CASE("any place, pixel and base give a finite terrain") {
+TEST_CASE("any place, pixel and base give finite terrain") {
     constexpr float most = std::numeric_limits<float>::max();
     for (const int taps : {2, 3}) {
         test::AnyFloat draw;
@@ -205,7 +205,7 @@ TEST_CASE("any place, pixel and base give a finite terrain") {
 }
 
 // Variances 1 of the value and sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2 of the gradient.
-TEST_CASE("noise along a map read at the nodes has its law at every place") {
+TEST_CASE("noise along a map that is read at the nodes is normal at every place") {
     constexpr int count = 1 << 17;
     Random draw;
     for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, -0.4f}, {-0.5f, 0.1f}}) {
@@ -277,7 +277,7 @@ std::array<double, 5> averaged(double phase, double duty, double width) {
 
 } // namespace
 
-TEST_CASE("profiles are averages over a width, or over the phases that shorten stripes") {
+TEST_CASE("profiles are averages over a width, or over the phases that shortened stripes stand for") {
     Random draw;
     Largest by_width, by_stripes;
     for (int i = 0; i < 2000; ++i) {
@@ -294,7 +294,7 @@ TEST_CASE("profiles are averages over a width, or over the phases that shorten s
         const double angle = 2 * std::numbers::pi * phase;
         const auto stripes = test::stripe_profiles(static_cast<float>(length * std::cos(angle)),
                                                    static_cast<float>(length * std::sin(angle)), duty);
-        if (used > 0.02 && used < 0.98) // beyond, a length as a float does not tell a width or a phase
+        if (used > 0.02 && used < 0.98) // beyond, a float length is too coarse to determine width or phase
             for (std::size_t c = 0; c < 5; ++c)
                 by_stripes.see(stripes[c], expected[c], 0.003 / used, where);
     }
@@ -303,7 +303,7 @@ TEST_CASE("profiles are averages over a width, or over the phases that shorten s
 }
 
 // The mean of z min(1 / |z|, sharpness) and of |z|, z = v + sqrt(removed) times normal numbers.
-TEST_CASE("filtered stripes are the mean of stripes over what a filter removes") {
+TEST_CASE("filtered stripes are the mean of stripes over the removed noise") {
     Random draw;
     Largest mean, intensity, sharp_ones, removed, at_places;
     std::mt19937 random(5);

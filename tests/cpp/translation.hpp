@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-// What a translation to C++ gives, compiled by itself with the options that are to be tested.
+// The results of a C++ translation, compiled separately with the options under test.
 
 namespace gabor::test {
 

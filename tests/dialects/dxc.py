@@ -1,4 +1,5 @@
-"""HLSL to SPIR-V by the DirectX shader compiler, whose library is at GABOR_DXC: dxc.py SHADER.hlsl SHADER.spv OPTION..."""
+"""HLSL to SPIR-V by the DirectX shader compiler, whose library is at GABOR_DXC: dxc.py SHADER.hlsl SHADER.spv
+OPTION..."""
 
 import ctypes
 import os
@@ -16,7 +17,7 @@ class Text(ctypes.Structure):
 
 
 def method(pointer, number, result, *types):
-    """A method of an object, counted from 0 after those that all have: outside Windows these are three and two
+    """A method of an object by index, counted after the common ones: outside Windows, three methods and two
     destructors."""
     table = ctypes.cast(pointer, ctypes.POINTER(ctypes.POINTER(ctypes.c_void_p)))[0]
     call = ctypes.CFUNCTYPE(result, ctypes.c_void_p, *types)(table[5 + number])

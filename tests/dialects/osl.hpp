@@ -4,7 +4,7 @@
 
 struct vector {
     float x, y, z;
-    vector(float all) : x(all), y(all), z(all) {} // as in OSL, where a number is a vector of three
+    vector(float all) : x(all), y(all), z(all) {} // as in OSL, where a number converts to a vector of three
     vector(float x, float y, float z) : x(x), y(y), z(z) {}
     float operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
 };

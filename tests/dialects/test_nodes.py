@@ -1,5 +1,5 @@
-"""Graphs for Unity refer to what there is. What is written by hand in another language, and not made from the GLSL, has its
-noise: renderers and browsers run it in tools/test-engines, and here a CPU does."""
+"""Unity graphs refer only to existing things. Hand-written ports to other languages give the same noise as the GLSL:
+tools/test-engines runs them in renderers and browsers, this test on the CPU."""
 
 import json
 import os
@@ -45,7 +45,7 @@ class UnityNoise(unittest.TestCase):
     def slots(self, node):
         return {slot["m_Id"]: slot for slot in (self.objects[each["m_Id"]] for each in node["m_Slots"])}
 
-    def test_graph_refers_to_what_there_is(self):
+    def test_graph_refers_to_existing_things(self):
         def references(value):
             if isinstance(value, dict):
                 if set(value) == {"m_Id"} and value["m_Id"]:
@@ -71,7 +71,7 @@ class UnityNoise(unittest.TestCase):
         inputs = [slot["m_ObjectId"] for each in (node, output) for slot in self.slots(each).values() if not slot["m_SlotType"]]
         self.assertEqual(sorted(ends), sorted(inputs))
 
-    def test_function_is_that_of_the_file(self):
+    def test_function_matches_the_file(self):
         node = self.one("CustomFunctionNode")
         self.assertEqual(node["m_FunctionSource"], guid(UNITY / "GaborNoise.hlsl"))
         source = (UNITY / "GaborNoise.hlsl").read_text()
@@ -130,7 +130,7 @@ class ByHand(unittest.TestCase):
         self.values = self.folder / "values.raw"
 
     def compare(self, *command):
-        """The pictures that a program writes, one per function that it names."""
+        """The pictures that a program writes, one per function."""
         said = subprocess.run([*command, self.values], check=True, stdout=subprocess.PIPE, text=True).stdout
         functions = json.loads(said or '["noise"]')
         for function, values in zip(functions, np.split(np.fromfile(self.values, "<f4"), len(functions))):
@@ -140,7 +140,7 @@ class ByHand(unittest.TestCase):
                 self.assertLess(error, 1e-5)
 
     def run_osl(self, name, scene):
-        """What a scene writes that calls a shader of the Open Shading Language as a function of C++."""
+        """The output of a scene that calls an OSL shader as a C++ function."""
         shader, compiler = self.folder / "shader.hpp", os.environ.get("CXX", "c++")
         text = (NODES / "osl" / name).read_text()
         text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
@@ -152,7 +152,7 @@ class ByHand(unittest.TestCase):
         return np.fromfile(self.values, "<f4")
 
     def test_open_shading_language(self):
-        """Each output of the shader. The others are compared with the translation to C++."""
+        """Compares each output of the shader. The others are compared with the translation to C++."""
         values = self.run_osl("gabor_lattice.osl", "scene_osl.cpp")
         plane, space = values.reshape(-1, 2, 7).transpose(1, 2, 0).astype(float)
         error, place = reference.largest_difference("lattice", plane[0].astype("<f4"))

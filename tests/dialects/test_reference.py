@@ -1,4 +1,4 @@
-"""The reference of tests/engines against the program, which is tested against a reference of its own."""
+"""Compares the reference of tests/engines with the program, which has its own reference in tests/reference."""
 
 import math
 import os
@@ -15,7 +15,7 @@ import reference  # noqa: E402
 
 
 class Reference(unittest.TestCase):
-    def test_it_is_what_the_program_renders(self):
+    def test_it_matches_the_program(self):
         side = reference.WIDTH
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             picture = pathlib.Path(folder) / "noise.exr"

@@ -1,4 +1,5 @@
-"""The translations of the lattice's drop-ins and of a texture by gabor fit: each call returns the same on the device as in GLSL,
+"""The translations of the lattice's drop-ins and of a texture by gabor fit: each call returns the same on the device as
+in GLSL,
 which other tests compare with the reference."""
 
 import json
@@ -270,14 +271,14 @@ class Translations(unittest.TestCase):
     def test_wgsl_by_naga(self):
         if not shutil.which("naga"):
             self.skipTest("naga is not installed")
-        # lavapipe compiles naga's loops in minutes, but in a second after spirv-opt.
+        # lavapipe takes minutes to compile naga's loops, but a second after spirv-opt.
         command = ["sh", "-c", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"']
         self.compare(lambda call: self.drawn(
             self.pasted("wgsl", WGSL.replace("CALL", call.replace("vec2", "vec2f").replace("vec3", "vec3f")), before=""), "wgsl",
             *command))
 
     def test_godot(self):
-        """In Godot itself, each call a band of one picture."""
+        """Runs Godot itself: each call is a band of one picture."""
         if not GODOT.exists():
             self.skipTest("Godot is not installed: tools/test-engines godot installs it")
         calls, shader, values = tuple(CALLS), self.folder / "noise.gdshader", self.folder / "values.raw"
@@ -288,7 +289,8 @@ class Translations(unittest.TestCase):
         self.compare(bands(values, calls).get, calls)
 
     def test_opengl_es(self):
-        """GLSL after a header that sets mediump, which has 16 bits on this driver. The files set highp themselves."""
+        """Runs GLSL after a header that sets mediump, which is 16 bits on this driver. The files set highp
+        themselves."""
         calls, shader, values = tuple(CALLS), self.folder / "noise.frag", self.folder / "values.raw"
         shader.write_text(banded(ES, calls).replace("INCLUDES", "".join(self.path(file, "glsl").read_text() for file in FILES)))
         subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "gles" / "run.py", "precision mediump float;", values,
@@ -306,7 +308,7 @@ class Translations(unittest.TestCase):
         return np.fromfile(values, "<u4"), said.stderr
 
     def test_cpp(self):
-        # Inlining all takes the compiler three times as long.
+        # Inlining everything would triple the compile time.
         self.compare_cpp(HEADERS, "gabor_vec", "-std=c++11", "-O1", "-Dalways_inline=unused", "-I", SHADERS / "translations", "-I", self.made)
 
     def test_metal(self):
@@ -323,7 +325,7 @@ class Translations(unittest.TestCase):
 
     def test_cpp_vectors(self):
         """The compiler vectorizes a loop over points; values equal the shader's within 1e-6, and words are equal.
-        Where a shader knows its frequency while it is compiled, it reorders products: + unknown spares it that knowledge."""
+        If the frequency is a constant, the compiler reorders products: + unknown hides it."""
         values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
                                 *["-fopt-info-vec"] * GCC)
         if GCC:

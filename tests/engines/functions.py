@@ -1,4 +1,4 @@
-"""The calls of reference.FUNCTIONS, for languages with other names of vectors."""
+"""The calls of reference.FUNCTIONS, for languages that name vectors differently."""
 
 import os
 import pathlib

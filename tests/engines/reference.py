@@ -58,7 +58,7 @@ def salt(seed):
 
 
 def lobe_seed(seed, index):
-    """Of part `index` of a sum."""
+    """The seed of part `index` of a sum."""
     return int(mix(words([(seed + index * 0x85ebca6b) & 0xffffffff]), np.uint32(0x9e3779b1))[0])
 
 
@@ -69,12 +69,13 @@ def line_word(index, axis, seed=SEED):
 
 
 def law(u):
-    """What makes u, uniform in [-1, 1], nearly normal."""
+    """Maps u, uniform in [-1, 1], to a nearly normal value."""
     return (u - 0.89289313 * np.clip(u, -0.93687596, 0.93687596)) * (1 + 0.62342056 * u**2)
 
 
 def amplitude(word, time=0.0):
-    """A node's amplitude, its parts from the whole word and from its low 20 bits, each of variance 1; at a time from three."""
+    """A node's amplitude: one part from the whole word, one from its low 20 bits, each of variance 1; with time, a mix
+    of three."""
     if time:
         second = (word ^ (word >> 15)) * np.uint32(0xd35a2d97)
         third = (second ^ (second >> 15)) * np.uint32(0xd35a2d97)
@@ -87,7 +88,7 @@ def amplitude(word, time=0.0):
 
 
 def window(d, taps):
-    """It ends where d is 1 or -1. Hann's, but for two taps one whose square and its shift's sum to 1."""
+    """It ends where d is 1 or -1. Hann's window; for two taps one whose shifted squares sum to 1."""
     if taps > 2:
         return np.where(abs(d) < 1, (1 + np.cos(np.pi * d)) / 2, 0)
     x = np.minimum(abs(d), 1)
@@ -97,7 +98,8 @@ def window(d, taps):
 
 def complex_lattice(cell, x, y, taps=3, period=(2**32, 2**32), seed=SEED, time=0.0, radius=(None, None),
                     wave=WAVE, amplitudes=None):
-    """The lattice's noise, the imaginary part, and its quadrature at cell + (x, y), in node spacings, of which there are
+    """The lattice's noise, the imaginary part, and its quadrature at cell + (x, y), in node spacings, of which there
+    are
     `radius` to the kernel radius; it may repeat after a whole number of them. Amplitudes may be another's, by column and row."""
     reach = taps / 2
     energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows of one axis
@@ -136,7 +138,7 @@ def complex_lattice_3d(x, y, z, direction):
 
 # ---- Other outputs of nodes ----------------------------------------------------------------------------------------
 
-# Each function: one number for each p = (x, y), in kernel radii, in which its results have different weights.
+# Each function gives one number for each p = (x, y) in kernel radii: a weighted sum of its results.
 STEP = 1e-5  # for derivatives, which are then exact within 1e-6
 
 
@@ -218,8 +220,8 @@ def values(scene, rows=HEIGHT):
 
 
 def largest_difference(scene, drawn):
-    """From the scene or the function, with its row and column; a value that is no number is the largest of all. Where there is no
-    gabor_noise_at its row may be left out, and of a function all but the first 32 rows."""
+    """The largest difference from the scene or the function, with its row and column; a NaN counts as the largest.
+    Without gabor_noise_at its row may be missing; of a function only the first 32 rows are needed."""
     drawn = np.asarray(drawn, np.float64).reshape(-1, WIDTH)
     if len(drawn) not in (HEIGHT - 1, HEIGHT) and not (scene in FUNCTIONS and 32 <= len(drawn) < HEIGHT):
         raise ValueError(f"{len(drawn)} rows")

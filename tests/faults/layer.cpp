@@ -1,6 +1,6 @@
-// A Vulkan layer that lets one function of the device fail, as GABOR_FAULT says: `vkAllocateMemory:3` is the
-// third call and all after it. A function that allocates fails for want of device memory, one that works for
-// a lost device.
+// A Vulkan layer that makes one device function fail, chosen by GABOR_FAULT: `vkAllocateMemory:3` fails the
+// third call and all later ones. Functions that allocate report lack of device memory, functions that execute
+// report a lost device.
 
 #include <vulkan/vk_layer.h>
 
@@ -50,7 +50,7 @@ VKAPI_ATTR VkResult VKAPI_CALL create_pipelines(VkDevice device, VkPipelineCache
                                                                                   callbacks, pipelines);
 }
 
-VkDevice queues_device = VK_NULL_HANDLE; // the program has one
+VkDevice queues_device = VK_NULL_HANDLE; // the program creates only one device
 
 VKAPI_ATTR VkResult VKAPI_CALL queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* submits,
                                             VkFence fence) {
@@ -67,7 +67,7 @@ VKAPI_ATTR VkResult VKAPI_CALL wait_for_fences(VkDevice device, std::uint32_t co
     return fails("vkWaitForFences") ? VK_ERROR_DEVICE_LOST : result;
 }
 
-// The loader's link to the next layer in a chain of structures, moved on by one for that layer.
+// Finds the loader's link to the next layer in a chain of structures, and advances it for that layer.
 template <typename Link, typename Info>
 auto take_link(const Info* info, VkStructureType type) {
     auto* link = const_cast<Link*>(static_cast<const Link*>(info->pNext));

@@ -1,5 +1,5 @@
 """A device that runs out of memory or is lost, at every call in turn: status 1, one line, no file, and an older file as
-it was. The layer in layer.cpp injects it."""
+it was. The layer in layer.cpp injects the faults."""
 
 import os
 import pathlib
@@ -29,7 +29,7 @@ class Device(ProgramTest):
             if result.returncode == 0:
                 break
             self.assert_failed(1, words, result, before)
-        self.assertGreater(call, least, f"{function} was called less often than expected")
+        self.assertGreater(call, least, f"{function} fewer calls than expected")
 
     def render(self, function, words, least):
         (self.folder / "old.exr").write_text("older")
@@ -48,7 +48,7 @@ class Device(ProgramTest):
     def test_lost_when_work_is_submitted(self):
         self.render("vkQueueSubmit", ["DeviceLost"], 2)
 
-    def test_lost_while_it_works(self):
+    def test_lost_while_rendering(self):
         self.render("vkWaitForFences", ["DeviceLost"], 2)
 
     def test_lost_during_a_study(self):

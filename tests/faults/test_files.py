@@ -1,5 +1,5 @@
-"""Disks, folders and readers that fail while the program works. The output file stays as it was, is complete, or is missing;
-one line says what failed, and the exit status whether the request was wrong."""
+"""Disks, folders and readers that fail while the program works. The output file stays unchanged, is complete, or is
+missing; one line says what failed, and the exit status tells whether the request was wrong."""
 
 import contextlib
 import os
@@ -22,7 +22,7 @@ class Folders(ProgramTest):
         mount = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
         read_only = "mount -t tmpfs -o size=1m tmpfs . && cd . && echo older >old.exr && mount -o remount,ro . && "
         if subprocess.run([*mount, read_only + ":"], cwd=self.folder, capture_output=True).returncode != 0:
-            self.skipTest("may not mount a small disk")
+            self.skipTest("not allowed to mount a small disk")
         for output in ("old.exr", "new.exr"):
             script = read_only + '{ "$0" "$@"; status=$?; ls -A; cat old.exr; exit $status; }'
             result = gabor("render", "-o", output, "--size=64x64", cwd=self.folder, command=[*mount, script, PROGRAM])
@@ -70,7 +70,7 @@ class Streams(ProgramTest):
                 self.assertRegex(result.stderr, r"\Agabor: [^\n]+\n\Z")
                 self.assertEqual(self.files(), before)
 
-    def test_what_is_printed_never_goes_into_the_file(self):
+    def test_printed_text_never_ends_up_in_the_file(self):
         """If a standard stream is closed, the first file to be opened would take its place."""
         self.succeed("render", "-o", "out.exr", "--size=64x64", "--frames=2")
         whole = self.files()

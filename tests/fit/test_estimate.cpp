@@ -1,4 +1,4 @@
-// The estimate, from spectra and values whose answers are known.
+// The estimate, given spectra and values with known answers.
 
 #include "../largest.hpp"
 #include "error.hpp"
@@ -93,14 +93,15 @@ const Wave& nearest(const std::vector<Wave>& waves, const Wave& to) {
                              [&](const Wave& a, const Wave& b) { return distance(a) < distance(b); });
 }
 
-// Of a lobe's frequencies along an axis: the power of Hann's window has a variance of 1/12 / radius^2.
+// The mean square of a lobe's frequencies along an axis: the power of Hann's window has the variance 1/12 /
+// radius^2.
 double mean_square(const Wave& wave, int axis) {
     return std::pow(wave.frequency[axis], 2) + 1 / (12 * std::pow(wave.radius[axis], 2));
 }
 
 } // namespace
 
-TEST_CASE("kernels correlate as the integral of their windows says") {
+TEST_CASE("the correlation of kernels equals the integral of their windows") {
     gabor::test::Largest largest;
     for (double t = -2.5; t <= 2.5; t += 0.05)
         largest.see(kernel_correlation(t), integrated_correlation(t), 1e-6,
@@ -108,7 +109,7 @@ TEST_CASE("kernels correlate as the integral of their windows says") {
     largest.check("correlation");
 }
 
-TEST_CASE("atoms are what windows expect of a wave") {
+TEST_CASE("atoms equal the expected windowed spectra of a wave") {
     const Scale& scale = first_scale()->front();
     for (const auto& [frequency, radius] :
          {std::pair(0.0, 7.0), std::pair(0.31, 20.0), std::pair(-0.48, 2.5)}) {
@@ -132,9 +133,9 @@ TEST_CASE("atoms are what windows expect of a wave") {
     }
 }
 
-TEST_CASE("atoms of averaged samples are what windows expect of them") {
-    // Averages of eight pixels, four apart, and of such averages, by brute force: every pair of pixels that
-    // two samples of a window are made of.
+TEST_CASE("atoms of averaged samples equal their expected windowed spectra") {
+    // Averages of eight pixels, four apart, and averages of those, by brute force over every pair of pixels
+    // that contribute to two samples of a window.
     const std::vector<Scale> scales = scales_of(2400, 2400);
     REQUIRE(scales.size() == 3);
     const Scale& scale = scales.back();
@@ -167,8 +168,8 @@ TEST_CASE("atoms of averaged samples are what windows expect of them") {
     }
 }
 
-TEST_CASE("the spectra of long waves are those that their atoms say, on every scale") {
-    // 256 pictures of 520 x 520 pixels would do for one per cent; so few show scales and units.
+TEST_CASE("the spectra of long waves agree with their atoms on every scale") {
+    // One per cent would take 256 pictures of 520 x 520 pixels; so few still check scales and units.
     constexpr int side = 520;
     const Wave wave{{0.012, 0.004}, {90, 90}, weights({1})};
     std::mt19937 generator(11);
@@ -209,7 +210,7 @@ TEST_CASE("the spectra of long waves are those that their atoms say, on every sc
             scales = spectra.scales;
             real = Eigen::MatrixXd::Zero(spectra.real.rows(), 1);
         }
-        // Peaks are chosen by each picture: compared are long waves, which all have.
+        // Each picture chooses its own peaks, so only long waves, which all share, are compared.
         real.topRows(scales->front().frequencies.size()) +=
             spectra.real.topRows(scales->front().frequencies.size());
         const Scale& large = spectra.scales->back();
@@ -236,8 +237,8 @@ TEST_CASE("a grey texture's lobes are found from its spectrum") {
     const std::vector<Wave> waves{
         {{0.11, 0.07}, {12, 5}, weights({0.7})},
         {{-0.21, 0.173}, {6, 18}, weights({0.45})},
-        {{0.025, -0.0433}, {7.2, 7.2}, weights({0.45})}, // not apart from its mirror image
-        {{0.0, 0.0}, {25, 25}, weights({0.324})}};       // the powers add up to 1, as those that are found
+        {{0.025, -0.0433}, {7.2, 7.2}, weights({0.45})}, // close to its mirror image
+        {{0.0, 0.0}, {25, 25}, weights({0.324})}};       // powers add up to 1, as fitted ones do
     const FittedNoise fitted = fit(exemplar_of(waves, 1 << 14), 16, [](double) {});
     for (const Wave& known : waves) {
         const Wave& found = nearest(fitted.waves, known);
@@ -259,7 +260,7 @@ TEST_CASE("a grey texture's lobes are found from its spectrum") {
     CHECK(fitted.error.l1 < 0.02);
 }
 
-TEST_CASE("errors are those of a model whose long waves are too strong") {
+TEST_CASE("the errors show that a model's long waves are too strong") {
     const Wave noise{{0.2, 0.1}, {6, 6}, weights({0.8})};
     Wave swell{{0.004, 0}, {160, 90}, weights({0.6})};
     Exemplar exemplar = exemplar_of({noise, swell}, 1024);
@@ -277,10 +278,10 @@ TEST_CASE("errors are those of a model whose long waves are too strong") {
     swell.weight *= std::sqrt(1.5);
     const FitError error = compare(exemplar, {noise, swell});
     CHECK(error.l1 == Approx(0.5 * 0.36).epsilon(0.01));
-    CHECK(error.low == Approx(0.5).epsilon(0.01)); // there is nothing else among long waves
+    CHECK(error.low == Approx(0.5).epsilon(0.01)); // no other long waves exist
 }
 
-TEST_CASE("GLSL of sixteen lobes has at most fifty lines") {
+TEST_CASE("the GLSL for sixteen lobes has at most fifty lines") {
     using namespace std::complex_literals;
     std::vector<Wave> waves;
     for (int i = 0; i < 16; ++i)
@@ -305,7 +306,7 @@ TEST_CASE("phases between channels are found from cross-spectra") {
     for (const double variance : fitted.variances)
         CHECK(variance == Approx(1).epsilon(0.03));
 
-    // Colours as they are drawn have the unit matrix for a covariance, whatever the fit.
+    // Colours as drawn have the identity as covariance, whatever the fit.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (const auto& w : fitted.colour.weights)
         for (std::size_t c = 0; c < 3; ++c)
@@ -330,7 +331,7 @@ TEST_CASE("spectra under a linear map are those of the mapped channels") {
           1e-9);
 }
 
-TEST_CASE("the estimate of white noise is flat and of its variance") {
+TEST_CASE("the estimate of white noise is flat and has its variance") {
     constexpr int side = 512;
     std::mt19937 generator(5);
     std::normal_distribution<float> normal;
@@ -355,7 +356,7 @@ TEST_CASE("the estimate of white noise is flat and of its variance") {
     const Scale& first = spectra.scales->front();
     const Scale& second = spectra.scales->back();
     const Eigen::VectorXd power = spectra.real.col(0).head(std::ssize(first.frequencies));
-    CHECK(power.maxCoeff() < 1.6); // 1 everywhere, but for chance
+    CHECK(power.maxCoeff() < 1.6); // 1 everywhere, except for chance
     CHECK(power.minCoeff() > 0.5);
     const Eigen::VectorXd long_waves = spectra.real.col(0).tail(std::ssize(second.frequencies));
     CHECK(long_waves.mean() == Approx(1).epsilon(0.1));
@@ -388,11 +389,11 @@ TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and varia
     };
     std::mt19937 generator(7);
     std::normal_distribution<double> normal;
-    Quantiles cubic; // one that a polynomial is exactly
+    Quantiles cubic; // a histogram that a polynomial reproduces exactly
     const auto cube = [](double z) {
         return (z + 0.15 * (z * z - 1) + 0.05 * z * z * z) / std::sqrt(1.15 * 1.15 + 0.045 + 6 * 0.0025);
     };
-    Quantiles uniform; // and one that it is not
+    Quantiles uniform; // and one that it does not
     Quantiles two;     // or two values
     for (int i = 0; i < 200000; ++i) {
         const double z = normal(generator);
@@ -406,7 +407,7 @@ TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and varia
     check(two.polynomial(), 2, [](double z) { return z; });
 }
 
-TEST_CASE("a quadratic trend is removed, and nothing else") {
+TEST_CASE("only a quadratic trend is removed") {
     constexpr int width = 96;
     constexpr int height = 64;
     const auto trend = [](double u, double v) {
@@ -463,7 +464,7 @@ TEST_CASE("structure tells edges and ridges from waves and from normal noise") {
     std::normal_distribution<double> normal;
     CHECK(structure([&](int, int) { return normal(generator); }) < 0.5);
     CHECK(structure([](int x, int y) { return (x / 8 + y / 16) % 2; }) > Structure::limit);
-    // Four waves, and their creases, which kurtosis does not tell from these.
+    // Four waves, and their creases, which kurtosis cannot tell apart.
     const auto waves = [](int x, int y) {
         const double w = 2 * pi / 24;
         return std::sin(w * x) + std::sin(w * (0.6 * x + 0.8 * y)) + std::sin(w * (0.8 * y - 0.6 * x)) +
@@ -473,7 +474,7 @@ TEST_CASE("structure tells edges and ridges from waves and from normal noise") {
     CHECK(structure([&](int x, int y) { return std::abs(waves(x, y)); }) > 3 * Structure::limit);
 }
 
-TEST_CASE("a preset comes back from its JSON, and weights without their lobes are refused") {
+TEST_CASE("a preset survives its JSON, and weights without lobes are refused") {
     using namespace std::complex_literals;
     const std::vector<Wave> waves{{{0.12, 0.05}, {10, 10}, weights({0.7, 0.5i, -0.3 + 0.4i})},
                                   {{-0.09, 0.2}, {8, 20}, weights({0.5, -0.6, 0.5})},

@@ -1,4 +1,4 @@
-"""gabor fit: known textures are found again, photographs within reach, and the GLSL shows what gabor render does."""
+"""gabor fit recovers known textures, approximates photographs, and writes GLSL that draws what gabor render draws."""
 
 import json
 import math
@@ -44,9 +44,10 @@ class FitTest(ProgramTest):
         return Exr(self.folder / "fit.exr")
 
     def test_known_lobes_are_found(self):
-        # 1.5 and 1.2 cycles per radius of their own. From a picture of this size no unbiased estimate finds the second one's
-        # frequency better than within 0.00009 to 0.00014 rms (the Cramér-Rao bound for power above 1 and 10 % of the mean),
-        # and 0.36 cycles per radius, where a lobe and its mirror image are one, than within 0.00027 to 0.00036.
+        # Their frequencies are 1.5 and 1.2 cycles per own kernel radius. From a picture of this size no unbiased
+        # estimate finds the second one's frequency better than within 0.00009 to 0.00014 rms (the Cramér-Rao bound for
+        # power above 1 and 10 % of the mean), and 0.36 cycles per radius, where a lobe and its mirror image are one,
+        # than within 0.00027 to 0.00036.
         known = [dict(frequency=3, orientation=30, radius=0.5, power=1), dict(frequency=3, orientation=-60, radius=0.4, power=0.6)]
         scale = 24
         (self.folder / "lobes.json").write_text(json.dumps(known))
@@ -77,14 +78,14 @@ class FitTest(ProgramTest):
             self.assertLessEqual(len(fitted["lobes"]), 16)
             self.assertIn("edges or objects", self.said) # blades, stones, bricks
             exemplar = without_trend(read_grey_png(path)[..., None] / 255.0)
-            fitted["colour"]["histogram"][0] = [0, 1, 0, 0, 0, 0] # which changes the spectrum: that of brick by 0.03 (L1)
+            fitted["colour"]["histogram"][0] = [0, 1, 0, 0, 0, 0] # it changes the spectrum: brick by 0.03 (L1)
             (self.folder / "fit.json").write_text(json.dumps(fitted))
             noise = self.render("--size", "1024x1024").channels["G"][..., None].astype(float)
             noise -= noise.mean()
             expected = welch(exemplar)
             l1, l2 = relative_errors(welch(noise), expected)
             print(f"{name}: {len(fitted['lobes'])} lobes, L1 {l1:.3f}, L2 {l2:.3f} of a sample of 1024 x 1024")
-            # Of a sample of that size 0.44 x 64 / 1024 is chance, and more by squares.
+            # In a sample of this size, chance gives an L1 error of 0.44 x 64 / 1024, and a larger L2 error.
             self.assertLess(l1, l1_most + 0.03)
             self.assertLess(l2, l2_most + 0.04)
 
@@ -109,7 +110,7 @@ class FitTest(ProgramTest):
 
     def test_a_wide_photograph_and_a_tall_one_give_the_lobes_of_both(self):
         square = colour_noise(256)
-        picture = np.concatenate([square, square.swapaxes(0, 1)], 1)  # its halves have each other's axes
+        picture = np.concatenate([square, square.swapaxes(0, 1)], 1)  # its halves have swapped axes
         lobes = {}
         for name, pixels in (("wide", picture), ("tall", picture.swapaxes(0, 1))):
             write_png(self.folder / f"{name}.png", pixels)
@@ -121,7 +122,7 @@ class FitTest(ProgramTest):
         np.testing.assert_allclose(lobes["wide"], mirrored, atol=0.06)
 
     def drawn(self, main, width, height):
-        """What a main function after the drop-ins and sea.glsl draws."""
+        """The picture drawn by a main function that follows the drop-ins and sea.glsl."""
         import moderngl
         text = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_lattice", "gabor_spectrum"))
         context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
@@ -132,7 +133,7 @@ class FitTest(ProgramTest):
         context.vertex_array(program, context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4")), "corner").render(vertices=3)
         return np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(height, width, 4)
 
-    def test_glsl_is_the_preset(self):
+    def test_glsl_draws_the_preset(self):
         write_png(self.folder / "colour.png", colour_noise(256))
         self.fit("colour.png", "--lobes", "4", "--glsl", "sea.glsl")
         glsl = (self.folder / "sea.glsl").read_text()
@@ -169,7 +170,7 @@ void main()
         self.assertLess(abs(kept + removed.mean() - 1), 0.03)
 
     def test_a_pixel_that_covers_everything_removes_all_of_the_variance(self):
-        """The shares of the variance that components and their degrees have sum to 1."""
+        """The variance shares of components and polynomial degrees sum to 1."""
         write_png(self.folder / "colour.png", colour_noise(256))
         self.fit("colour.png", "--lobes", "4", "--glsl", "sea.glsl")
         values = self.drawn("""
@@ -179,7 +180,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertLess(np.abs(values[..., 3] - 1).max(), 1e-5)
         self.assertEqual(np.ptp(values[..., :3], (0, 1)).max(), 0)
 
-    def test_what_is_read(self):
+    def test_readable_formats(self):
         exemplar = colour_noise(192)
         write_png(self.folder / "rgba.png", exemplar, alpha=True)
         write_png(self.folder / "deep.png", exemplar, bits=16)
@@ -190,7 +191,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         sixteen = self.fit("deep.png", "--lobes", "2")["colour"]
         self.fit("grey.png", "--lobes", "2")
         self.assertIn("grey", self.said)
-        # A hundredth of the contrast: 16 bits are not rounded to 8.
+        # At a hundredth of the contrast, rounding 16 bits to 8 would show.
         faint = self.fit("faint.png", "--lobes", "2")["colour"]
         ratio = np.array(faint["mixing"]) / np.array(sixteen["mixing"])
         self.assertLess(np.abs(ratio - 0.01).max(), 0.0005)
@@ -213,7 +214,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assert_refused(["cut.jpg"], "fit", "cut.jpg", "-o", "fit.json")
 
     def assert_same_colours(self, found, expected, most):
-        """Means and deviations of components, to within `most` of the first deviation."""
+        """Compares means and deviations of components, within `most` of the first deviation."""
         first = np.linalg.norm(np.array(expected["mixing"])[:, 0])
         for name in ("mean", "mixing"):
             self.assertLess(np.abs(np.array(found[name]) - expected[name]).max(), most * first, name)
@@ -254,7 +255,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertIn("0.153 % of the pixels: they are far brighter", self.said)
         self.assert_same_colours(bright, calm, 0.02)
 
-    def test_light_that_multiplies_does_not_count(self):
+    def test_uneven_lighting_does_not_count(self):
         even = 0.5 * colour_noise(256)[..., 0]
         light = np.linspace(0.4, 1.6, 256)
         write_png(self.folder / "even.png", even, bits=16)

@@ -15,7 +15,8 @@ WHEEL = "scikit-image==0.25.2"
 
 
 def photograph(name):
-    """The path of a photograph from the wheel of scikit-image, which is downloaded once. Raises OSError if it cannot be."""
+    """The path of a photograph from the wheel of scikit-image, which is downloaded once. Raises OSError if the download
+    fails."""
     path = WHEELS / f"{name}.png"
     if not path.exists():
         command = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--dest", WHEELS, WHEEL]
@@ -76,7 +77,7 @@ def welch(channels, side=64, hop=32):
 
 
 def without_trend(channels):
-    """Less the quadratic polynomial that is nearest to each channel."""
+    """Each channel minus its best-fitting quadratic polynomial."""
     height, width, count = channels.shape
     y, x = np.meshgrid(np.linspace(-1, 1, height), np.linspace(-1, 1, width), indexing="ij")
     polynomials = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], -1).reshape(-1, 6)

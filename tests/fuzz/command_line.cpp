@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string text(reinterpret_cast<const char*>(data), size);
-    std::ranges::replace(text, '/', '_'); // no path leads out of the folder
+    std::ranges::replace(text, '/', '_'); // no path may leave the folder
     std::istringstream lines(text);
     std::vector<std::string> arguments;
     for (std::string line; std::getline(lines, line);)

@@ -1,4 +1,4 @@
-// Replaces host/vulkan by a machine without Vulkan, so that requests stop where they need a device.
+// Replaces host/vulkan to simulate a machine without Vulkan, so that requests stop where they need a device.
 
 #include "error.hpp"
 #include "vulkan/buffer.hpp"

@@ -1,4 +1,4 @@
-// Reads a request as JSON: it is refused, or stays the same when it is written and read again.
+// Reads a request as JSON: it is refused, or survives writing and reading again unchanged.
 
 #include "render/parameters.hpp"
 #include "error.hpp"

@@ -12,19 +12,19 @@
 
 namespace gabor::test {
 
-/// What calls give at 64 points, and the file of what they gave in this version.
+/// The results of calls at 64 points, and the file with this version's results.
 class Rows {
   public:
     static constexpr int points = 64;
     static constexpr int numbers = 16; ///< in a line of the file, each a sum over every 16th point
 
-    /// The values up to the next call are those of this point.
+    /// Starts a point: values seen until the next call belong to it.
     void begin(int point) {
         point_ = point;
         call_ = 0;
     }
 
-    /// `call` may be empty, where it is not known.
+    /// `call` may be empty if it is unknown.
     void see(const std::string& call, double value) {
         if (call_ == rows_.size())
             rows_.push_back({call, {}});

@@ -1,6 +1,5 @@
-// Compares what the C++ translations of the drop-ins give with a file in this folder, or writes it where the
-// environment says GABOR_GOLDEN=write: functions FILE. A line of it is a call and 16 numbers, each a sum over
-// 4 points.
+// Compares the results of the drop-ins' C++ translations with a file in this folder, or writes it if
+// GABOR_GOLDEN=write: functions FILE. A line of it is a call and 16 numbers, each a sum over 4 points.
 
 #include "file.hpp"
 
@@ -55,7 +54,7 @@ namespace {
 
 gabor::test::Rows rows;
 bool only_hash = false;
-std::uint32_t hash = 2166136261u; // Fowler, Noll and Vo's, of words
+std::uint32_t hash = 2166136261u; // the hash of Fowler, Noll and Vo, applied to words
 
 void see(const char* call, float value) {
     hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 16777619u;
@@ -80,7 +79,7 @@ int main(int count, char** arguments) {
         rows.begin(point);
         see_all(point);
     }
-#if defined GABOR_ROUNDING // where products are not rounded, places far away are others
+#if defined GABOR_ROUNDING // unrounded products move places far away
     return rows.compare(arguments[1], 1e-4, 0.2) ? 0 : 1;
 #else
     return rows.compare(arguments[1], 2e-6, 2e-6) ? 0 : 1;

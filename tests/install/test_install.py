@@ -1,4 +1,4 @@
-"""Checks the files that `cmake --install` writes, and builds a separate project that has nothing else."""
+"""Checks the files that `cmake --install` writes, and builds a separate project from these files alone."""
 
 import json
 import os
@@ -63,7 +63,7 @@ class Install(unittest.TestCase):
 
     def test_the_tree_has_the_listed_files_and_no_others(self):
         files = {str(path.relative_to(self.prefix)) for path in self.prefix.rglob("*") if not path.is_dir()}
-        self.assertEqual(files - {"bin/gabor-viewer"}, INSTALLED)  # the viewer needs more than Debian may have
+        self.assertEqual(files - {"bin/gabor-viewer"}, INSTALLED)  # the viewer needs packages that may be missing
 
     def test_the_drop_in_is_ours(self):
         source = pathlib.Path(__file__).parents[2] / "shaders" / "gabor_noise.glsl"
@@ -74,7 +74,8 @@ class Install(unittest.TestCase):
             self.configure("-DWANTED_VERSION=99.0")
 
     def test_targets_serve_an_installed_and_a_fetched_copy(self):
-        """The three lines of docs/engines.md: link gabor_noise::cpp, whether found or added as a subdirectory."""
+        """Builds with the three lines of docs/engines.md: link gabor_noise::cpp, whether found or added as a
+        subdirectory."""
         main = "#include \"gabor_lattice.hpp\"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n"
         ways = {"found": "find_package(gabor-noise CONFIG REQUIRED)",
                 "fetched": f"include(FetchContent)\nset(GABOR_BUILD_HOST OFF)\n"

@@ -1,5 +1,5 @@
-"""Many processes, and pictures larger than memory: GABOR_LONG=1 asks for all of it, which takes half an hour and 10 GiB
-of disk."""
+"""Many processes, and pictures larger than memory: GABOR_LONG=1 runs everything, which takes half an hour and 10 GiB of
+disk."""
 
 import os
 import pathlib
@@ -41,7 +41,7 @@ class Load(ProgramTest):
         self.assertEqual(set(self.files()), {"out.exr"})
 
     def test_processes_at_once(self):
-        """Several processes write different pictures to one name. The file must be complete, whoever is last."""
+        """Several processes write different pictures to one name. The file must be complete, whichever is last."""
         self.run_measured("render", "-o", "alone.exr", "--size=900x900")
         names = [f"{i}.exr" for i in range(8)]
         for outputs in (names, ["one.exr"] * 8):
@@ -59,7 +59,7 @@ class Load(ProgramTest):
         """A render of 32768 x 32768, 4 GiB, its statistics, and a fit to its PNG."""
         side = 32768 if LONG else 4096
         if shutil.disk_usage(self.folder).free < 5 * side * side:
-            self.skipTest("needs more room on the disk")
+            self.skipTest("needs more disk space")
         rendering = self.run_measured("render", "-o", "large.exr", "--png", "large.png", f"--size={side}x{side}")
         size = (self.folder / "large.exr").stat().st_size
         self.assertGreater(size, 4 * side * side)

@@ -62,7 +62,7 @@ void check_growth(const char* name, int times, Work work) {
 
 } // namespace
 
-TEST_CASE("renders on one device keep nothing", "[load]") {
+TEST_CASE("repeated renders on one device leak nothing", "[load]") {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load.exr";
     const vulkan::Device device;
     check_growth("renders", renders(),
@@ -70,7 +70,7 @@ TEST_CASE("renders on one device keep nothing", "[load]") {
     std::filesystem::remove(path);
 }
 
-TEST_CASE("devices made and left keep nothing", "[load]") {
+TEST_CASE("creating and destroying devices leaks nothing", "[load]") {
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load-devices.exr";
     // Keep the driver loaded: SwiftShader leaks a descriptor whenever it is unloaded.
     const vulkan::Device kept;

@@ -1,5 +1,4 @@
-// The field of the nodes' amplitudes: lines that repeat each other, special nodes, seeds that are alike,
-// periods.
+// The field of node amplitudes: repeated lines, special nodes, similar seeds, and periodicity.
 
 #include "reference/lattice.hpp"
 
@@ -23,7 +22,7 @@ std::uint32_t seed_of(std::uint32_t i) {
     return noise::lattice_lobe_seed(12345, static_cast<int>(i));
 }
 
-// More than this is not chance where `expected` is.
+// A count above this is not chance if `expected` is the mean.
 double most(double expected) {
     return expected + 6 * std::sqrt(expected) + 6;
 }
@@ -59,7 +58,7 @@ void transform(std::vector<Complex>& a) {
 
 } // namespace
 
-TEST_CASE("lines at any distance have equal, nearly equal or opposite words no more often than by chance",
+TEST_CASE("lines at any distance have equal, nearly equal or opposite words only as often as by chance",
           "[amplitudes]") {
     constexpr int seeds = 1 << 17;
     for (const int axis : {0, 1}) {
@@ -90,7 +89,7 @@ TEST_CASE("lines at any distance have equal, nearly equal or opposite words no m
     }
 }
 
-// 384 lines reach across 8192 pixels of 32 to the kernel radius.
+// 384 lines span 8192 pixels at 32 pixels per kernel radius.
 TEST_CASE("in a large picture no line repeats another up to sign", "[amplitudes]") {
     constexpr int lines = 384, pictures = 64;
     for (const int axis : {0, 1}) {
@@ -126,7 +125,7 @@ TEST_CASE("few pairs of lines correlate, and no more in one part than in the oth
                     float sum = 0;
                     for (std::size_t j = 0; j < length; ++j)
                         sum += parts[a * length + j][part] * parts[b * length + j][part];
-                    correlated += std::abs(2 * sum / length) > 0.2; // six deviations of chance
+                    correlated += std::abs(2 * sum / length) > 0.2; // six standard deviations
                 }
             fmt::print("{} of {} pairs of {} correlate in part {}\n", correlated, lines * (lines - 1) / 2,
                        columns ? "columns" : "rows", part);
@@ -164,7 +163,7 @@ TEST_CASE("the amplitudes around node (0, 0) have mean 0 and variance 1 over see
     }
 }
 
-TEST_CASE("fields of small seeds and of lobes do not correlate", "[amplitudes]") {
+TEST_CASE("the fields of small seeds and of lobe seeds do not correlate", "[amplitudes]") {
     constexpr int side = 48, fields = 64;
     for (const bool lobes : {false, true}) {
         std::vector<std::vector<Complex>> field(fields);
@@ -184,7 +183,7 @@ TEST_CASE("fields of small seeds and of lobes do not correlate", "[amplitudes]")
                 largest = std::max({largest, std::abs(with) / side, std::abs(mirrored) / side});
             }
         fmt::print("{}: largest correlation {:.2f} deviations\n", lobes ? "lobes" : "small seeds", largest);
-        CHECK(largest < 5); // 4032 moduli of normal complex numbers: one of a million such sets
+        CHECK(largest < 5); // 4032 moduli of normal complex numbers: exceeded by one of a million such sets
     }
 }
 

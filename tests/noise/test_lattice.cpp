@@ -1,5 +1,5 @@
-// The law of the lattice noise by theory: from the equations, the windows and the law of the amplitudes,
-// without sampling.
+// The law of the lattice noise by theory, without sampling: from the equations, the windows and the law of
+// the amplitudes.
 
 #include "../largest.hpp"
 #include "reference/lattice.hpp"
@@ -32,7 +32,7 @@ std::vector<LatticeWindow> windows(int taps, double x) {
 class Characteristic {
   public:
     Characteristic() {
-        std::array<double, 1024> parts{}; // a part at even steps of its number, for one of 2^16 or 2^32
+        std::array<double, 1024> parts{}; // evenly spaced samples of the part's 2^16 or 2^32 values
         for (std::size_t k = 0; k < parts.size(); ++k)
             parts[k] = lattice_amplitude_part((static_cast<double>(k) + 0.5) / 512 - 1) /
                        lattice_amplitude_deviation();
@@ -96,7 +96,7 @@ struct Law {
     double worst;
 };
 
-// Over `side` x `side` places of a cell, for one orientation.
+// The law over `side` x `side` places of a cell, for one orientation.
 Law law(int taps, double frequency, double orientation, int side, const Characteristic& part) {
     const double step_x = frequency * std::cos(orientation) * 2 / taps; // cycles per node
     const double step_y = frequency * std::sin(orientation) * 2 / taps;
@@ -162,7 +162,7 @@ TEST_CASE("the lattice noise is normal at every place of a cell", "[lattice]") {
     }
 }
 
-TEST_CASE("variances of the lattice noise and its derivatives depend on no place", "[lattice]") {
+TEST_CASE("the variances of the lattice noise and its derivatives are the same at every place", "[lattice]") {
     for (const int taps : {3, 4}) {
         for (int k = 0; k < 64; ++k) {
             double value = 0, slope = 0, curvature = 0, mixed = 0;
@@ -181,7 +181,7 @@ TEST_CASE("variances of the lattice noise and its derivatives depend on no place
 }
 
 TEST_CASE("the covariance of the lattice noise depends little on the place", "[lattice]") {
-    // Of two points a lag apart, the wave left out: sums along x and y of h(x - x_i) h(x + lag - x_i).
+    // For two points a lag apart, without the wave: sums along x and y of h(x - x_i) h(x + lag - x_i).
     constexpr int places = 24;
     constexpr int lags = 64; // from 0 to 2 kernel radii
     for (const int taps : {2, 3, 4}) {
@@ -251,7 +251,7 @@ std::uint64_t draws() {
     return text ? std::strtoull(text, nullptr, 10) : 2'000'000;
 }
 
-// Numbers of mean 0 and variance 1 from a word: what the amplitude takes, and their squares.
+// Numbers of mean 0 and variance 1 from a word: the amplitude's parts, and their squares.
 struct Numbers {
     double part[4];
 };
@@ -326,8 +326,8 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
 }
 
 // A word is its column's times its row's modulo 2^32, and all are odd: of the corners of a rectangle the
-// fourth word is the quotient of two by the other, for multiplication is commutative. Whether amplitudes show
-// it.
+// fourth word is the quotient of two by the other, for multiplication is commutative. This checks whether
+// amplitudes show it.
 TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do their leading bits",
           "[lattice][randomness]") {
     struct Sides {
@@ -386,8 +386,8 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
     sigmas.check("rectangles, of 5.5 sigma");
 }
 
-// Not more draws: the word of a column or a row is one of 2^22, which longer sequences go through too evenly
-// for chance.
+// No more draws than this: a column's or row's word is one of 2^22, and longer sequences cover these too
+// evenly for chance.
 TEST_CASE("the leading bits of both parts of node words are uniform, along rows and columns and over seeds",
           "[lattice][randomness]") {
     constexpr std::uint64_t count = 1 << 21;

@@ -1,4 +1,4 @@
-// The words of impulses as random numbers. GABOR_DRAWS says how many are drawn for each figure;
+// Tests the words of impulses as random numbers. GABOR_DRAWS sets the number of draws per figure;
 // tools/test-long draws 10^8.
 
 #include "../largest.hpp"
@@ -22,7 +22,7 @@ using gabor::noise::impulse_word;
 
 namespace {
 
-// In standard deviations: a larger value among a few thousand is not chance.
+// In standard deviations; among a few thousand values a larger one is not chance.
 constexpr double far = 5.5;
 
 std::uint64_t draws() {
@@ -39,8 +39,7 @@ struct Input {
     std::uint32_t word() const { return impulse_word(column, row, index, seed); }
 };
 
-// The sequences in which pictures meet the words: in a square of cells around the origin, and over seeds and
-// impulses.
+// The sequences of words that pictures use: a square of cells around the origin, and seeds with impulses.
 Input in_square(std::uint64_t i) {
     const auto along = static_cast<std::int32_t>(i & 0x3fff);
     const auto across = static_cast<std::int32_t>(i >> 14);
@@ -64,7 +63,7 @@ struct Sequence {
 constexpr std::array sequences{Sequence{"cells", in_square}, Sequence{"seeds", over_seeds},
                                Sequence{"impulses", over_impulses}};
 
-// What the drop-in takes from a word, its six leading bits.
+// A field that the drop-in takes from a word: its six leading bits.
 struct Field {
     std::string_view name;
     int lowest;
@@ -86,13 +85,13 @@ double chi_square(const std::vector<std::uint64_t>& counts, std::uint64_t total)
     for (const std::uint64_t count : counts)
         sum += (static_cast<double>(count) - expected) * (static_cast<double>(count) - expected) / expected;
     const double freedom = static_cast<double>(counts.size() - 1);
-    // Wilson and Hilferty's cube root, which is good for few degrees of freedom too.
+    // Wilson and Hilferty's cube root, accurate for few degrees of freedom too.
     return (std::cbrt(sum / freedom) - (1 - 2 / (9 * freedom))) / std::sqrt(2 / (9 * freedom));
 }
 
 } // namespace
 
-TEST_CASE("flipping any bit of an input flips each bit of the word half of the time", "[randomness]") {
+TEST_CASE("flipping any bit of an input flips each bit of the word half the time", "[randomness]") {
     gabor::test::Largest largest;
     for (const Sequence& sequence : sequences) {
         for (int bit = 0; bit < 32 * 3 + 5; ++bit) {
@@ -203,7 +202,7 @@ TEST_CASE("the words of neighbours are independent", "[randomness]") {
     linear.check("neighbours, correlation");
 }
 
-TEST_CASE("along a row of cells no word comes twice in 2^24", "[randomness]") {
+TEST_CASE("along a row of cells no word repeats within 2^24", "[randomness]") {
     for (const std::int32_t row : {0, 1, -77}) {
         std::vector<std::uint32_t> words;
         for (std::int32_t column = -(1 << 23); column < 1 << 23; ++column)
@@ -213,7 +212,8 @@ TEST_CASE("along a row of cells no word comes twice in 2^24", "[randomness]") {
     }
 }
 
-TEST_CASE("along a row of cells all 2^32 words come once: the period is 2^32 cells", "[.][period]") {
+TEST_CASE("along a row of cells each of the 2^32 words occurs once: the period is 2^32 cells",
+          "[.][period]") {
     std::vector<std::uint64_t> seen(std::size_t{1} << 26);
     for (std::uint64_t column = 0; column < std::uint64_t{1} << 32; ++column) {
         const std::uint32_t word =

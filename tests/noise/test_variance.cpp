@@ -33,7 +33,7 @@ double window_squared(const noise::Recipe& recipe, double x) {
     return q * q;
 }
 
-// The largest sidelobe of the window's spectrum, in decibels: beyond its first zero.
+// The largest sidelobe of the window's spectrum, beyond its first zero, in decibels.
 double sidelobe(const noise::Recipe& recipe) {
     const auto spectrum = [&](double a) {
         return integrate([&](double x) { return std::sqrt(window_squared(recipe, x)) * std::cos(a * x); }, -1,
@@ -116,8 +116,8 @@ TEST_CASE("the variance agrees with Campbell's theorem by quadrature in the plan
     }
 }
 
-// The values on which README, the published figures and everybody's pixels rest.
-TEST_CASE("recipes are what they were published as", "[noise]") {
+// README, the published figures and users' pixels depend on these values.
+TEST_CASE("recipes have their published values", "[noise]") {
     struct Published {
         const char* name;
         int impulses;

@@ -1,4 +1,5 @@
-"""Installs what tools/package builds in a clean place, and uses it there: test_packages.py [-v] npm|pypi|unity|godot|blender|vcpkg|openupm|release"""
+"""Installs the packages that tools/package builds in a clean place, and uses them there: test_packages.py [-v]
+npm|pypi|unity|godot|blender|vcpkg|openupm|release"""
 
 import importlib.util
 import json
@@ -69,12 +70,13 @@ class Package(unittest.TestCase):
 
 
 class Npm(Package):
-    """Installs it beside three.js without the registry. A substitute for three/tsl runs its module, as in the nodes' tests."""
+    """Installs it beside three.js without the registry. A substitute for three/tsl runs its module, as in the nodes'
+    tests."""
 
     tools = "node", "npm"
 
     def test_installs_and_is_imported(self):
-        three = self.folder / "three"  # stands in for three
+        three = self.folder / "three"  # a substitute for three
         (three / "src").mkdir(parents=True)
         (three / "package.json").write_text(json.dumps(
             {"name": "three", "version": "0.187.0", "type": "module", "exports": {"./tsl": "./src/tsl.mjs"}}))
@@ -91,7 +93,7 @@ class Npm(Package):
                   if path.is_file() and not LEFTOVERS.search(str(path))}
         self.assertLessEqual({"LICENSE", "README.md"} | wanted, names)
         described = json.loads((installed / "package.json").read_text())
-        self.assertEqual((described["version"], described["type"]), (VERSION, "module"))  # Node.js 18 does not guess the type
+        self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 does not detect it
 
         # Each drop-in by its exported name, as bundlers and Node.js resolve it.
         (project / "sources.mjs").write_text("""
@@ -162,7 +164,7 @@ print(gabor_noise.__version__)
             super().setUp()
         except AssertionError as error:
             if re.search("No matching distribution|ConnectionError|NewConnectionError", str(error)):
-                self.skipTest("the Python package index is out of reach")
+                self.skipTest("the Python package index is unreachable")
             raise
 
     def test_wheel_has_the_shaders_values(self):
@@ -255,7 +257,7 @@ class Godot(Package):
 
 
 class Blender(Package):
-    def test_manifest_is_what_blender_asks_for(self):
+    def test_manifest_is_accepted_by_blender(self):
         files = self.unpack()
         self.assertEqual(files, {"LICENSE", "__init__.py", "blender_manifest.toml"})
         manifest = tomllib.loads((self.folder / "blender_manifest.toml").read_text())
@@ -270,7 +272,7 @@ class Blender(Package):
 
 
 class Vcpkg(Package):
-    """vcpkg itself comes from a source host. Its functions, as its manual describes them, run the port."""
+    """vcpkg itself would have to be downloaded. Functions with the behaviour that its manual describes run the port."""
 
     tools = "cmake",
     VCPKG = """
@@ -290,7 +292,7 @@ function(vcpkg_cmake_config_fixup)
     file(MAKE_DIRECTORY "${CURRENT_PACKAGES_DIR}/share")
     file(COPY "${CURRENT_PACKAGES_DIR}/${given_CONFIG_PATH}/" DESTINATION "${CURRENT_PACKAGES_DIR}/share/gabor-noise")
     file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/${given_CONFIG_PATH}")
-    # The real one also mends the prefix that the targets derive from their own folder, now one level higher.
+    # The real one also fixes the prefix that the targets derive from their own folder, now one level higher.
     file(GLOB scripts "${CURRENT_PACKAGES_DIR}/share/gabor-noise/*.cmake")
     foreach(script ${scripts})
         file(READ "${script}" text)
@@ -330,7 +332,7 @@ include("${FOLDER}/gabor-noise/portfile.cmake")
 
 class OpenUpm(unittest.TestCase):
     def copy_with(self, remote):
-        """tools/package openupm in a repository with that remote."""
+        """Runs tools/package openupm in a repository with that remote."""
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         self.addCleanup(folder.cleanup)
         root = pathlib.Path(folder.name)

@@ -21,7 +21,7 @@ double mix(double a, double b, double t) {
     return (1 - t) * a + t * b;
 }
 
-// A position on an axis of a lattice: node `cell` is `local` nodes away, `nodes` of them are a unit.
+// A position on a lattice axis: `local` nodes from node `cell`, with `nodes` per unit of length.
 struct Axis {
     std::int32_t cell;
     double local;
@@ -29,7 +29,8 @@ struct Axis {
     std::int32_t period;
 };
 
-// Nodes per unit are multiples of 1 / 65536, chosen in single precision, or as many in a period.
+// Nodes per unit are a multiple of 1 / 65536, chosen in single precision, or fit a whole number into the
+// period.
 Axis axis_at(std::int32_t cell, double local, float period, float nodes) {
     const auto steps =
         static_cast<std::int64_t>(std::floor(std::clamp(nodes, 1e-4f, 3e4f) * 65536.0f + 0.5f));

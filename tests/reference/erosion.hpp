@@ -15,7 +15,7 @@ struct Terrain {
 };
 struct Erosion {
     int octaves = 5;
-    float frequency = 1.5f; ///< in single precision, for lattices are chosen by it
+    float frequency = 1.5f; ///< in single precision, because it selects the lattices
     double strength = 0.12;
     float lacunarity = 2;
     double gain = 0.5;

@@ -12,7 +12,7 @@ struct Field {
     std::complex<double> value;
     std::complex<double> slope_x;
     std::complex<double> slope_y;
-    std::array<double, 4> four{}; ///< independent noises, the first the noise itself; of lattices alone
+    std::array<double, 4> four{}; ///< independent noises, the first the noise itself; lattice noise only
 
     /// Adds a noise whose kernel radii along x and y are `radius` of these.
     void add(double weight, const Field& other, std::array<double, 2> radius = {1, 1}) {

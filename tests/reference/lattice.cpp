@@ -121,7 +121,7 @@ Complex amplitude_at(std::uint32_t word, const LatticePlace& place) {
 struct Line {
     LatticeWindow window;
     double slope;                       // of the window, per kernel radius
-    Complex wave;                       // the noise's, from the nodes to the place
+    Complex wave;                       // phase of the noise's wave from the nodes to the place
     std::array<std::uint32_t, 4> words; // of four noises
 };
 

@@ -38,7 +38,7 @@ double lattice_amplitude_deviation();
 /// The complex amplitude of a word. One part comes from the whole word, the other from its low 20 bits.
 std::complex<double> lattice_amplitude(std::uint32_t word);
 
-/// The same at a moment of an animation of period 1, with two others that follow from the word.
+/// The same at a time of an animation of period 1: a mix with two more amplitudes derived from the word.
 std::complex<double> lattice_amplitude(std::uint32_t word, double time);
 
 /// Where to evaluate: as GaborPlace in shaders/gabor_lattice.glsl.

@@ -46,7 +46,7 @@ double smoothstep(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
-// Of a normal filter: its two principal axes, as long as its standard deviations.
+// The two principal axes of a normal filter, as long as its standard deviations.
 std::array<Vector, 2> principal_axes(const Vector& dx, const Vector& dy) {
     const double angle = 0.5 * std::atan2(2 * dot(dx, dy), dot(dx, dx) - dot(dy, dy));
     return {sum(std::cos(angle) / 2, dx, std::sin(angle) / 2, dy),
@@ -164,7 +164,7 @@ Lattice3d::Field Lattice3d::field(const Place& place, const Vector& offset, cons
         Complex wave;
     };
     std::array<std::array<Line, 3>, 3> lines{};
-    std::array<std::int64_t, 3> first{}; // the windows of all but three lines end before
+    std::array<std::int64_t, 3> first{}; // the windows of all but three lines end before this place
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double local = place.local[axis] + offset[axis];
         first[axis] = static_cast<std::int64_t>(std::ceil(local - nodes_per_radius));

@@ -8,15 +8,15 @@
 
 namespace gabor::noise {
 
-/// Where to ask a function for its mean under a normal density in the plane, and how much it counts there.
+/// A sample point for a function's mean under a normal density in the plane, with its weight.
 struct NormalPoint {
     double u; ///< in deviations along the first axis
     double v; ///< along the second
     double weight;
 };
 
-/// By the trapezoidal rule, as far as six deviations: no two points are further apart than `step`, in the
-/// unit of the deviations, or a third of a deviation.
+/// Points of the trapezoidal rule out to six deviations, spaced by at most `step` (in the unit of the
+/// deviations) and a third of a deviation.
 inline std::vector<NormalPoint> normal_points(const std::array<double, 2>& deviations, double step) {
     std::array<int, 2> half{};
     for (std::size_t i = 0; i < 2; ++i)

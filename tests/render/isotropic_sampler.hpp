@@ -37,7 +37,7 @@ struct IsotropicAnswer {
     float padding[2];
 };
 
-/// Which answers are wanted.
+/// Selects the answers to compute.
 enum class Part : std::int32_t { all, field, filtered };
 
 inline std::string to_string(const IsotropicSample& s) {

@@ -24,22 +24,22 @@
 
 namespace gabor::test {
 
-/// Number of samples per statistic: GABOR_LAW_SAMPLES, or 2^21 if it is not set. With half of them a variance
-/// that is off by 1 % is 7 standard errors off.
+/// Number of samples per statistic: GABOR_LAW_SAMPLES, or 2^21 if it is not set. Half of these still put a
+/// variance error of 1 % at 7 standard errors.
 inline double law_samples() {
     const char* text = std::getenv("GABOR_LAW_SAMPLES");
     return text ? std::strtod(text, nullptr) : 1 << 21;
 }
 
-/// A number from the answers to the samples of one instance, normal with mean 0 by theory. Answers are rows
-/// of floats, one after another.
+/// A number computed from one instance's answers; by theory it is normal with mean 0. Answers are rows of
+/// floats, one after another.
 struct Statistic {
     std::string name;
     double deviation;
     std::function<double(std::span<const float>)> of;
 };
 
-/// The statistic that is a sum of numbers with factors.
+/// A weighted sum of numbers, as a statistic.
 struct Term {
     std::size_t number;
     double factor = 1;
@@ -53,8 +53,8 @@ inline Statistic sum_of(std::string name, double deviation, std::vector<Term> te
             }};
 }
 
-/// Evaluates batches of instances: `instance()` is an array of samples, and `see` gets the numbers that
-/// answer it.
+/// Evaluates batches of instances: `instance()` returns an array of samples, and `see` receives their
+/// answers.
 template <typename Sampler, typename Wanted, typename Instance, typename See>
 void for_instances(Sampler& sampler, double count, Wanted wanted, const Instance& instance, const See& see) {
     const auto samples = sampler.samples();
@@ -102,7 +102,7 @@ void check_laws(Sampler& sampler, double share, Wanted wanted, const Instance& i
     }
 }
 
-/// Compares the covariance of both parts, numbers 0 and 1, at two places of an instance with theory's.
+/// Compares the covariance of both parts (numbers 0 and 1) at two places of an instance with theory.
 template <typename Sampler, typename Wanted, typename Pair>
 void check_covariance(Largest& largest, Sampler& sampler, Wanted wanted, const Pair& pair, double expected,
                       const std::string& name) {
@@ -170,7 +170,7 @@ class Laws {
     void check(const std::string& title) const {
         const double n = static_cast<double>(moments_.front().count());
         const double count = static_cast<double>(laws_.size());
-        // Means and variances differ only by chance: chi-square per degree of freedom.
+        // Checks by chi-square per degree of freedom that means and variances differ only by chance.
         double means = 0, variances = 0, furthest = 0;
         statistics::Moments together, cvms;
         std::string worst;
@@ -187,12 +187,11 @@ class Laws {
             cvms.add(cvm);
         }
         const double error = std::sqrt(cvms.variance() / count);
-        fmt::print(
-            "  {}, {:.3g} values: mean {:.5f}, variance {:.5f}\n"
-            "    {} of each: chi-square of means {:.2f}, of variances {:.2f}, the furthest {:+.5f}; cvm "
-            "{:.4f} +- {:.4f} on average, {:.3f} at the worst, {}\n",
-            title, n * count, together.mean(), together.variance(), n, means, variances, furthest,
-            cvms.mean(), error, cvms.maximum(), worst);
+        fmt::print("  {}, {:.3g} values: mean {:.5f}, variance {:.5f}\n"
+                   "    {} each: chi-square of means {:.2f}, of variances {:.2f}, the furthest {:+.5f}; cvm "
+                   "{:.4f} +- {:.4f} on average, {:.3f} at the worst, {}\n",
+                   title, n * count, together.mean(), together.variance(), n, means, variances, furthest,
+                   cvms.mean(), error, cvms.maximum(), worst);
         INFO(title);
         CHECK(std::abs(together.mean()) < 5 / std::sqrt(n * count));
         CHECK(std::abs(together.variance() - 1) < 5 * std::sqrt(2 / (n * count)));

@@ -38,7 +38,8 @@ class Draw {
         return static_cast<float>(std::uniform_real_distribution<>(low, high)(random_));
     }
 
-    /// In all quadrants up to 10^6, or in any cell; one coordinate in four on or next to a cell's edge.
+    /// Draws places in all quadrants up to 10^6, or in any cell; one coordinate in four is on or next to a
+    /// cell's edge.
     noise::Place place(const noise::Recipe& recipe) {
         const float reach = std::exp2(uniform(0, 20));
         noise::Place p = noise::place_at(recipe, 0, 0, uniform(-reach, reach), uniform(-reach, reach));

@@ -121,7 +121,8 @@ Sample drawn(Draw& draw) {
 
 } // namespace
 
-TEST_CASE("noise along a map agrees with the reference in any cell, period and moment", "[oracle]") {
+TEST_CASE("noise along a map agrees with the reference in any cell, with any period, at any time",
+          "[oracle]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 15;
     test::Probe<Sample, Answer> sampler(device, count, sample_direction_spirv, {});

@@ -1,4 +1,5 @@
-// Hills and erosion on the device: against the double-precision reference, and what a terrain must have.
+// Hills and erosion on the device: against the double-precision reference, and the properties of a good
+// terrain.
 
 #include "reference/erosion.hpp"
 #include "sampler.hpp"
@@ -116,7 +117,7 @@ Sample draw_sample(Draw& draw) {
     return s;
 }
 
-// What is measured of a terrain: erosion by the drop-in, or by random splats.
+// The terrain to measure: eroded by the drop-in, or by random splats.
 class Terrains {
   public:
     Terrains(const vulkan::Device& device, int taps, test::Wanted wanted)
@@ -149,7 +150,7 @@ class Terrains {
 constexpr auto by_drop_in = test::Wanted::at;
 constexpr auto by_splats = test::Wanted::moving;
 
-// Each in a terrain of its own.
+// Each sample is in a terrain of its own.
 std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
     Draw draw(seed);
     std::vector<Sample> samples(count);
@@ -227,8 +228,8 @@ double gully_angle(Terrains& terrains) {
     return sum / weight * 180 / std::numbers::pi;
 }
 
-// Heights lower than all eight neighbours, 1/64 away, to a unit of area: in the terrain, less those in the
-// hills.
+// Local minima per unit area (lower than all eight neighbours, 1/64 away): those of the terrain minus those
+// of the hills.
 double pits(Terrains& terrains) {
     constexpr std::size_t side = 128;
     int count = 0;
@@ -255,8 +256,8 @@ double pits(Terrains& terrains) {
     return count / (8 * std::pow((side - 2) / 64.0, 2));
 }
 
-// The largest curvature of gullies on planes, over its root mean square: where waves cancel there could be
-// spikes.
+// The largest curvature of gullies on planes over its root mean square: spikes could appear where waves
+// cancel.
 double spikes(Terrains& terrains) {
     const std::vector<Sample> samples = on_planes(8 * per_batch, 3);
     const float step = 1.0f / 64;
@@ -309,7 +310,7 @@ double cells(Terrains& terrains, double cell) {
     return (most - least) / mean;
 }
 
-// Root mean square of slope less finite differences of height, over that of these.
+// RMS of the slope minus finite differences of the height, relative to the RMS of the latter.
 double slope_error(Terrains& terrains) {
     const std::vector<Sample> samples = anywhere(2 * per_batch, 9);
     const float step = 1.0f / 2048;
@@ -396,7 +397,7 @@ TEST_CASE("eroded heights are continuous, and their gullies run down the slope w
     }
 }
 
-TEST_CASE("what a pixel removes of gullies leaves the mean height", "[erosion]") {
+TEST_CASE("filtering gullies keeps the mean height", "[erosion]") {
     const vulkan::Device device;
     Terrains terrains(device, 3, by_drop_in);
     std::vector<Sample> samples = anywhere(16 * per_batch, 11);
@@ -405,7 +406,7 @@ TEST_CASE("what a pixel removes of gullies leaves the mean height", "[erosion]")
     for (const Answer& answer : sharp)
         relief += std::pow(answer.eroded.height, 2) / static_cast<double>(sharp.size());
     relief = std::sqrt(relief);
-    for (std::size_t i = 0; i < samples.size(); ++i) { // on hills that no pixel changes
+    for (std::size_t i = 0; i < samples.size(); ++i) { // on hills too smooth for the filter to change
         const Terrain& hills = sharp[i].hills;
         samples[i].own_base = 1;
         samples[i].height = hills.height;
@@ -435,9 +436,8 @@ TEST_CASE("what a pixel removes of gullies leaves the mean height", "[erosion]")
     }
 }
 
-// Pixels with a normal filter of half their side; the last one shows nothing but the mean.
-TEST_CASE("filtered hills are near the means over their pixels, and have the mean of all hills",
-          "[erosion]") {
+// The pixel's filter is normal with a deviation of half its side; the last one shows only the mean.
+TEST_CASE("filtered hills are close to the mean over each pixel, and keep the overall mean", "[erosion]") {
     const vulkan::Device device;
     Terrains terrains(device, 3, by_drop_in);
     constexpr std::size_t places = per_batch, points = 64;
@@ -481,14 +481,15 @@ TEST_CASE("filtered hills are near the means over their pixels, and have the mea
     }
 }
 
-TEST_CASE("eroded tiles close", "[erosion]") {
+TEST_CASE("eroded tiles have no seam", "[erosion]") {
     const vulkan::Device device;
     Draw draw(13);
     for (const int taps : {2, 3}) {
         Terrains terrains(device, taps, by_drop_in);
         std::vector<Sample> samples = anywhere(per_batch, 15), moved;
         for (Sample& sample : samples)
-            for (int axis = 0; axis < 2; ++axis) { // short numbers, whose sums and products are exact
+            for (int axis = 0; axis < 2;
+                 ++axis) { // numbers with few bits, so that sums and products are exact
                 sample.local[axis] = std::round(64 * sample.local[axis]) / 64;
                 sample.period[axis] = static_cast<float>(4 << draw.word() % 3);
             }

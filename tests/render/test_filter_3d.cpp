@@ -335,7 +335,7 @@ TEST_CASE("isotropic noise in space and on surfaces is filtered within 2 % up to
     }
 }
 
-TEST_CASE("isotropic noise knows the variance that any pixel removes", "[filter]") {
+TEST_CASE("the removed variance of isotropic noise is right for any pixel", "[filter]") {
     const vulkan::Device device;
     constexpr std::size_t count = 600;
     for (const Entry3d entry : {Entry3d::isotropic, Entry3d::surface_isotropic}) {
@@ -345,7 +345,7 @@ TEST_CASE("isotropic noise knows the variance that any pixel removes", "[filter]
             sample = somewhere(draw, draw.uniform(0, 3), {1, 0, 0});
             const Vector normal = random_unit(draw);
             sample.normal = narrow(normal);
-            // Not always along the surface.
+            // The footprint does not always lie in the surface.
             set_footprint(sample, draw.word() % 2 ? normal : random_unit(draw), draw.uniform(-3, 3),
                           std::exp2(draw.uniform(-5, 1)), draw.uniform(0, 1));
         }

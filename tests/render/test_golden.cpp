@@ -1,6 +1,6 @@
 // The values of golden/functions.glsl on the device, where they compile within seconds: all of them are
-// compared in C++, by golden/functions.cpp. After a change of pixels that is meant, write the files anew, and
-// look at their diff:
+// compared in C++, by golden/functions.cpp. After an intended change of pixels, rewrite the files and review
+// the diff:
 //
 //     GABOR_GOLDEN=write ctest --preset dev -R '^golden_'
 

@@ -46,7 +46,7 @@ Law measure(const vulkan::Device& device, const noise::Recipe& recipe, float fre
 
 TEST_CASE("mean 0 and variance 1 at every frequency", "[instances]") {
     const vulkan::Device device;
-    const std::vector<float> low_and_high{0.002f, 30}; // noises of many phases depend on none
+    const std::vector<float> low_and_high{0.002f, 30}; // with many phases, none matters
     for (const auto& [name, frequencies] : {std::pair("one", low_and_high),
                                             {"pure", low_and_high},
                                             {"paper", {0.002f, 0.1f, 0.7f, 1.5f, 30}}}) {
@@ -106,7 +106,7 @@ TEST_CASE("mean 0 and variance 1 with periods, in time, and of the quadrature", 
             }
             std::vector<statistics::Moments> all{tiled, animated};
             if (recipe.phases > 2 ||
-                frequency > 1.5f) // at low frequency a sine's quadrature exceeds the sine
+                frequency > 1.5f) // at low frequency the quadrature of a sine kernel exceeds the sine
                 all.push_back(quadrature);
             for (const statistics::Moments& moments : all) {
                 INFO(recipe.name << ", frequency " << frequency);

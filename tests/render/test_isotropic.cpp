@@ -58,7 +58,7 @@ void set_pixel(Sample& s, double deviation, double ratio, double angle) {
 
 } // namespace
 
-TEST_CASE("isotropic noise agrees with the reference in any cell, period and moment", "[oracle]") {
+TEST_CASE("isotropic noise agrees with the reference in any cell, with any period, at any time", "[oracle]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 13;
     Sampler sampler(device, count);
@@ -98,7 +98,7 @@ TEST_CASE("isotropic noise agrees with the reference in any cell, period and mom
         }
         of["filtered by a point"].see(a.placed_filtered, a.value[1], few, s);
         const auto here = reference_at(s.p[0], s.p[1], s);
-        // A position of 16 is rounded by 6e-7, which its waves multiply.
+        // A position near 16 is rounded by 6e-7, which the waves multiply.
         const double far = few + 2e-5 * (1 + std::abs(double{s.frequency}));
         of["gabor_noise_isotropic"].see(a.noise, here.value.imag(), far, s);
         of["gabor_noise_isotropic, gradient"].see(a.gradient[0], a.noise, 1e-6, s);
@@ -150,7 +150,7 @@ TEST_CASE("isotropic noise is filtered within 2 % up to 0.3 radii, and within 4 
     }
 }
 
-TEST_CASE("isotropic noise has the variance that it says a pixel leaves", "[filter]") {
+TEST_CASE("filtered isotropic noise has the variance that its removed share implies", "[filter]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 17;
     Sampler sampler(device, count);

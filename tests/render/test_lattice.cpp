@@ -79,7 +79,7 @@ noise::LatticePlace tile_at(const LatticeSample& s, int taps) {
     return place;
 }
 
-// Compares answers to random samples with each number of taps; `see` sees those to one sample, with the
+// Evaluates random samples with each number of taps; `see` compares one sample's answers, given the
 // tolerances of values and of slopes.
 template <typename See>
 void compare(unsigned seed, std::size_t functions, const See& see) {
@@ -103,8 +103,8 @@ void compare(unsigned seed, std::size_t functions, const See& see) {
     }
 }
 
-// What the rounding of p adds to a tile's tolerance: p in node spacings is rounded, and so is their number to
-// a radius. Tiles are compared where that is little.
+// Tolerance that rounding adds to a tile: both p in node spacings and the number of nodes per radius are
+// rounded. Tiles are compared only where that is small.
 double tile_rounding(const LatticeSample& s, const noise::LatticePlace& tile) {
     const double cycles = s.frequency + std::max(tile.radius_x, tile.radius_y);
     const double position = std::max(std::abs(s.p[0]), std::abs(s.p[1])) * std::exp2(-21);
@@ -196,7 +196,7 @@ TEST_CASE("functions of a wave vector, and stripes, agree with the reference", "
             });
 }
 
-TEST_CASE("node words agree bit for bit and are these", "[lattice]") {
+TEST_CASE("node words agree bit for bit, and match known values", "[lattice]") {
     const vulkan::Device device;
     test::LatticeSampler sampler(device, 3, per_batch);
     Draw draw(5);
@@ -212,7 +212,7 @@ TEST_CASE("node words agree bit for bit and are these", "[lattice]") {
     CHECK(noise::lattice_word(1000000000, -1000000000, 0xffffffffu) == 0x5f532683u);
 }
 
-TEST_CASE("tiles of the lattice noise close, and time does", "[lattice]") {
+TEST_CASE("the lattice noise repeats exactly in tiles and in time", "[lattice]") {
     const vulkan::Device device;
     Draw draw(6);
     for (const int taps : {2, 3, 4}) {

@@ -295,7 +295,7 @@ TEST_CASE("isotropic noise and surface noise on the lattice agree with the refer
     largest.check("gabor_noise_3d_isotropic_gradient");
 }
 
-TEST_CASE("the gradient on the lattice is what differences of the reference say", "[oracle]") {
+TEST_CASE("the gradient on the lattice equals differences of the reference", "[oracle]") {
     test::Draw draw(24);
     for (int i = 0; i < 500; ++i) {
         const Lattice3d reference({draw.uniform(-3, 3), draw.uniform(-3, 3), draw.uniform(-3, 3)},
@@ -316,7 +316,8 @@ TEST_CASE("the gradient on the lattice is what differences of the reference say"
     }
 }
 
-TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance 1 together", "[oracle]") {
+TEST_CASE("waves of surface noise are tangent, have the requested frequency, and sum to variance 1",
+          "[oracle]") {
     test::Draw draw(33);
     double longest = 0;
     double shortest = 1e9;
@@ -348,7 +349,7 @@ TEST_CASE("waves of surface noise are tangent, as long as asked, and of variance
 
 // Each vector of a random frame is uniform on the sphere: (u.v)^2k has the mean 1 / (2k + 1) for every v, and
 // the harmonics up to degree 8 vanish.
-TEST_CASE("the frames of isotropic noise are even in all directions", "[oracle]") {
+TEST_CASE("the frames of isotropic noise are uniform over all directions", "[oracle]") {
     test::Draw draw(34);
     std::vector<Vector> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int i = 0; i < 24; ++i)
@@ -423,7 +424,7 @@ TEST_CASE("unusual arguments in space give the documented values, never NaN", "[
             CHECK(std::abs(answers[i].value[0]) < 10);
         }
     }
-    // A frequency counts by its magnitude, a direction without its length.
+    // Only the magnitude of a frequency counts, and a direction's length does not.
     LatticeSampler3d sampler(device, 3, Entry3d::noise);
     for (int i = 0; i < 3; ++i) {
         LatticeSample3d& sample = sampler.samples()[static_cast<std::size_t>(i)] = samples.front();

@@ -49,7 +49,7 @@ test::LatticeSample3d elsewhere(test::LatticeSample3d sample, Draw& draw) {
     return sample;
 }
 
-// The sample and another, `lag` nodes away.
+// The sample, and a second one `lag` nodes away.
 template <typename Sample, typename Lag>
 std::array<Sample, 2> pair(const Sample& sample, const Lag& lag) {
     std::array both{sample, sample};
@@ -121,7 +121,7 @@ double covariance(const test::LatticeSample3d& sample, const std::array<float, 3
     return product * std::cos(2 * pi * turns);
 }
 
-// Both parts of a noise and what of its gradient has equal deviations are normal, and jointly.
+// Both parts of a noise and the gradient's components of equal deviation are jointly normal.
 std::vector<Statistic> of_isotropic(double slope, const std::vector<test::Term>& dx, test::Term dy) {
     std::vector<test::Term> both = dx, mixed = dx;
     both.push_back(dy);
@@ -137,7 +137,7 @@ std::vector<Statistic> of_isotropic(double slope, const std::vector<test::Term>&
 
 } // namespace
 
-TEST_CASE("the lattice noise has its law at each of 16 x 16 places of a cell", "[law]") {
+TEST_CASE("the lattice noise is normal at each of 16 x 16 places of a cell", "[law]") {
     const vulkan::Device device;
     struct Waves {
         float frequency, orientation;
@@ -182,7 +182,7 @@ TEST_CASE("the lattice noise has its law at each of 16 x 16 places of a cell", "
     }
 }
 
-TEST_CASE("noise on the lattice in space has its law at each of 4 x 4 x 4 places of a cell", "[law]") {
+TEST_CASE("noise on the lattice in space is normal at each of 4 x 4 x 4 places of a cell", "[law]") {
     const vulkan::Device device;
     test::LatticeSampler3d sampler(device, per_batch, Entry3d::field);
     Draw draw(30);
@@ -213,7 +213,7 @@ TEST_CASE("noise on the lattice in space has its law at each of 4 x 4 x 4 places
     all.check("all waves");
 }
 
-TEST_CASE("surface noise on the lattice has its law for every normal", "[law]") {
+TEST_CASE("surface noise on the lattice is normally distributed for every surface normal", "[law]") {
     const vulkan::Device device;
     Draw draw(32);
     std::vector<std::array<float, 3>> normals(32);
@@ -226,7 +226,7 @@ TEST_CASE("surface noise on the lattice has its law for every normal", "[law]") 
             auto s = solid_sample({draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
             s.normal = normals[k];
             s.direction = test::narrow(test::random_unit(draw));
-            const bool near = draw.word() % 2; // where another direction takes over
+            const bool near = draw.word() % 2; // near the normal, where another direction takes over
             for (std::size_t axis = 0; near && axis < 3; ++axis)
                 s.direction[axis] = s.normal[axis] + 0.45f * s.direction[axis];
             return elsewhere(s, draw);
@@ -268,7 +268,7 @@ TEST_CASE("the lattice noise, its gradient, quadrature, phasor and four are join
     }
 }
 
-TEST_CASE("tiles and every time of the lattice noise have its law", "[law]") {
+TEST_CASE("tiled and animated lattice noise are normal too", "[law]") {
     const vulkan::Device device;
     for (const int taps : {3, 4}) {
         test::LatticeSampler sampler(device, taps, per_batch);
@@ -303,7 +303,7 @@ TEST_CASE("pairs of values of the lattice noise are jointly normal", "[law]") {
     }
 }
 
-TEST_CASE("the lattice noise at two times is jointly normal, its correlation cos^2(pi lag)", "[law]") {
+TEST_CASE("the lattice noise at two times is jointly normal with correlation cos^2(pi lag)", "[law]") {
     const vulkan::Device device;
     test::LatticeSampler sampler(device, 3, per_batch);
     Draw draw(13);
@@ -386,8 +386,7 @@ TEST_CASE("isotropic noise in the plane and its gradient are normal at fixed pla
     }
 }
 
-TEST_CASE("isotropic noise in space and on surfaces has its law and its gradient's at fixed places",
-          "[law]") {
+TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal at fixed places", "[law]") {
     const vulkan::Device device;
     constexpr std::array node{0.0f, 0.0f, 0.0f}, middle{0.5f, 0.5f, 0.5f}, other{0.25f, 0.5f, 0.0f};
     struct Where {
@@ -405,8 +404,8 @@ TEST_CASE("isotropic noise in space and on surfaces has its law and its gradient
           Where{"between two frames", Entry3d::surface_isotropic, middle, {0.6f, 0, 0.8f}}}) {
         test::LatticeSampler3d sampler(device, per_batch, entry);
         Draw draw(42);
-        // Of the derivatives along two tangents, or along any two axes: in space 4/3 pi^2 F^2, and 2 pi^2 F^2
-        // on a surface, of the waves; pi^2 / 3 of the windows. One tangent is x, z; one y.
+        // Variance of the derivative along any axis, or along a tangent: the waves contribute 4/3 pi^2 F^2 in
+        // space and 2 pi^2 F^2 on a surface, the windows pi^2 / 3. One tangent is x, z; one y.
         const bool on_surface = entry == Entry3d::surface_isotropic;
         const double slope = std::sqrt(pi * pi / 3 + pi * pi * (on_surface ? 2 : 4.0 / 3));
         const double x = on_surface ? normal[2] : 1, z = on_surface ? -normal[0] : 0;

@@ -140,7 +140,7 @@ class Blurred {
                 rows_[at(x, y)] = weighted([&](int i) { return values[at(x + i, y)]; });
     }
 
-    // At the middle of large pixel (x, y).
+    // The value at the middle of large pixel (x, y).
     double operator()(int x, int y) const {
         const auto column = [&](int i) {
             return weighted([&](int j) { return rows_[at(i, y * block_ + block_ / 2 + j)]; });
@@ -207,7 +207,7 @@ void compare(const Material& material) {
         const std::vector<float> filtered = drawn(material, numbers, true, false, large, 0.25, seed);
         check_range(sharp);
         check_range(filtered);
-        // A square that has many features: a quarter of a unit may have none.
+        // A square with many features; a quarter of a unit may have none.
         const std::vector<float> wide = drawn(material, numbers, false, false, side / 2, 15.7, seed);
         for (std::size_t k = 0; k < compared_channels.size(); ++k) {
             const std::size_t channel = compared_channels[k];
@@ -237,13 +237,13 @@ void compare(const Material& material) {
 
 } // namespace
 
-TEST_CASE("every material as a pixel sees it is the mean of what it covers", "[material]") {
+TEST_CASE("every filtered material equals the mean over its pixel", "[material]") {
     CHECK(std::ranges::equal(materials, render::materials, {}, &Material::name));
     for (const Material& material : materials)
         compare(material);
 }
 
-TEST_CASE("a pixel that covers everything has the mean colour, whatever the parameters", "[material]") {
+TEST_CASE("a huge pixel has the mean colour, whatever the parameters", "[material]") {
     const char* given = std::getenv("GABOR_MATERIAL_SETTINGS"); // 100 took six minutes
     const int settings = given ? std::atoi(given) : 2;
     constexpr int samples = 100'000;
@@ -295,7 +295,7 @@ TEST_CASE("a pixel that covers everything has the mean colour, whatever the para
     }
 }
 
-TEST_CASE("every material repeats after its period and has no seam", "[material]") {
+TEST_CASE("every material repeats after its period without a seam", "[material]") {
     const gabor_vec2 period(8, 4);
     constexpr float near = 0.001953125f;
     std::mt19937 random(5);
@@ -370,7 +370,7 @@ TEST_CASE("a picture of a material is its function at each pixel", "[material]")
         }
 }
 
-TEST_CASE("each material has three presets, and one of its name with its default look", "[material]") {
+TEST_CASE("each material has three presets, one of them named after it with the default look", "[material]") {
     std::map<std::string, int> counts;
     for (const std::string_view name : render::preset_names()) {
         const Request request = render::preset(name);
@@ -386,7 +386,7 @@ TEST_CASE("each material has three presets, and one of its name with its default
     }
 }
 
-TEST_CASE("beside a material there is no noise", "[material]") {
+TEST_CASE("a material excludes the noise's own parameters", "[material]") {
     const auto refused = [](Request request, const char* words) {
         CHECK_THROWS_WITH(render::check(request), Catch::Contains(words));
     };

@@ -148,7 +148,7 @@ TEST_CASE("periods in space and time agree with the reference", "[oracle]") {
     }
 }
 
-TEST_CASE("the gradient is what differences of the reference say", "[oracle]") {
+TEST_CASE("the gradient equals differences of the reference", "[oracle]") {
     Draw draw(6);
     for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         const noise::Reference reference(recipe, 3, 0.7, 9);
@@ -171,7 +171,7 @@ TEST_CASE("the gradient is what differences of the reference say", "[oracle]") {
     }
 }
 
-TEST_CASE("phase and intensity give the value back", "[oracle]") {
+TEST_CASE("phase and intensity reproduce the complex value", "[oracle]") {
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::sparse_recipes()) {
         test::Sampler sampler(device, recipe, per_batch);

@@ -302,7 +302,7 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
     }
 }
 
-TEST_CASE("pictures of space in colour mix what they have in grey", "[render]") {
+TEST_CASE("colour pictures of space mix the values of grey ones", "[render]") {
     const vulkan::Device device;
     const image::Rect region{0, 0, 90, 60};
     const double share = std::sqrt(2 / 3.0); // of the first lobe in the deviation
@@ -353,7 +353,7 @@ TEST_CASE("pictures of space in colour mix what they have in grey", "[render]") 
     }
 }
 
-TEST_CASE("colours of space through the filter keep their mean", "[render]") {
+TEST_CASE("filtered colours of space keep their mean", "[render]") {
     const vulkan::Device device;
     render::Request request{
         .width = 96, .height = 96, .scale = 2, .seed = 77, .view = render::Slice{2.7}, .filter = true};
@@ -380,7 +380,7 @@ TEST_CASE("colours of space through the filter keep their mean", "[render]") {
     CHECK(mean[2] == Approx(3).margin(0.4));
 }
 
-TEST_CASE("a region has the bits of the whole, whatever the bands", "[render]") {
+TEST_CASE("a region matches the whole bit for bit, whatever the bands", "[render]") {
     const vulkan::Device device;
     std::vector<render::Request> requests{{.width = 1500, .height = 4000, .scale = 20, .lobes = stretched}};
     for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) // more than two bands
@@ -407,7 +407,7 @@ TEST_CASE("a region has the bits of the whole, whatever the bands", "[render]") 
     }
 }
 
-TEST_CASE("an exception from the sink ends the rendering", "[render]") {
+TEST_CASE("an exception from the sink stops rendering", "[render]") {
     const vulkan::Device device;
     const render::Request request{.width = 4096, .height = 8192, .seed = 1};
     int bands = 0;
@@ -419,7 +419,7 @@ TEST_CASE("an exception from the sink ends the rendering", "[render]") {
     CHECK(bands == 2);
 }
 
-TEST_CASE("a filtered spectrum is the sum of its lobes through the filter", "[render]") {
+TEST_CASE("a filtered spectrum is the sum of its filtered lobes", "[render]") {
     const vulkan::Device device;
     for (const bool horizon : {false, true}) {
         render::Request request{
@@ -456,7 +456,8 @@ TEST_CASE("a filtered spectrum is the sum of its lobes through the filter", "[re
     }
 }
 
-TEST_CASE("the filter in a plane takes one recipe, and tiles two of the widest kernel radii", "[request]") {
+TEST_CASE("filtering a plane requires the lattice recipe, and tiles two of the widest kernel radii",
+          "[request]") {
     render::Request request{.recipe = noise::find_recipe("one"), .filter = true};
     CHECK_THROWS_WITH(render::check(request), Catch::Contains("recipe lattice"));
     request.view = render::Slice();

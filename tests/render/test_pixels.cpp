@@ -16,7 +16,7 @@ using namespace gabor;
 
 namespace {
 
-// What a plan draws, by a renderer that keeps its pipelines.
+// Draws plans with a renderer that keeps its pipelines.
 std::vector<float> filled(render::Renderer& renderer, const render::Request& request,
                           const image::Rect& region, render::Blocks blocks) {
     render::Viewport viewport = render::viewport_of(request, region);
@@ -71,7 +71,7 @@ void check_blocks_are_pixels(render::Renderer& renderer, const render::Request& 
 
 } // namespace
 
-TEST_CASE("pixel by pixel it is the noise of the blocks", "[pixels]") {
+TEST_CASE("drawing pixel by pixel equals drawing by blocks", "[pixels]") {
     const vulkan::Device device;
     render::Renderer renderer(device);
     for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one", "pure", "paper"}) {

@@ -68,7 +68,7 @@ TEST_CASE("the fastest pass that can draw a request is chosen") {
     CHECK(shader_of({{"material", "brushed-metal"}}) == "material@brushed_metal");
 }
 
-TEST_CASE("in a window one size of blocks serves all scales, and single pixels small ones") {
+TEST_CASE("a window uses one block size for all scales, and single pixels at small scales") {
     Request request;
     Viewport viewport = viewport_of(request, {0, 0, 64, 64});
     viewport.blocks = Blocks::fixed;
@@ -80,7 +80,7 @@ TEST_CASE("in a window one size of blocks serves all scales, and single pixels s
     CHECK_FALSE(uses_blocks(request, viewport));
 }
 
-TEST_CASE("every pass that a plan names was built") {
+TEST_CASE("every pass that a plan names exists") {
     std::vector<Request> requests;
     for (const noise::Recipe& recipe : noise::recipes())
         for (const char* phasor : {"false", "true"})
@@ -97,7 +97,7 @@ TEST_CASE("every pass that a plan names was built") {
         }
 }
 
-TEST_CASE("each parameter that a request has changes its plan") {
+TEST_CASE("each parameter of a request changes its plan") {
     const std::vector<std::pair<std::string_view, Value>> changes{{"scale", 31.0},
                                                                   {"recipe", std::string("lattice-4")},
                                                                   {"frequency", 3.0},
@@ -177,7 +177,7 @@ TEST_CASE("a region's columns are those of the whole") {
     }
 }
 
-TEST_CASE("the default camera stands exactly where the picture is") {
+TEST_CASE("the default camera reproduces the picture's position exactly") {
     // 1000 / 2 / 7.3 is no binary fraction, and the corner must be the origin all the same.
     const Request request{.width = 1000, .height = 10, .scale = 7.3, .recipe = noise::find_recipe("one")};
     const std::vector<passes::Line> lines = columns(request, viewport_of(request, {0, 0, 1000, 1}));
@@ -190,7 +190,7 @@ TEST_CASE("the default camera stands exactly where the picture is") {
 
 TEST_CASE("a camera is as precise far away as near by") {
     Camera camera;
-    // There and back in steps that no single double could add to a place so far away.
+    // Moves there and back in steps too small for one double so far away.
     camera = camera.moved(2e9, -2e9);
     for (int i = 0; i < 1000; ++i)
         camera = camera.moved(1e-7, -1e-7);
@@ -205,7 +205,7 @@ TEST_CASE("a place belongs to the cell that its whole and fractional parts make 
     CHECK(local == Approx(0.85));
 }
 
-TEST_CASE("a material is drawn where its camera stands") {
+TEST_CASE("a material is drawn from where its camera stands") {
     const Request request = request_of({{"material", "wood"}, {"view", "horizon"}});
     Viewport viewport = viewport_of(request, {0, 0, 150, 113});
     viewport.camera.x = {2, 0.25};
@@ -231,7 +231,7 @@ TEST_CASE("columns continue across the end of the world") {
     }
 }
 
-TEST_CASE("a zoomed view shows places nearer to each other, and a coarse one farther apart") {
+TEST_CASE("zooming in brings sample places closer together, and a coarse view spreads them") {
     const Request request;
     Viewport viewport = viewport_of(request, {0, 0, 64, 1});
     const std::vector<passes::Line> before = columns(request, viewport);
@@ -246,14 +246,14 @@ TEST_CASE("a zoomed view shows places nearer to each other, and a coarse one far
     }
 }
 
-TEST_CASE("a coarse view has its waves through the filter of its pixels") {
+TEST_CASE("a coarse view filters its waves for its pixels") {
     const Request request{.scale = 32, .lobes = {{.frequency = 4}}};
     Viewport viewport = viewport_of(request, {0, 0, 64, 64});
     const auto amplitude = [&](int stride) {
         viewport.stride = stride;
         return values_of<passes::BakeWave>(plan(request, viewport).tables.at(2)).at(0).amplitude;
     };
-    // Half a pixel of deviation: 15/4 square pixels more where 4 x 4 become one.
+    // The deviation is half a pixel: merging 4 x 4 pixels adds 15/4 square pixels of variance.
     CHECK(amplitude(4) / amplitude(1) ==
           Approx(std::exp(-2 * std::pow(std::numbers::pi * 4 / 32, 2) * 15 / 4)).epsilon(1e-5));
 }

@@ -1,5 +1,5 @@
-// Evaluates every function of the drop-in over all floats and all cells: what it promises to be finite is
-// finite.
+// Evaluates every function of the drop-in over all floats and all cells, and checks that results documented
+// as finite are.
 
 #include "range.hpp"
 #include "sampler.hpp"
@@ -62,12 +62,12 @@ void check_finite(const noise::Recipe& recipe, Make make) {
 
 } // namespace
 
-TEST_CASE("any frequency at all gives a finite noise", "[range]") {
+TEST_CASE("any frequency gives finite noise", "[range]") {
     for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, test::AnyFloat& draw) { s.frequency = draw.any(); });
 }
 
-TEST_CASE("any orientation at all gives a finite noise", "[range]") {
+TEST_CASE("any orientation gives finite noise", "[range]") {
     for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, test::AnyFloat& draw) {
             s.frequency = draw.any();
@@ -75,7 +75,7 @@ TEST_CASE("any orientation at all gives a finite noise", "[range]") {
         });
 }
 
-TEST_CASE("any cell of the world and any place in it give a finite noise", "[range]") {
+TEST_CASE("any cell and any offset within it give finite noise", "[range]") {
     for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [&](test::Sample& s, test::AnyFloat& draw) {
             s.place.cell_x = draw.cell();
@@ -87,7 +87,7 @@ TEST_CASE("any cell of the world and any place in it give a finite noise", "[ran
         });
 }
 
-TEST_CASE("any finite time gives a finite noise", "[range]") {
+TEST_CASE("any finite time gives finite noise", "[range]") {
     for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, test::AnyFloat& draw) {
             s.frequency = draw.any();
@@ -95,7 +95,7 @@ TEST_CASE("any finite time gives a finite noise", "[range]") {
         });
 }
 
-TEST_CASE("any period of the world, and those that are too short, give a finite noise", "[range]") {
+TEST_CASE("any period, even one that is too short, gives finite noise", "[range]") {
     for (const noise::Recipe& recipe : noise::sparse_recipes())
         check_finite(recipe, [](test::Sample& s, test::AnyFloat& draw) {
             test::move_to(s, draw.within(test::world / 2), s.place.local_y);

@@ -56,7 +56,7 @@ const std::vector<std::string_view> views = render::choices(render::parameter("v
 
 } // namespace
 
-TEST_CASE("every parameter survives JSON and text exactly, and makes another request", "[request]") {
+TEST_CASE("every parameter survives JSON and text exactly, and changes the request", "[request]") {
     std::map<std::string_view, int> seen;
     for (const std::string_view view : views) {
         Request several = of_view(view);
@@ -153,7 +153,7 @@ TEST_CASE("errors name the bad parameter", "[request]") {
     CHECK_THROWS_AS(render::check(request), RequestError);
 }
 
-TEST_CASE("values beyond either end of their range are refused, however they are set", "[request]") {
+TEST_CASE("out-of-range values are refused, however they are set", "[request]") {
     int refused = 0;
     for (const std::string_view view : views) {
         for (const Parameter& parameter : render::parameters()) {

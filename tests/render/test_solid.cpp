@@ -280,7 +280,7 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
         }
 }
 
-TEST_CASE("coverage is the share of a body's area, and what is not covered is 0", "[solid]") {
+TEST_CASE("coverage is the covered share of a pixel, and uncovered pixels are 0", "[solid]") {
     const vulkan::Device device;
     const Request request{.width = 200, .height = 300, .view = Body(), .filter = true};
     const auto pixels = rendered(device, request, {0, 0, 200, 300}, 300);
@@ -312,7 +312,7 @@ TEST_CASE("regions and bands of a solid picture are parts of the whole", "[solid
     }
 }
 
-TEST_CASE("quadrature, gradient and phasor of a body stand beside its noise", "[solid]") {
+TEST_CASE("a body has quadrature, gradient and phasor beside its noise", "[solid]") {
     const vulkan::Device device;
     for (const render::View& view : {render::View(Slice{1.5}), render::View(Body{.yaw = 20})}) {
         Request request{

@@ -479,7 +479,7 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
 
 // With S the footprint's covariance and d the determinant of 1 + 2/3 pi^2 S, what a lobe of variance 1/12
 // along each axis keeps is d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
-TEST_CASE("the removed variance is that of the formula", "[filter][oracle]") {
+TEST_CASE("the removed variance agrees with the formula", "[filter][oracle]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 12;
     Sampler sampler(device, count);
@@ -559,7 +559,7 @@ TEST_CASE("any footprint and any frequency give a finite filtered noise", "[filt
     CHECK(beyond > count / 4);
 }
 
-TEST_CASE("the removed variance is what the filtered noise lacks", "[filter][law]") {
+TEST_CASE("filtered noise has the original variance minus the removed share", "[filter][law]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 18;
     Sampler sampler(device, count);
@@ -591,7 +591,8 @@ TEST_CASE("the removed variance is what the filtered noise lacks", "[filter][law
 
 // E[cos(2k angle)] over the waves measures evenness and is 0 for isotropic noise. The power of the gradient's
 // components and their product is the first harmonic.
-TEST_CASE("isotropic noise: variance 1, both parts of the gradient alike, independent and normal", "[law]") {
+TEST_CASE("isotropic noise has variance 1, and a gradient with equal, independent, normal components",
+          "[law]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 17;
     Sampler sampler(device, count);
@@ -679,7 +680,7 @@ TEST_CASE("isotropic noise has the same power in every direction within 5 %", "[
     }
 }
 
-TEST_CASE("a spread changes by little with its frequency, where lobes come and go too", "[spectrum]") {
+TEST_CASE("a spread changes little with its frequency, even where lobes appear or vanish", "[spectrum]") {
     const vulkan::Device device;
     constexpr std::size_t pairs = 1 << 11;
     constexpr float step = 1e-5f;

@@ -1,4 +1,5 @@
-"""The drop-ins, each after those that it needs and with a call of each function, in shaders of every dialect, and the names
+"""The drop-ins, each after those that it needs and with a call of each function, in shaders of every dialect, and the
+names
 and constructs that they may use."""
 
 import json
@@ -109,7 +110,7 @@ class Dialects(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def compile(self, source, stage, options):
-        """Compiles and links without an error or a warning; the file of SPIR-V, where one was asked for."""
+        """Compiles and links without errors or warnings; returns the SPIR-V file, if requested."""
         path, spirv = self.folder / f"shader.{stage}", self.folder / "shader.spv"
         path.write_text(source)
         options = [*options, *(["-o", spirv] if "-V" in options else ["-l"])]
@@ -126,7 +127,7 @@ class Dialects(unittest.TestCase):
                     with self.subTest(dialect, drop_in=name, recipe=recipe, times=times):
                         self.compile(shader(name, *parts, macros, times), stage, options)
 
-    def test_texts_for_shadertoy_compile_between_what_it_puts_around_them(self):
+    def test_shadertoy_texts_compile_with_the_code_that_shadertoy_adds(self):
         before = "precision highp float;\nprecision highp int;\nuniform vec3 iResolution;\nuniform float iTime;\n" \
                  "uniform vec4 iMouse;\nout vec4 result;\n"
         after = "void main() { mainImage(result, gl_FragCoord.xy); }\n"
@@ -213,7 +214,7 @@ class Names(unittest.TestCase):
 
     def test_it_states_its_precision(self):
         guard = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n"
-        for name in ("gabor_lattice", "gabor_noise"):  # all others come after one of these
+        for name in ("gabor_lattice", "gabor_noise"):  # all others are included after one of these
             with self.subTest(name):
                 text = (SHADERS / f"{name}.glsl").read_text()
                 self.assertEqual(text.count(guard), 1)
@@ -241,7 +242,7 @@ class Names(unittest.TestCase):
                                  sorted(re.sub(r"\s+", " ", text) for text in defined))
 
     def test_its_messages_have_no_quotes(self):
-        # naga, which wgpu reads GLSL with, takes words and numbers only.
+        # wgpu's GLSL parser, naga, accepts only words and numbers.
         for line in self.directives:
             self.assertNotRegex(line, "[\"']")
 

@@ -1,4 +1,4 @@
-"""Checks README and docs: links have targets, code to paste compiles, and figures equal those of their source page."""
+"""Checks README and docs: links have targets, code to paste compiles, and figures match their source page."""
 
 import pathlib
 import re
@@ -50,7 +50,7 @@ class Pages(unittest.TestCase):
                                     text=True)
             self.assertEqual(result.returncode, 0, result.stdout)
 
-    def test_costs_are_those_of_the_page_of_performance(self):
+    def test_costs_match_the_performance_page(self):
         """The milliseconds and cycles of README's rows are in the page's tables."""
         page = (ROOT / "docs" / "performance.md").read_text()
         rows = re.findall(r"(?m)^\| `?([^|`]+)`? \| (\d+) \| (\d*) \|$", README)

@@ -1,4 +1,4 @@
-"""Checks the source as text: its format, and that the version is the same everywhere."""
+"""Checks the source text: its format, its comments, and one version everywhere."""
 
 import json
 import pathlib
@@ -35,7 +35,7 @@ class Comments(unittest.TestCase):
             before = ""
             lines = path.read_text().splitlines()
             for number, line in enumerate(lines, 1):
-                # What follows a documented declaration without an empty line is documented with it.
+                # A comment also covers the declarations that follow without an empty line.
                 if not before and re.match(r"(?!namespace|using|extern)[A-Za-z][^=]*[({]", line):
                     body = "\n".join(lines[number:]).split("\n}")[0]
                     if not (re.match("struct|class|enum", line) and "///" in body):
@@ -59,7 +59,7 @@ class Golden(unittest.TestCase):
 
 
 class Version(unittest.TestCase):
-    def test_every_place_names_the_same(self):
+    def test_every_place_names_the_same_version(self):
         version = re.search(r"project\(gabor-noise VERSION (\d+\.\d+\.\d+)", text("CMakeLists.txt"))[1]
         major, minor, patch = map(int, version.split("."))
         number = str(10000 * major + 100 * minor + patch)

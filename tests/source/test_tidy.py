@@ -1,7 +1,7 @@
 """clang-tidy over host/, with the checks of .clang-tidy: test_tidy.py BUILD_FOLDER, which has compile_commands.json.
 
-What was found to be in order is remembered in BUILD_FOLDER/tidy by all that decides it, the contents of a file and of
-every header of the project that it includes, so that only what changed is read again."""
+BUILD_FOLDER/tidy remembers files that passed, keyed by their contents and those of every project header that they
+include, so that only changed files are checked again."""
 
 import concurrent.futures
 import hashlib

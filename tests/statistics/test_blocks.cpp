@@ -26,7 +26,7 @@ void add_picture(Blocks& blocks, const std::vector<float>& picture, int width) {
         blocks.add(0, static_cast<int>(y), pixels.subspan(y * columns, columns));
 }
 
-/// Of the estimates from many pictures: their mean, its standard error, and the part of intervals that hold
+/// The mean of the estimates from many pictures, its standard error, and the share of intervals that contain
 /// `truth`.
 struct Trial {
     double truth;
@@ -121,7 +121,7 @@ TEST_CASE("the index of a large picture of independent pixels is the exact one")
     CHECK(estimates->mean.value == Approx(0).margin(0.003));
 }
 
-TEST_CASE("blocks are joined until they exceed the correlation length, or there is no estimate") {
+TEST_CASE("blocks are merged until they exceed the correlation length, or there is no estimate") {
     Blocks blocks(256, 160, {});
     add_picture(blocks, samples::normal(256 * 160, 4), 256);
     CHECK(blocks.estimate(10)->blocks_per_side == 16);

@@ -13,7 +13,7 @@ using namespace gabor::statistics;
 
 namespace {
 
-/// The index by the formula of the statistic itself.
+/// The index from the statistic's definition, by sorting.
 double sorted_index(std::vector<float> values, double deviation) {
     std::sort(values.begin(), values.end());
     const double n = static_cast<double>(values.size());
@@ -31,7 +31,7 @@ Estimate index_of(const std::vector<float>& values, double deviation = 1) {
     return gaussianity.index();
 }
 
-/// The part of 1500 samples of `count` values each whose interval holds `exact`, and the indices' mean.
+/// The share of 1500 samples of `count` values whose interval contains the exact index, and the mean index.
 struct Coverage {
     double part = 0;
     double mean = 0;
@@ -53,7 +53,7 @@ Coverage coverage(std::size_t count, const samples::Bent& bent) {
 
 } // namespace
 
-TEST_CASE("the index is that of the sorted formula") {
+TEST_CASE("the index agrees with the sorted formula") {
     const std::size_t count = GENERATE(1u, 2u, 100u, 50000u);
     const double c = GENERATE(0.0, 0.03);
     const double deviation = GENERATE(1.0, 0.25);
@@ -74,7 +74,7 @@ TEST_CASE("two values, by hand") {
     CHECK(index.value - index.low == Approx(262144 / 2 * 1.96 / std::sqrt(45)).epsilon(1e-6));
 }
 
-TEST_CASE("the index of a law that is not normal is found to a hundredth") {
+TEST_CASE("the index of a law that is not normal is found within 1 %") {
     std::vector<float> values = samples::normal(2000000, 5);
     const samples::Bent bent{0.2};
     bent.apply(values);
@@ -94,8 +94,8 @@ TEST_CASE("a wrong deviation is detected") {
 }
 
 TEST_CASE("a deviation measured afterwards gives the same index as one known before") {
-    // As many bins wide as the sums and differences of pairs, which are counted in units of their largest
-    // deviation, may come to be, and a little beyond it.
+    // Covers the widest range, in bins, of sums and differences of pairs (counted in units of their largest
+    // deviation), and slightly more.
     const double relative = GENERATE(0.1, 0.5, 0.7, 1.2);
     std::vector<float> values = samples::normal(1000000, 8);
     samples::Bent{0.05}.apply(values);
@@ -118,7 +118,7 @@ TEST_CASE("indices are unbiased, and 95 % of their intervals cover the truth") {
         CHECK(normal.part == Approx(0.95).margin(0.02));
         CHECK(normal.mean == Approx(0).margin(3 * 262.144 * 0.149 / std::sqrt(1500)));
     }
-    SECTION("nearly normal: wider than need be, never narrower") {
+    SECTION("nearly normal: wider than necessary, never narrower") {
         const double c = GENERATE(0.01, 0.03, 0.05);
         const Coverage near = coverage(1000, {c});
         INFO("c " << c << ", index " << samples::Bent{c}.index() << ", covered " << near.part);

@@ -12,7 +12,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A million points without a difference, and one with `value` instead of `expected` among them.
+// A million equal points, with one `value` instead of `expected` among them.
 Largest with(double value, double expected = 0) {
     Largest largest;
     for (int i = 0; i < 1'000'000; ++i)
@@ -33,7 +33,7 @@ TEST_CASE("one bad point in a million fails a comparison") {
     CHECK_FALSE(with(infinity, infinity).holds());
 }
 
-TEST_CASE("a larger difference does not hide a NaN, nor a NaN what came before") {
+TEST_CASE("a larger difference does not hide an earlier NaN, nor a NaN an earlier difference") {
     for (const double first : {not_a_number, 3.0})
         for (const double second : {not_a_number, infinity, 5.0}) {
             Largest largest;

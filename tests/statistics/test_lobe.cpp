@@ -30,7 +30,7 @@ double gauss(double dx, double dy, double sigma) {
 
 } // namespace
 
-TEST_CASE("the numbers of a Gaussian lobe are those of the Gaussian") {
+TEST_CASE("a Gaussian lobe is measured correctly") {
     const double x = GENERATE(50.0, 51.3);
     const double y = GENERATE(0.0, 33.4, -33.4);
     const double sigma = GENERATE(3.0, 6.0);
@@ -57,7 +57,7 @@ TEST_CASE("a wide ring has its own width, though it is not Gaussian") {
         summarize(periodogram_of([](double fx, double fy) {
                       const double r = std::hypot(fx, fy);
                       const double phase = std::numbers::pi * (r - 65) / 30;
-                      // In power per annulus a period of 1 + cos, 60 wide at its foot.
+                      // Power per annulus: one period of 1 + cos, 60 wide at its base.
                       return std::abs(phase) < std::numbers::pi ? (1 + std::cos(phase)) / r : 0;
                   }),
                   side);
@@ -65,7 +65,7 @@ TEST_CASE("a wide ring has its own width, though it is not Gaussian") {
     CHECK(summary.peak->frequency == Approx(65.0 / side).epsilon(0.15)); // it has no single peak
 }
 
-TEST_CASE("lobes beyond the highest frequency are seen where sampling folds them") {
+TEST_CASE("lobes beyond the highest frequency appear where sampling aliases them") {
     const auto summary = summarize(periodogram_of([](double fx, double fy) {
                                        double power = 0;
                                        for (const double fold : {-1.0, 0.0, 1.0})
@@ -78,7 +78,7 @@ TEST_CASE("lobes beyond the highest frequency are seen where sampling folds them
     CHECK(summary.power == Approx(2).epsilon(1e-3));
 }
 
-TEST_CASE("nothing but zeros has no peak") {
+TEST_CASE("a spectrum of zeros has no peak") {
     const auto summary = summarize(periodogram_of([](double, double) { return 0; }), side);
     CHECK(summary.power == 0);
     CHECK(!summary.peak);

@@ -92,7 +92,7 @@ TEST_CASE("merged moments are those of all values") {
     check(merged, values);
 }
 
-TEST_CASE("moments of nothing are not numbers") {
+TEST_CASE("moments of no values are NaN") {
     const Moments moments;
     CHECK(moments.count() == 0);
     CHECK(std::isnan(moments.variance()));

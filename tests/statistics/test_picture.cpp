@@ -25,7 +25,7 @@ PictureReport report_on(const std::vector<float>& picture, int width, int height
 
 } // namespace
 
-TEST_CASE("reports do not depend on the height of the bands") {
+TEST_CASE("reports do not depend on the band height") {
     const std::vector<float> picture = samples::picture(203, 181, {1.5, 0.2, 0.1}, 41);
     const PictureReport one = report_on(picture, 203, 181, 1);
     REQUIRE(one.spectrum);
@@ -34,7 +34,7 @@ TEST_CASE("reports do not depend on the height of the bands") {
     CHECK(report_on(picture, 203, 181, 181) == one);
 }
 
-TEST_CASE("a report holds what its parts measure") {
+TEST_CASE("a report contains the results of its parts") {
     const int side = 512;
     std::vector<float> picture = samples::picture(side, side, {2, 0.2, 0.1}, 42);
     for (float& value : picture)
@@ -62,7 +62,7 @@ TEST_CASE("a report holds what its parts measure") {
     CHECK(report.blocks->cvm.high > 0);
 }
 
-TEST_CASE("pixels that are not finite are counted and left out") {
+TEST_CASE("non-finite pixels are counted and ignored") {
     std::vector<float> picture = samples::normal(64 * 64, 43);
     const PictureReport clean = report_on(picture, 64, 64, 64);
     Moments rest;

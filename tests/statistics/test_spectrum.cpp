@@ -62,7 +62,7 @@ TEST_CASE("a plane wave alone is as wide as the resolution") {
     CHECK(summary.power == Approx(0.5).epsilon(0.002));
 }
 
-TEST_CASE("the power of one segment is that of its windowed pixels") {
+TEST_CASE("the power of one segment equals that of its windowed pixels") {
     const int side = 16;
     const std::vector<float> picture = samples::normal(side * side, 8);
     Spectrum spectrum(side, side);
@@ -97,7 +97,7 @@ TEST_CASE("white noise is white: power proportional to area") {
     CHECK(summary.correlation == Approx(2).epsilon(0.1));
 }
 
-TEST_CASE("a noise of known lobe has that lobe's frequency, orientation, width and correlation") {
+TEST_CASE("a noise with a known lobe is measured with its frequency, orientation, width and correlation") {
     const auto [fx, fy] = GENERATE(table<double, double>({{0.13, 0.07}, {-0.05, 0.12}}));
     const double spread = 10;
     const int side = 1400;
@@ -114,7 +114,7 @@ TEST_CASE("a noise of known lobe has that lobe's frequency, orientation, width a
     CHECK(summary.correlation == Approx(2 * std::sqrt(std::numbers::pi) * spread).epsilon(0.04));
 }
 
-TEST_CASE("segments fit the picture, and tiny pictures have none") {
+TEST_CASE("segments fit into the picture, and tiny pictures have none") {
     CHECK(segment_side(1024, 1024) == 512);
     CHECK(segment_side(1023, 4000) == 256);
     CHECK(segment_side(65536, 65536) == 512);

@@ -32,7 +32,7 @@ std::uint32_t reversed(std::uint32_t word) {
     return result;
 }
 
-// In single precision, as on the device: a product near the end decides a whole impulse.
+// In single precision, as on the device: rounding near the threshold would add or drop an impulse.
 int poisson(float mean, std::uint32_t cell_word) {
     int count = 0;
     std::uint32_t draw = 0;
@@ -66,8 +66,7 @@ std::uint32_t owen(std::uint32_t fraction, std::uint32_t seed) {
     return reversed(v);
 }
 
-// A point of the parallelogram of a and b, moved into the Voronoi cell of the lattice point that it is
-// nearest to.
+// A point of the parallelogram of a and b, moved into the Voronoi cell of its nearest lattice point.
 std::pair<double, double> hexagon(const study::HexagonalLattice& hex, double u, double v) {
     const double x = (u - 0.5) * hex.a[0] + (v - 0.5) * hex.b[0];
     const double y = (u - 0.5) * hex.a[1] + (v - 0.5) * hex.b[1];

@@ -51,7 +51,7 @@ TEST_CASE("Gaussianity as calibrated", "[criteria]") {
     check({Points::stratified, Weights::bernoulli, Kernel::sine, Envelope::gaussian, 2, 0}, 3 << 20, 0.45);
 }
 
-TEST_CASE("the kurtosis of the equations is that of the samples", "[criteria]") {
+TEST_CASE("the predicted kurtosis agrees with samples", "[criteria]") {
     const vulkan::Device device;
     const Ingredients poisson{.impulses = 3};
     const Ingredients stratified{.points = Points::stratified, .impulses = 3};
@@ -64,7 +64,7 @@ TEST_CASE("the kurtosis of the equations is that of the samples", "[criteria]") 
     }
 }
 
-TEST_CASE("recipes have variance 1, and next to no excess kurtosis with the best floor", "[criteria]") {
+TEST_CASE("recipes have variance 1, and almost no excess kurtosis with the best floor", "[criteria]") {
     const vulkan::Device device;
     for (const Window& window : {Window{"", Shape::separable, {3, -4.5, 2.5}},
                                  Window{"", Shape::radial, {1, 0, 0}}, Window{"", Shape::gaussian}})
@@ -95,7 +95,7 @@ TEST_CASE("contrast and places of the recommended noise", "[criteria]") {
     Noise noise(device, recommended);
     const statistics::InstanceStationarity windows = measure_windows(single(noise), 1 << 12, 1);
     CHECK(windows.contrast().interdecile ==
-          Approx(0.94).epsilon(0.06)); // shared figures of the paper's criteria
+          Approx(0.94).epsilon(0.06)); // figures that the paper's criteria share
     CHECK(windows.median_deviation() == Approx(0.96).epsilon(0.02));
     const statistics::ProcessStationarity places = measure_places(single(noise), 1, 1 << 13, 1).stationarity;
     CHECK(places.variance().median == Approx(1).margin(0.01));
@@ -141,7 +141,7 @@ TEST_CASE("a row of each table has finite numbers, the same for the same seed, a
                   std::ranges::count(row->key, ',') + 1 + std::ssize(numbers));
             CHECK(std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }));
             if (table.columns.find("seconds") != std::string::npos)
-                continue; // times are never the same
+                continue; // times differ on each run
             CHECK(row->measure(5) == numbers);
             CHECK(row->measure(6) != numbers);
         }

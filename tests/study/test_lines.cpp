@@ -18,7 +18,7 @@ namespace {
 constexpr int side = 64;
 constexpr double turn = 2 * std::numbers::pi;
 
-// White noise of variance 1 with a wave of so many cycles per cell.
+// White noise of variance 1 plus a wave of the given frequency in cycles per cell.
 double largest_with(double amplitude, double x_cycles, double y_cycles) {
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
@@ -36,7 +36,7 @@ double largest_with(double amplitude, double x_cycles, double y_cycles) {
 
 } // namespace
 
-TEST_CASE("a wave at the frequencies of the cells is a line, with the power that theory has", "[lines]") {
+TEST_CASE("a wave at a cell frequency is a line with the power predicted by theory", "[lines]") {
     // Power of a wave a cos: (a / 2)^2 side^4, of white noise: side^2.
     const double amplitude = 0.2;
     const double expected = 1 + std::pow(amplitude / 2 * side, 2);
@@ -44,14 +44,14 @@ TEST_CASE("a wave at the frequencies of the cells is a line, with the power that
         CHECK(largest_with(amplitude, x, y) == Approx(expected).epsilon(0.3)); // three standard errors
 }
 
-TEST_CASE("white noise, and a wave beside the frequencies of the cells, are no lines", "[lines]") {
+TEST_CASE("white noise and a wave off the cell frequencies give no line", "[lines]") {
     CHECK(largest_with(0, 0, 0) > 0.5);
     CHECK(largest_with(0, 0, 0) < 2);
     CHECK(largest_with(0.2, 1 + 1.0 / 16, 0) < 2);
     CHECK(largest_with(0.2, 1.5, 0.25) < 2);
 }
 
-TEST_CASE("lines without a picture, and of parts of cells", "[lines]") {
+TEST_CASE("lines need a picture of whole cells", "[lines]") {
     CHECK(std::isnan(Lines(side).largest()));
     CHECK_THROWS_AS(Lines(30), std::invalid_argument);
     CHECK_THROWS_AS(Lines(16), std::invalid_argument);

@@ -55,7 +55,7 @@ TEST_CASE("Poisson counts have Poisson's law at every mean", "[points]") {
     }
 }
 
-TEST_CASE("jittered points are one in each sub-cell of equal area", "[points]") {
+TEST_CASE("each sub-cell of equal area has one jittered point", "[points]") {
     const vulkan::Device device;
     for (const int n : {4, 9, 16}) {
         const int rows = static_cast<int>(std::lround(std::sqrt(n)));
@@ -70,7 +70,8 @@ TEST_CASE("jittered points are one in each sub-cell of equal area", "[points]") 
     }
 }
 
-TEST_CASE("hexagons meet seamlessly: each point is nearest to its own centre, across all cells", "[points]") {
+TEST_CASE("hexagons tile without gaps: each point is nearest to its own centre, across all cells",
+          "[points]") {
     const vulkan::Device device;
     for (const int n : {2, 4, 7, 12, 29}) {
         const study::HexagonalLattice hex = study::hexagonal_lattice(n);
@@ -93,12 +94,12 @@ TEST_CASE("hexagons meet seamlessly: each point is nearest to its own centre, ac
                 REQUIRE(distance(x, y, k) <= nearest + 1e-5);
             }
     }
-    // As close to regular as it gets: for 15 points the lattice has its neighbours within 5 % of one another.
+    // For 15 points the best lattice is nearly regular: distances to its neighbours differ by at most 5 %.
     const study::HexagonalLattice hex = study::hexagonal_lattice(15);
     CHECK(std::hypot(hex.b[0], hex.b[1]) < 1.05 * std::hypot(hex.a[0], hex.a[1]));
 }
 
-TEST_CASE("2^k scrambled Sobol points are one in each elementary interval", "[points]") {
+TEST_CASE("each elementary interval has one of 2^k scrambled Sobol points", "[points]") {
     const vulkan::Device device;
     const study::PointSet set =
         study::point_set(device, {.points = Points::scrambled_sobol, .impulses = 16}, 6, 5);

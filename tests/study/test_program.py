@@ -40,7 +40,7 @@ class StudyTest(ProgramTest):
         with open(self.folder / f"{name}.csv", newline="") as file:
             return list(csv.DictReader(file))
 
-    def test_tables_have_the_promised_columns_and_the_papers_numbers(self):
+    def test_tables_have_the_documented_columns_and_the_papers_numbers(self):
         self.succeed("study", "figure3", "--quick", "-o", ".")
         rows = self.table("figure3")
         self.assertLessEqual({"points", "weights", "kernel", "envelope", "N", "samples", "cvm", "cvm_low", "cvm_high",
@@ -75,7 +75,7 @@ class StudyTest(ProgramTest):
                 for noise in noises}
         self.assertGreater(mean["one"], 5)
         self.assertLess(mean["lattice_3"], 5)
-        # Theory's largest differences at these lags, and what the sparse noises have.
+        # The largest differences predicted at these lags, and those of the sparse noises.
         theory = {noise: max(float(row["rms_theory"]) for row in self.table("law_covariance") if row["noise"] == noise)
                   for noise in noises}
         self.assertGreater(theory["lattice_2"], 0.15)

@@ -21,7 +21,7 @@ std::vector<float> normal_values(std::size_t count, double deviation, unsigned s
 
 } // namespace
 
-TEST_CASE("quantiles and spreads of known numbers", "[stationarity]") {
+TEST_CASE("quantiles and spreads of known values", "[stationarity]") {
     CHECK(quantile({3, 1, 2}, 0.5) == 2);
     CHECK(quantile({0, 10}, 0.25) == 2.5);
     CHECK(quantile({7}, 0.9) == 7);
@@ -46,7 +46,7 @@ TEST_CASE("windows of white noise have the spread of a chi-square law", "[statio
     CHECK(whole.median_deviation() == Approx(std::sqrt(whole.contrast().median)).epsilon(1e-6));
 }
 
-TEST_CASE("places that are alike differ by chance, and one that is not is seen", "[stationarity]") {
+TEST_CASE("equal places differ only by chance, and a different one is detected", "[stationarity]") {
     constexpr std::size_t count = 64;
     constexpr std::size_t instances = 20000;
     std::vector<float> values = normal_values(count * instances, 1, 2);

@@ -1,4 +1,4 @@
-// What needs no device: spectra and tables.
+// Tests without a device: spectra and tables.
 
 #include "../image/scratch_folder.hpp"
 #include "error.hpp"
@@ -22,7 +22,7 @@ TEST_CASE("the Pareto front of hand-made rows", "[frontier]") {
         row(18, 0.5, -28),                        // more visits for nothing
         row(18, 0.1, -28),                        // more visits for more Gaussianity
         row(16, 0.6, -30),                        // for lower sidelobes
-        row(9, 0.01, -40, 0.2), // better than all, but not stationary: dominates nothing, and is not on the
+        row(9, 0.01, -40, 0.2), // better than all, but not stationary: dominates nothing and is not on the
                                 // front
     };
     mark_pareto(rows);
@@ -32,7 +32,7 @@ TEST_CASE("the Pareto front of hand-made rows", "[frontier]") {
     CHECK(front == std::vector<double>{1, 1, 0, 1, 1, 0});
 }
 
-TEST_CASE("spectral purity of known windows", "[purity]") {
+TEST_CASE("spectral purity of windows with known spectra", "[purity]") {
     // (1 - x^2)^2 has the spectrum j_2(a) / a^2, whose largest sidelobe is at a = 6.988.
     const double a = 6.9879;
     const double side = std::sph_bessel(2, a) / (a * a) * 15;

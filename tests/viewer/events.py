@@ -1,4 +1,4 @@
-"""Drives a viewer as a user does, with pointer, keys and dropped files, by events of the display. After each event it
+"""Drives a viewer as a user would: pointer, keys and dropped files, sent as display events. After each event it
 waits for what the viewer says, never for a fixed time."""
 
 import json
@@ -14,7 +14,7 @@ from viewer import ViewerTest
 
 WATCHED_VIEWER = os.environ["GABOR_WATCHED_VIEWER"]
 DROP_FILE = os.environ["GABOR_DROP_FILE"]
-PATIENCE = 120 # seconds, after which something is wrong on any machine
+PATIENCE = 120 # seconds: longer means a failure, even on a slow machine
 
 
 class EventsTest(ViewerTest):
@@ -41,7 +41,7 @@ class EventsTest(ViewerTest):
             self.said.notify()
 
     def wait_for(self, condition, or_end=False):
-        """Waits until what the viewer says fulfils a condition, or, with `or_end`, until it has ended."""
+        """Waits until the viewer's report meets a condition, or, with `or_end`, until it exits."""
         deadline = time.monotonic() + PATIENCE
         with self.said:
             while self.ended or self.state is None or not condition(self.state):
@@ -70,7 +70,7 @@ class EventsTest(ViewerTest):
         self.point(x, y)
         before = self.state["clicks"]
         self.xdotool("mousedown", 1)
-        self.frames(2) # as long as a hand takes
+        self.frames(2) # about as long as a person takes
         self.xdotool("mouseup", 1)
         self.wait_for(lambda state: state["clicks"] > before)
 
@@ -90,7 +90,7 @@ class EventsTest(ViewerTest):
         self.frames(2)
 
     def type(self, name):
-        """Types into the dialog, once its field has the keyboard."""
+        """Types into the dialog once its text field has the focus."""
         self.frames(2)
         self.wait_for(lambda state: state["dialog"] and state["dialog"]["typed"])
         for end in range(1, len(name) + 1): # one by one: a press before the last release may be missed
@@ -99,7 +99,7 @@ class EventsTest(ViewerTest):
         self.frames(3) # the last press may arrive after its letter
 
     def screen(self, x, y, width, height):
-        """Red, green and blue of each pixel that the display shows there in the window."""
+        """The RGB pixels that the display shows in that part of the window."""
         dump = (pathlib.Path(self.screen_folder.name) / "Xvfb_screen0").read_bytes()
         header = np.frombuffer(dump, ">u4", 25)
         size, columns, rows, line, colours = (int(header[i]) for i in (0, 4, 5, 12, 19))
@@ -114,7 +114,7 @@ class EventsTest(ViewerTest):
         return self.state["document"]
 
     def end(self, expected=0):
-        """Waits for a viewer that was asked to end: it must have nothing to complain of."""
+        """Waits for a viewer that was asked to quit; it must exit without any message."""
         status = self.process.wait(PATIENCE)
         self.listener.join()
         complaint = self.process.stderr.read()
@@ -129,7 +129,7 @@ class EventsTest(ViewerTest):
         self.end()
 
     def saved(self, name="noise.json"):
-        """Presses Ctrl S and returns what it writes."""
+        """Presses Ctrl+S and returns the file that this writes."""
         (self.folder / name).unlink(missing_ok=True)
         self.keys("ctrl+s")
         return json.loads(self.read(name))

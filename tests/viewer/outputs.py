@@ -16,7 +16,7 @@ NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "com
 COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea", "own")
 RAMP = [[0.1, "#203060"], [0.4, "#a04020"], [0.45, "#ffffff"], [1, "#c0ff40"]]
 LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
-# Two lobes become colours by two components.
+# Two lobes, two components of colour.
 COLOURED = {
     "lobes": [{"frequency": 2, "orientation": 20, "radius": 1.5}, {"frequency": 3, "orientation": 100}],
     "colour": {"weights": [[[0.6, 0.6], [0, 0.5], [0, 0]], [[0, 0.52915], [0.5, -0.7], [0, 0]]],
@@ -63,20 +63,20 @@ class OutputsTest(ViewerTest):
                 self.assertLess(np.quantile(off, 0.999), quantile * max(1, expected.std()))
                 self.assertLess(off.max(), largest * max(1, expected.std()))
                 shift = np.abs(colours - seen)[covered]
-                if output in (PHASE, STRIPES, LIT_STRIPES): # which ends where it begins, and is anything where the intensity is none
+                if output in (PHASE, STRIPES, LIT_STRIPES): # wraps around, and is arbitrary where the intensity is 0
                     shift = shift[np.hypot(expected[..., 0], expected[..., 1])[covered] > 0.1]
                 self.assertLess(np.quantile(shift, 0.99), quantile + 1 / 255)
-                # The file shows the same as the window, but for the outline of a body.
+                # The file shows the same as the window, except at the outline of a body.
                 taken = read_colour_png(self.folder / f"{number}-out.png") / 255
                 differing = np.abs(taken - seen).max(axis=2)
                 self.assertLess((differing[covered] > 1.5 / 255).mean(), 1e-3)
 
     def draw(self, parameters, snippet, output):
-        """The output's quantity and its colours, as the code that was copied has them."""
+        """The output's value and colours, as the copied code computes them."""
         raise NotImplementedError
 
     def draw_colours(self, snippet, call, **textures):
-        """Of a noise in colours, which are its quantity too."""
+        """For a coloured noise, whose value is the colour itself."""
         colours = self.run_code(snippet, f"colour = {call}; pixels = vec4(colour, 0.0);", **textures)[1]
         return colours, np.clip(colours, 0, 1)
 
@@ -91,7 +91,7 @@ class OutputsTest(ViewerTest):
         vertex = "#version 330 core\nin vec2 corner;\nvoid main() { gl_Position = vec4(corner, 0.0, 1.0); }\n"
         program = self.context.program(vertex_shader=vertex, fragment_shader=fragment)
         for unit, (name, texels) in enumerate(textures.items()):
-            if name in program: # and not optimized away
+            if name in program: # so that it is not optimized away
                 texture = self.context.texture((WIDTH, HEIGHT), 3, texels.astype("f4").tobytes(), dtype="f4")
                 texture.use(unit)
                 program[name] = unit
@@ -104,7 +104,7 @@ class OutputsTest(ViewerTest):
 
 
 def padded(call, components):
-    """GLSL of a vec4 that begins with what is called."""
+    """A GLSL vec4 whose first components are the call's result."""
     return f"vec4({', '.join([call] + ['0.0'] * (4 - components))})"
 
 

@@ -19,8 +19,8 @@ namespace gabor::viewer {
 namespace {
 
 constexpr int drag_frames = 12;
-constexpr double patience = 300;    // seconds for anything to settle
-constexpr double expectation = 120; // and for what is expected to come about
+constexpr double patience = 300;    // seconds to wait for the picture to settle
+constexpr double expectation = 120; // and for an expectation to hold
 
 const std::map<std::string, std::size_t, std::less<>> words_needed{
     {"move", 2},   {"doubleclick", 2}, {"click", 2},      {"drag", 4},     {"scroll", 3},  {"key", 1},
@@ -249,7 +249,7 @@ bool Script::expect(const Command& command, const Session& session) const {
     return false;
 }
 
-// Wanders, clicks, drags, scrolls, presses every key but that which quits, and resizes.
+// Moves, clicks, drags, scrolls, resizes, and presses any key except the one that quits.
 bool Script::random(const Command& command, App& app) {
     Session& session = app.session();
     if (step_++ == 0)
@@ -309,7 +309,7 @@ bool Script::random(const Command& command, App& app) {
             break; // a moment's rest
         }
     }
-    // A picture as large as the window could ask for would take an export all day.
+    // Exporting the largest picture that the window offers would take all day.
     render::Request& request = session.document().request;
     request.width = std::min(request.width, 2048);
     request.height = std::min(request.height, 2048);

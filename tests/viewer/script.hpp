@@ -19,19 +19,19 @@ namespace gabor::viewer {
 ///     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file
 ///     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
 ///     exported                                       waits until the last export has ended
-///     wait FRAMES | fine | settle | sleep SECONDS    fine: until the picture is; settle: and measured too
+///     wait FRAMES | fine | settle | sleep SECONDS    fine: until full resolution; settle: until measured too
 ///     expect message TEXT                 waits for it, for two minutes at most
-///     random SEED SECONDS                 anything at all
+///     random SEED SECONDS                 random input
 ///     quit
 ///
-/// Positions are in the window's units. Lines that begin with # are left out.
+/// Positions are in the window's units. Lines that begin with # are ignored.
 class Script {
   public:
-    /// Throws RequestError where the file is missing or has a line that is no command.
+    /// Throws RequestError if the file is missing or a line is not a command.
     explicit Script(const std::filesystem::path& path);
 
-    /// Plays the next moment, between Dear ImGui's input and its new frame. Throws std::runtime_error
-    /// where something expected does not hold. Returns false once it is to quit.
+    /// Plays one frame's input; call it between Dear ImGui's input and NewFrame. Throws std::runtime_error
+    /// if an expectation fails. Returns false once the viewer should quit.
     bool play(App& app);
 
   private:

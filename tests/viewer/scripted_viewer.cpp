@@ -1,4 +1,4 @@
-// gabor-viewer with a script in the place of a user: scripted_viewer SCRIPT [OPTION OF gabor-viewer...]
+// gabor-viewer driven by a script: scripted_viewer SCRIPT [OPTION OF gabor-viewer...]
 
 #include "script.hpp"
 

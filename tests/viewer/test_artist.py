@@ -1,4 +1,4 @@
-"""What artists come for: materials, photographs, a dialog for files."""
+"""What artists use most: materials, photographs and the file dialog."""
 
 import json
 import os
@@ -73,14 +73,14 @@ class Artist(EventsTest):
             self.assertEqual(fit[each], expected[each])
         self.keys("Tab", "Tab")
         self.assertTrue(self.state["photograph"])
-        self.keys("ctrl+z") # to the noise before the fit
+        self.keys("ctrl+z") # back to the noise before the fit
         self.assertFalse(self.state["photograph"])
         self.keys("ctrl+s")
         self.assertNotIn("colour", json.loads(self.read("noise.json")))
         self.assertEqual(json.loads(self.read("cloth.json")), fit)
         self.keys("ctrl+y")
         self.assertTrue(self.state["photograph"])
-        self.drop("expected.json") # which was not fitted here
+        self.drop("expected.json") # not fitted in this session
         self.assertFalse(self.state["photograph"])
         self.close()
         recent = json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())["recent"]
@@ -114,7 +114,7 @@ class Artist(EventsTest):
             self.assertGreater(seen[inside].std(axis=0).min(), 5, view)
 
     def test_the_pixel_under_the_pointer_is_read(self):
-        # As large as the view beside the panel, so that its pixels are those of the picture.
+        # As large as the view beside the panel, so that screen pixels are picture pixels.
         for name, parameters in (("noise", {"frequency": 2, "scale": 60}),
                                  ("leather", {"material": "leather", "scale": 60, "filter": True})):
             (self.folder / f"{name}.json").write_text(json.dumps({"width": 276, "height": 480, **parameters}))
@@ -172,7 +172,7 @@ class Artist(EventsTest):
         self.type("folder")
         self.keys("Return") # it is entered
         self.assertEqual(self.state["dialog"]["folder"], str(self.folder / "folder"))
-        self.type("n") # no shortcut: a letter of the name
+        self.type("n") # part of the name, not a shortcut
         self.keys("BackSpace")
         self.type("mine.json")
         self.keys("Return")
@@ -187,7 +187,7 @@ class Artist(EventsTest):
         self.close()
 
     def test_names_in_any_script_are_drawn(self):
-        # The last one's characters are in no font of the panel, but in others of the desktop.
+        # No font of the panel has the last one's characters, but other installed fonts do.
         scripts = {"latin": "ab", "cyrillic": "жщ", "greek": "ψω", "arabic": "شق", "symbols": "⌶⌷"}
         seen = {}
         for name, (first, second) in scripts.items():
@@ -199,7 +199,7 @@ class Artist(EventsTest):
                     self.open(*WINDOW, folder / f"{4 * character}.json")
                     self.keys("ctrl+o")
                     self.frames(4)
-                    row = self.screen(30, 85, 120, 24) # below the folder above
+                    row = self.screen(30, 85, 120, 24) # one row below the parent folder
                     seen[character] = row
                     self.assertGreater((row.max(axis=2) > 150).sum(), 20)
                     self.keys("Escape")

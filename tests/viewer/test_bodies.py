@@ -1,4 +1,5 @@
-"""Noise in space: copied code and exported files reproduce what the window shows, which keeps its contrast while it turns."""
+"""Noise in space: copied code and exported files reproduce what the window shows, which keeps its contrast while it
+turns."""
 
 import json
 import math
@@ -20,11 +21,11 @@ BODIES = {
 
 class Bodies(OutputsTest):
     def test_bodies(self):
-        # Rays that graze a torus meet it elsewhere for the smallest difference.
+        # Rays that graze a torus hit elsewhere after the slightest change.
         self.check(BODIES, {"torus": (1e-2, 2)})
 
-    def test_what_is_lit_is_copied_with_its_light(self):
-        # On bodies, the slopes of stripes are differences from where a quad's derivatives lead instead of the next pixel.
+    def test_copied_code_includes_the_lighting(self):
+        # On bodies, the slopes of stripes are differences along the quad's derivatives, not to the next pixel.
         sphere = {"view": "sphere", "frequency": 2, "orientation": 30, "yaw": 20, "pitch": 40}
         metal = {"material": "brushed-metal", "seed": 3}
         cases = {
@@ -75,13 +76,13 @@ class Bodies(OutputsTest):
         main = (f"vec3 p = texelFetch(places, ivec2(at), 0).xyz, n = texelFetch(normals, ivec2(at), 0).xyz;"
                 f"pixels = {value}; colour = colour_of_body(p, n);")
         pixels, colours = self.run_code(snippet, main, places=points, normals=normals)
-        if output == GRADIENT: # in the picture's plane
+        if output == GRADIENT: # in the plane of the picture
             right, up = axes(parameters)[:2]
             pixels = np.stack([pixels[..., :3] @ right, -pixels[..., :3] @ up], axis=-1)
         return pixels[..., :2], colours
 
 
-# Bodies are in the unit of the sphere's radius, seen from a distance of 4 by a camera that looks at their centre.
+# The unit is the sphere's radius; the camera looks at the body's centre from a distance of 4.
 
 def axes(parameters):
     if parameters["view"] == "slice":
@@ -93,7 +94,7 @@ def axes(parameters):
 
 
 def places(parameters):
-    """Where each pixel's ray meets the body, in kernel radii, the normal there, and whether it does."""
+    """Each pixel's hit point in kernel radii, the normal there, and whether the ray hits."""
     scale = parameters.get("scale", 24)
     y, x = np.mgrid[:HEIGHT, :WIDTH] + 0.5
     if parameters["view"] == "slice":
@@ -110,7 +111,7 @@ def places(parameters):
         return np.hypot(np.linalg.norm(p[..., :2], axis=-1) - large if large else np.linalg.norm(p[..., :2], axis=-1),
                         p[..., 2]) - small
 
-    # By steps that never reach past the surface.
+    # Sphere tracing: no step passes the surface.
     distance = np.full(x.shape, 2.9)
     for _ in range(400):
         distance = np.minimum(distance + gap(4 * toward + distance[..., None] * ray), 6)

@@ -1,4 +1,4 @@
-// The values that the window shows, on the device.
+// The values that the window shows, computed on the device.
 
 #include "../largest.hpp"
 #include "viewer/canvas.hpp"
@@ -30,7 +30,7 @@ std::vector<float> values_of(Canvas& canvas, const Document& document, Extent ex
     return {values.begin(), values.end()};
 }
 
-// The same, by single pixels.
+// The same, drawn pixel by pixel.
 std::vector<float> unbaked(render::Renderer& renderer, const Document& document, Extent extent, int stride) {
     const Drawing drawing = drawing_of(document);
     render::Viewport viewport = viewport_of(drawing, document.camera, extent, stride);
@@ -64,7 +64,7 @@ void compare(const std::string& what, const std::vector<float>& found, const std
 
 } // namespace
 
-TEST_CASE("the window's blocks have the values of single pixels, wherever the camera is") {
+TEST_CASE("drawing by blocks equals drawing pixel by pixel, wherever the camera is") {
     const Extent extent{150, 90};
     const auto check = [&](const std::string& name, const render::Request& request, Output output) {
         Document document = document_of(request);
@@ -93,9 +93,9 @@ TEST_CASE("the window's blocks have the values of single pixels, wherever the ca
     check("lobes, tileable", request, Output::value);
 }
 
-TEST_CASE("a coarse view has its waves filtered, and never others in their place") {
+TEST_CASE("a coarse view filters its waves instead of aliasing them") {
     constexpr int side = 192;
-    // What filters of deviation half a coarse pixel see of a fine view.
+    // The fine view through a normal filter whose deviation is half a coarse pixel.
     const auto expected = [&](const std::vector<float>& fine, int stride, double already) {
         const double variance = (stride * stride - already) / 4.0;
         const int reach = 3 * stride;
@@ -121,7 +121,7 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
     };
     const auto check = [&](const std::string& name, const Document& document) {
         Canvas canvas(device());
-        const auto first = [&](const std::vector<float>& values) { // of each pixel's channels
+        const auto first = [&](const std::vector<float>& values) { // the first channel of each pixel
             std::vector<float> kept;
             for (std::size_t i = 0; i < values.size(); i += canvas.channels().size())
                 kept.push_back(values[i]);
@@ -141,13 +141,13 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
                         std::pow(double{found[at]} - double{wanted[at]}, 2) / std::pow(count - 2 * margin, 2);
                 }
             fmt::print("{}, stride {}: off by {:.3f}\n", name, stride, std::sqrt(off));
-            // Without a filter of its own a noise has each wave's amplitude filtered, but not its windows.
-            // Over ten seeds the largest errors are 0.16 to 0.21, and 0.007 at most with a filter of its own;
-            // aliased waves would make it 1.
+            // If the request has no filter, each wave's amplitude is filtered but its window is not. Over ten
+            // seeds the largest error is 0.16 to 0.21, and at most 0.007 with a filter; aliasing would make
+            // it 1.
             CHECK(std::sqrt(off) < (document.request.filter ? 0.01 : 0.23));
         }
     };
-    for (const double frequency : {1.0, 4.0}) { // 20 and 5 pixels to a wave
+    for (const double frequency : {1.0, 4.0}) { // wavelengths of 20 and 5 pixels
         Document document = document_of({.width = side,
                                          .height = side,
                                          .scale = 20,
@@ -163,19 +163,19 @@ TEST_CASE("a coarse view has its waves filtered, and never others in their place
         check(name + ", slice", document);
     }
     Document document = document_of({.scale = 20, .lobes = {{.frequency = 3}}});
-    document.output = Output::phase; // which do not fade
+    document.output = Output::phase; // phases do not fade
     const auto coarsest = [&](double zoom) {
         return coarsest_stride(drawing_of(document), render::Paint(), zoom);
     };
     CHECK(coarsest(1) == 2);
     CHECK(coarsest(0.5) == 1);
     CHECK(coarsest(2) == 4);
-    document.request.filter = true; // which fades their intensity alone
+    document.request.filter = true; // only the intensity fades
     document.output = Output::phasor;
     CHECK(coarsest(1) == 2);
 }
 
-TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
+TEST_CASE("on bodies, values are normal with variance 1 at every normal") {
     const auto body = [](const render::View& view, double spread) {
         Document document = document_of({.lobes = {{.frequency = 3, .orientation = 30}}, .seed = 2});
         document.request.lobes[0].orientation_spread = spread;
@@ -189,7 +189,7 @@ TEST_CASE("on bodies, at all normals, values are normal and of variance 1") {
           std::pair{"torus", body(render::Body{Shape::torus}, 0)},
           std::pair{"solid sphere", body(render::Body{Shape::sphere, true}, 0)},
           std::pair{"slice", body(render::Slice{}, 0)}}) {
-        // Points too far apart to share a kernel, at all places of a cell, and on bodies at all normals.
+        // Points too far apart to share a kernel, anywhere in a cell and, on bodies, at any normal.
         Document there = document;
         there.camera = {};
         there.request.scale = 1 / (4 + std::numbers::phi);

@@ -1,4 +1,4 @@
-"""The pointer, keys and dropped files, and that nothing is lost."""
+"""Pointer, keys and dropped files; no change is ever lost."""
 
 import json
 import pathlib
@@ -29,7 +29,7 @@ class Events(EventsTest):
         self.keys("Home")
         self.assertEqual(self.document["viewer"]["camera"], first)
         before = self.state["keys"]
-        # Faster than frames. In one millisecond a key twice would be one press to GLFW, and twice in a row one that is held.
+        # Faster than frames. GLFW merges two presses within a millisecond, and reads two in a row as a held key.
         for chord in ("n", "ctrl+z", "n", "f", "n", "ctrl+s"):
             self.xdotool("key", "--delay", 0, chord)
         self.wait_for(lambda state: state["keys"] == before + 6)
@@ -59,7 +59,7 @@ class Events(EventsTest):
         self.assertIsNone(self.read("figure6.json"))
         self.open(*WINDOW) # the session comes back
         self.assertEqual(self.document["viewer"]["output"], "phase")
-        self.keys("n", "ctrl+q", "Return") # it asks, and saves
+        self.keys("n", "ctrl+q", "Return") # it asks whether to save, and saves
         self.end()
         last = json.loads(self.read("figure6.json"))
         self.assertEqual((last["seed"], last["viewer"]["output"]), (3, "phase"))
@@ -77,7 +77,7 @@ class Events(EventsTest):
             self.end()
             self.assertEqual(self.read("noise.exr") is not None, complete, answer)
 
-    def test_no_file_of_others_is_lost(self):
+    def test_files_of_other_programs_are_never_lost(self):
         self.gabor("render", "--size", "32x32", "--frequency", 7, "-o", "painted.exr")
         picture = self.read("painted.exr")
         self.open(*WINDOW)
@@ -90,13 +90,13 @@ class Events(EventsTest):
         (self.folder / "mine.json").write_bytes(own)
         (self.folder / "noise.exr").write_bytes(b"a picture")
         self.drop("mine.json")
-        self.keys("ctrl+s", "Escape", "ctrl+s", "n", "ctrl+s") # while it is asked no key does anything else
+        self.keys("ctrl+s", "Escape", "ctrl+s", "n", "ctrl+s") # while the question is open, no key does anything else
         self.assertIn("mine.json", self.state["question"])
         self.assertEqual(self.read("mine.json"), own)
         self.keys("Return")
         saved = json.loads(self.read("mine.json"))
         self.assertEqual((saved["frequency"], saved["seed"]), (3, 0))
-        self.keys("n", "ctrl+s") # now it is the session's own
+        self.keys("n", "ctrl+s") # from now on the file is the session's
         self.assertEqual(json.loads(self.read("mine.json"))["seed"], 1)
         (self.folder / "mine.json").write_bytes(own) # until another program writes it
         self.keys("ctrl+s")
@@ -114,13 +114,13 @@ class Events(EventsTest):
         self.assertNotEqual(self.read("noise.exr"), first)
         self.close()
 
-    def test_after_undo_a_document_goes_to_its_own_file(self):
+    def test_after_undo_saving_writes_to_the_documents_own_file(self):
         for name, frequency in (("one.json", 3), ("two.json", 5)):
             (self.folder / name).write_text(json.dumps({"frequency": frequency, "width": 64, "height": 64}))
         self.open(*WINDOW)
         for name in ("one.json", "two.json"):
             self.drop(name)
-            self.keys("n", "ctrl+s", "Return") # it replaces a file that the session did not write
+            self.keys("n", "ctrl+s", "Return") # saving would replace a file that the session did not write
         two = self.read("two.json")
         self.keys("n", "ctrl+z", "ctrl+z", "ctrl+z")
         self.assertEqual(pathlib.Path(self.state["path"]).name, "one.json")
@@ -146,7 +146,7 @@ class Events(EventsTest):
             self.assertIn("ended before", self.state["question"])
             self.keys("Return")
             self.assertEqual((self.document["seed"], self.document["material"]), (4 + number, "wood")) # of the first start
-            self.keys("ctrl+q", "d") # the changes are still in no file: it asks
+            self.keys("ctrl+q", "d") # the changes are still unsaved: it asks
             self.end()
             self.open(*WINDOW)
             self.assertIsNone(self.state["question"])

@@ -11,7 +11,7 @@ from viewer import ViewerTest  # noqa: I001 (it finds the next one)
 from atomic import can_hide_files, check_files, prepare
 
 PRESET = {"width": 2200, "height": 2200} # two bands
-# Enter: where there are older files, they are to be overwritten.
+# Enter confirms overwriting older files.
 SCRIPT = "export out/noise.exr\nkey enter\nsleep 60"
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 4))
 
@@ -24,7 +24,7 @@ class Export(ViewerTest):
         (self.folder / "preset.json").write_text(json.dumps(PRESET))
 
     def begin(self):
-        """A viewer whose export has just begun: it has an unnamed file in the folder."""
+        """A viewer whose export has just begun: it holds an unnamed file open in the folder."""
         process = self.start_script(SCRIPT, "--preset", "preset.json", "--window", "480x320")
         descriptors = pathlib.Path(f"/proc/{process.pid}/fd")
 
@@ -41,7 +41,7 @@ class Export(ViewerTest):
         end = time.monotonic() + 60
         while not condition():
             self.assertIsNone(process.poll(), f"the viewer ended: {process.returncode}")
-            self.assertLess(time.monotonic(), end, "the export did not come so far")
+            self.assertLess(time.monotonic(), end, "the export did not get this far")
             time.sleep(0.001)
 
     def kill(self, process):

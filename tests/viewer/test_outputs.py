@@ -56,7 +56,7 @@ class Planes(OutputsTest):
         components = 1 if single else 4 if output == LIT else 2
         value = padded(f"{NAMES[output]}_of_view(at)", components)
         pixels, colours = self.run_code(snippet, f"pixels = {value}; colour = colour_of_view(at);")
-        found = (0,) if single else (0, 1, 3) if output == LIT else (0, 1) # a relief has no slope to the eye
+        found = (0,) if single else (0, 1, 3) if output == LIT else (0, 1) # a relief has no z slope
         return pixels[..., found].squeeze(), colours
 
 

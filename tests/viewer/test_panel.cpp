@@ -17,7 +17,7 @@ using namespace gabor::viewer;
 
 namespace {
 
-// Dear ImGui that draws into nothing.
+// Dear ImGui without a renderer.
 struct NoWindow {
     NoWindow() {
         ImGui::CreateContext();
@@ -82,7 +82,7 @@ TEST_CASE("the panel speaks an artist's language outside the laboratory") {
         }
 }
 
-TEST_CASE("the panel shows what has an effect, and nothing else") {
+TEST_CASE("the panel shows only what has an effect") {
     const auto has = [](const Document& document, const std::string& label) {
         const std::string text = panel_text(document);
         return std::regex_search(text, std::regex("\\b" + label + "\\b"));

@@ -17,7 +17,7 @@
 using namespace gabor;
 using namespace gabor::viewer;
 
-TEST_CASE("undo goes back step by step, and looking around is no step") {
+TEST_CASE("undo goes back step by step, and moving the camera is not a step") {
     History history(document_of({}));
     history.now.request.lobes[0].frequency = 5;
     history.commit();
@@ -55,7 +55,7 @@ Document unlike_any() {
     return document;
 }
 
-TEST_CASE("undo changes nothing but the last step, and redo brings it back") {
+TEST_CASE("undo reverts only the last step, and redo brings it back") {
     History history(unlike_any());
     history.now.request.seed = 10;
     history.commit();
@@ -88,7 +88,7 @@ TEST_CASE("settings are read as they were saved") {
 
 // 9 nodes are 100 pixels wide and 8 are 90 high; at 16 pixels to a kernel radius of 1.5 nodes that is so much
 // of one.
-TEST_CASE("copied GLSL of a tile stretches the filter along each axis as its nodes are") {
+TEST_CASE("the copied GLSL of a tile stretches the filter with its nodes along each axis") {
     const Document document = document_of(
         {.width = 100, .height = 90, .scale = 16, .view = render::Plane{.tileable = true}, .filter = true});
     const std::string glsl = snippet(document, {100, 90});
@@ -103,7 +103,7 @@ TEST_CASE("copied GLSL of a tile stretches the filter along each axis as its nod
     CHECK(other_y == y);
 }
 
-TEST_CASE("documents go through JSON") {
+TEST_CASE("documents survive a round trip through JSON") {
     render::Request request{.width = 320, .height = 200, .scale = 24, .seed = 9};
     request.lobes = {{.frequency = 3}, {.frequency = 5, .orientation = 70, .power = 0.5}};
     Document document = document_of(request);
@@ -119,13 +119,13 @@ TEST_CASE("documents go through JSON") {
                       Catch::Contains("output \"slope\": it takes value, gradient"));
     for (const char* wrong : {R"({"viewer": {"camera": 7}})", R"({"viewer": {"contrast": "high"}})"})
         CHECK_THROWS_AS(document_from_json(wrong), RequestError);
-    // What versions before 2.0 compared it with is ignored.
+    // Versions before 2.0 also stored a comparison, which is ignored.
     CHECK(
         document_from_json(R"({"viewer": {"compared": {"recipe": "lattice-4"}, "contrast": 3}})").contrast ==
         3);
 }
 
-TEST_CASE("controls have an effect, or are not shown") {
+TEST_CASE("every control that is shown has an effect") {
     const auto with = [](std::string_view name, const render::Value& value) {
         Document document = document_of({});
         set_parameter(document, name, value);

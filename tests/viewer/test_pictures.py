@@ -20,12 +20,12 @@ class Pictures(ViewerTest):
         return path
 
     def render(self, preset, *more):
-        """What gabor render makes of a preset, and of nothing else: the noise."""
+        """The noise that gabor render draws from the preset alone."""
         self.gabor("render", "--like", preset, "-o", "noise.exr", *more)
         return Exr(self.folder / "noise.exr").pixels
 
     def test_bodies(self):
-        # The viewer has no blurred outline: within it the noise is that of gabor render.
+        # The viewer does not blur the outline; inside it the noise equals that of gabor render.
         for name, parameters in {
             "sphere": {"view": "sphere", "orientation_spread": 90, "frequency": 3, "filter": True},
             "torus": {"view": "torus", "solid": True, "orientation": 30, "frequency": 2, "seed": 5},

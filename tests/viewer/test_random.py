@@ -11,7 +11,7 @@ SECONDS = int(os.environ.get("GABOR_VIEWER_SECONDS", "600"))
 
 
 def resident(process):
-    """Bytes, or None once it has ended."""
+    """Resident bytes, or None once the process has ended."""
     try:
         for line in pathlib.Path(f"/proc/{process.pid}/status").read_text().splitlines():
             if line.startswith("VmRSS"):
@@ -31,7 +31,7 @@ class Random(ViewerTest):
                 sizes.append((time.monotonic() - start, size))
             time.sleep(1)
         self.finish(process, timeout=60)
-        # Sizes of the window, pipelines and files come and go: what grows steadily is a leak.
+        # Window sizes, pipelines and files come and go, but steady growth is a leak.
         third = [size for at, size in sizes if SECONDS / 3 < at < 2 * SECONDS / 3]
         last = [size for at, size in sizes if at >= 2 * SECONDS / 3 and at < SECONDS]
         grown = sum(last) / len(last) - sum(third) / len(third)

@@ -1,4 +1,4 @@
-"""The viewer's window, driven by scripts: what it does and what it refuses."""
+"""The viewer's window, driven by scripts: what works and what it refuses."""
 
 import json
 import unittest
@@ -12,7 +12,7 @@ from png import read_colour_png
 class Window(ViewerTest):
     def setUp(self):
         super().setUp()
-        (self.folder / "plain.json").write_text("{}") # a noise, and not the material of the first start
+        (self.folder / "plain.json").write_text("{}") # a noise instead of the material of a first start
 
     def test_everything_by_script(self):
         self.play("""
@@ -57,7 +57,7 @@ class Window(ViewerTest):
         self.assertEqual(read_colour_png(self.folder / "last.png").shape, (800, 1280, 3))
 
     def test_keys_work_from_the_start(self):
-        # Tab edits no field of the panel that would then have the keys.
+        # Tab must not move the focus into a field of the panel, which would then receive the keys.
         self.play("""
             wait 5
             key tab
@@ -68,7 +68,7 @@ class Window(ViewerTest):
             quit""", "plain.json")
         self.assertEqual(json.loads((self.folder / "after.json").read_text())["seed"], 1)
 
-    def test_the_panel_is_worked_with_the_mouse(self):
+    def test_the_panel_works_with_the_mouse(self):
         # The first drop-down of the panel is the material; its third entry is fabric.
         self.play("""
             fine
@@ -102,7 +102,7 @@ class Window(ViewerTest):
         seeds = [json.loads((self.folder / f"{name}.json").read_text())["seed"] for name in ("one", "two")]
         self.assertEqual(seeds, [0, 1])
 
-    def test_lobes_are_worked_in_the_frequency_plane(self):
+    def test_lobes_are_edited_in_the_frequency_plane(self):
         # Its middle is at 1040, 324 and the lobe of frequency 4 at 1118, 324.
         self.play("""
             fine
@@ -134,9 +134,9 @@ class Window(ViewerTest):
             return [(lobe["frequency"], lobe["orientation"]) for lobe in saved.get("lobes", [saved])]
 
         (frequency, orientation), = lobes("moved")
-        self.assertAlmostEqual(frequency, 4 * 72 / 78, delta=0.06) # as far from the pointer as when it was taken
+        self.assertAlmostEqual(frequency, 4 * 72 / 78, delta=0.06) # as far from the pointer as when grabbed
         self.assertAlmostEqual(orientation, -90, delta=0.7)
-        self.assertEqual(lobes("same"), lobes("moved")) # a click on nothing selects nothing
+        self.assertEqual(lobes("same"), lobes("moved")) # a click on an empty spot deselects
         self.assertEqual(lobes("added")[0], lobes("moved")[0])
         self.assertAlmostEqual(lobes("added")[1][1], 45, delta=1)
         self.assertEqual(lobes("removed"), lobes("moved"))
@@ -179,7 +179,7 @@ class Window(ViewerTest):
             fine
             window back.png
             quit""", "plain.json", "--window", "1280x800")
-        # Above what the window says of the file that it opened.
+        # Above the window's message about the opened file.
         here, back = (read_colour_png(self.folder / f"{name}.png")[:720, :900].astype(int) for name in ("here", "back"))
         self.assertLessEqual(np.abs(here - back).max(), 1)
         self.assertGreater(here.std(), 30)

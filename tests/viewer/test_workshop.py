@@ -11,7 +11,7 @@ from png import read_colour_png
 from test_maps import read_deep_png
 
 WINDOW = "--window", "1100x700"
-VIEW = 736 # its width, beside the panels
+VIEW = 736 # the view's width, without the panels
 ANIMATION, TEXTURE, MAPS = 1, 2, 3 # what is exported
 
 
@@ -24,14 +24,15 @@ class Workshop(EventsTest):
         self.open("--window", "1400x900") # large enough to show the pictures at their size
         self.keys("p")
         self.frames(3)
-        # The fourth of seven in a row, in cells of 144 pixels in the middle of the view. Its name is at its lower edge.
+        # The fourth of seven in a row, in cells of 144 pixels in the middle of the view. The name is at the lower edge
+        # of its cell.
         left, top = (1036 - 7 * 144) // 2 + 8 + 3 * 144, (900 - 6 * 144) // 2 + 8
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
         self.gabor("render", "--like", preset, "-o", "bark.png")
         off = np.abs(seen - read_colour_png(self.folder / "bark.png")[:100].astype(int))[4:, 4:-4]
         print(f"bark differs from its picture by {off.mean():.1f} of 255, its standard deviation is {seen.std():.1f}")
-        self.assertLess(off.mean(), 0.25 * seen.std()) # the error of a JPEG file
+        self.assertLess(off.mean(), 0.25 * seen.std()) # JPEG compression error
         self.click(left + 64, top + 64)
         self.assertFalse(self.state["gallery"])
         self.assertEqual(self.document["material"], "bark")
@@ -44,7 +45,7 @@ class Workshop(EventsTest):
         self.open(*WINDOW, preset)
 
         def seam():
-            """The step from tile to tile, in those within a tile: across and down."""
+            """Steps across the seam relative to those within a tile, across and down."""
             self.wait_for(lambda state: state["tiles"] == [120, 120] and state["fine"])
             self.frames(3)
             copies = self.screen(VIEW // 2 - 120, 230, 240, 240)
@@ -54,7 +55,7 @@ class Workshop(EventsTest):
 
         self.keys("t")
         self.assertLess(seam(), 1.5)
-        self.keys("n") # another noise, whose tiles must fit as well
+        self.keys("n") # a second noise, whose tiles must match too
         self.assertLess(seam(), 1.5)
         self.keys("t")
         self.assertIsNone(self.state["tiles"])
@@ -102,7 +103,7 @@ class Workshop(EventsTest):
             self.assertEqual(len(names), 10)
             for each in names:
                 self.assertEqual(self.read(f"maps/{each}"), self.read(f"expected/{each}"), each)
-            self.click(820, 671) # they are its own
+            self.click(820, 671) # it may overwrite its own files
             self.wait_for(lambda state: not state["exporting"])
             self.assertIsNone(self.state["question"])
             (self.folder / "maps/height.png").write_bytes(b"mine")
@@ -128,8 +129,8 @@ class Workshop(EventsTest):
                          ["base_color.png", "height.png", "normal.png"])
         colour, normal = (read_colour_png(self.folder / f"maps/{name}.png").astype(float) for name in ("base_color", "normal"))
         height = read_deep_png(self.folder / "maps/height.png") / 65535
-        self.assertGreater(np.corrcoef(height.ravel(), colour.sum(axis=2).ravel())[0, 1], 0.9) # ember is brighter above
-        # Stripes of 1 and -1 with slopes in units of their deviation, of which `contrast` make 45 degrees.
+        self.assertGreater(np.corrcoef(height.ravel(), colour.sum(axis=2).ravel())[0, 1], 0.9) # ember brightens upwards
+        # Stripes of 1 and -1; `contrast` standard deviations of their slope make 45 degrees.
         right, up, out = (normal[..., i] / 127.5 - 1 for i in range(3))
         relief = 0.5 * 1 / (2 * np.pi * 3 / np.sqrt(2))
         for axis, seen, sign in ((1, right, -1), (0, up, 1)):

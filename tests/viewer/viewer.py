@@ -1,4 +1,4 @@
-"""Runs gabor-viewer under Xvfb, with the validation layers: whatever they say is a failure."""
+"""Runs gabor-viewer under Xvfb with the validation layers; any message of theirs is a failure."""
 
 import os
 import pathlib
@@ -8,10 +8,10 @@ import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli")) # where pictures are read
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli")) # for the tests that read pictures
 
 VIEWER = os.environ["GABOR_VIEWER"]
-SCRIPTED_VIEWER = os.environ["GABOR_SCRIPTED_VIEWER"] # the same with a script in the place of a user
+SCRIPTED_VIEWER = os.environ["GABOR_SCRIPTED_VIEWER"] # the same, driven by a script
 PROGRAM = os.environ["GABOR_PROGRAM"]
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 
@@ -52,7 +52,7 @@ class ViewerTest(unittest.TestCase):
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def start_script(self, text, *arguments):
-        """A viewer without a memory, so that a script always finds the same window."""
+        """A viewer without saved settings, so that a script always finds the same window."""
         shutil.rmtree(self.folder / "config", ignore_errors=True)
         script = self.folder / "script.txt"
         script.write_text(text)

@@ -1,5 +1,5 @@
-// gabor-viewer that says what it does: after each frame a line of JSON on stdout. Events of the display work
-// it, as they work gabor-viewer, and who sends them waits for what it says and not for a time.
+// gabor-viewer that reports its state: a line of JSON on stdout after each frame. Real display events drive
+// it, as they drive gabor-viewer; the sender waits for its reports instead of a fixed time.
 
 #include "viewer/app.hpp"
 #include "viewer/document_json.hpp"
@@ -13,7 +13,7 @@
 #include <array>
 #include <cstdio>
 
-// As in GLFW/glfw3native.h, which wants headers of X11 that nothing here does.
+// As in GLFW/glfw3native.h, which would need X11 headers.
 extern "C" unsigned long glfwGetX11Window(GLFWwindow* window);
 
 namespace {
@@ -24,13 +24,13 @@ using nlohmann::json;
 // The events that have reached a frame so far.
 struct Seen {
     std::uint64_t frames = 0;
-    std::uint64_t keys = 0;   ///< pressed, but for modifiers
+    std::uint64_t keys = 0;   ///< pressed, except modifiers
     std::uint64_t clicks = 0; ///< buttons pressed and released
     double wheel = 0;
     std::array<bool, IM_ARRAYSIZE(ImGuiIO::KeysDown)> down{};
     bool button = false;
 
-    // Dear ImGui has the events of the frame that begins.
+    // At this point Dear ImGui has this frame's events.
     void add(const ImGuiIO& io) {
         ++frames;
         wheel += double{io.MouseWheel};
@@ -90,7 +90,7 @@ void tell(App& app, const Seen& seen) {
 int main(int argc, char** argv) {
     Seen seen;
     return run_viewer(argc, argv, [&](App& app) {
-        if (seen.frames > 0) // what came of the last one
+        if (seen.frames > 0) // the result of the last one
             tell(app, seen);
         seen.add(ImGui::GetIO());
         return true;

@@ -20,20 +20,20 @@ struct Quartiles {
 /// One timed noise.
 struct Row {
     std::string name;
-    double visited = 0; ///< impulses visited for each pixel; 0 where there are none
+    double visited = 0; ///< impulses visited for each pixel; 0 if there are none
     int side = 0;       ///< pixels of the square picture along a side
     double scale = 0;   ///< pixels per kernel radius
     double frequency = 0;
     Quartiles seconds;   ///< on the device's own clock, for the whole picture
     double pipeline = 0; ///< seconds to create the pipeline, the first time in this process
-    std::optional<statistics::Estimate> cvm; ///< of its values; absent where it is not measured
+    std::optional<statistics::Estimate> cvm; ///< of its values; absent if not measured
 
     double nanoseconds_per_pixel() const { return seconds.median * 1e9 / side / side; }
 };
 
 struct Report {
     std::vector<Row> base;   ///< everything at one size, scale and frequency
-    std::vector<Row> trends; ///< what the first recipe costs at other sizes, scales and frequencies
+    std::vector<Row> trends; ///< the first recipe at other sizes, scales and frequencies
 };
 
 struct Effort {
@@ -57,9 +57,9 @@ struct Code {
     int registers = 0;       ///< vector registers of an invocation
 };
 
-/// Statistics of everything that the benchmark times, except the seminal noise, whose loops have random
-/// lengths. The code is compiled but never run, so RADV's null device gives the same figures on every
-/// machine. Counts a bake's loop over rows as often as it runs in a full block. Throws RequestError on a
+/// Returns statistics of everything that the benchmark times, except the seminal noise, whose loops have
+/// random lengths. The code is compiled but never run, so RADV's null device gives the same figures on every
+/// machine. The loop over rows of a bake counts as often as it runs in a full block. Throws RequestError on a
 /// device without that extension.
 std::vector<Code> measure_code(const vulkan::Device& device);
 

@@ -14,11 +14,11 @@ namespace gabor::bench {
 /// A noise to time. Its pass includes passes/bench/bench.glsl and computes one pixel per invocation.
 struct Subject {
     std::string name;
-    double visited = 0; ///< impulses visited for each pixel; 0 where there are none
+    double visited = 0; ///< impulses visited for each pixel; 0 if there are none
     std::span<const std::uint32_t> spirv;
     const noise::Recipe* recipe = nullptr;   ///< of the drop-in
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
-    bool measure_cvm = false;                ///< whether to measure how Gaussian its values are
+    bool measure_cvm = false;                ///< whether to measure the Gaussianity of its values
     bool has_loops = false;                  ///< the compiler keeps its loops, so its code cannot be counted
     int octaves = 0; ///< rounds of a loop that compilers keep; their number is the last option
 };
@@ -71,7 +71,7 @@ struct Setting {
     double frequency; ///< cycles per kernel radius
 };
 
-/// The setting of all comparisons.
+/// The setting that all comparisons use.
 constexpr Setting base_setting{1024, 32, 4};
 constexpr double base_orientation = 40; ///< degrees
 

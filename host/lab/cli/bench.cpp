@@ -161,11 +161,10 @@ void add_bench_command(CLI::App& app) {
     command->add_option("--json", options->json, "Also write all figures to this file")->type_name("FILE");
     cli::add_device_option(*command, options->device);
     command->add_flag("--quick", options->quick,
-                      "Few repetitions on a small picture, to see that all of it runs");
+                      "Few repetitions on a small picture, as a check that everything runs");
     command->add_flag(
         "--isa", options->isa,
-        "Instead of times, what the device's compiler says of the code: needs RADV, but no GPU, as "
-        "tools/isa sets it up");
+        "Report the compiler's statistics instead of times: needs RADV, but no GPU, as in tools/isa");
     command->callback([options] { run_bench(*options); });
 }
 

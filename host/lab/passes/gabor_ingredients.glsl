@@ -46,8 +46,8 @@ vec2 gabor_impl_unit_square(uint word) {
     return (vec2(int(word >> 20u), int((word >> 8u) & 0xfffu)) + 0.5) / 4096.0;
 }
 
-// N sub-cells of equal area in round(sqrt(N)) rows, a point anywhere in each. Where N is no square the rows differ by
-// one sub-cell, and are as high as they are full.
+// N sub-cells of equal area in round(sqrt(N)) rows, with a random point in each. If N is not a square, rows differ by
+// one sub-cell, and their heights are in proportion to their counts.
 vec2 gabor_impl_jittered_point(int index, vec2 unit) {
     float n = float(GABOR_IMPULSES);
     float i = float(index);
@@ -106,8 +106,8 @@ int gabor_count(uint cell_word) {
     return GABOR_POINTS == 0 ? gabor_impl_poisson_count(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
 }
 
-// Place of an impulse, from its cell's corner. Sobol cells take N successive points from anywhere in the sequence,
-// scrambled ones the first N, scrambled by themselves.
+// Place of an impulse, from its cell's corner. A Sobol cell takes N successive points from a random start in the
+// sequence; a scrambled one takes the first N, with its own scrambling.
 vec2 gabor_point(int index, uint word, uint cell_word) {
     if (GABOR_POINTS == 2)
         return gabor_impl_jittered_point(index, gabor_impl_unit_square(word));

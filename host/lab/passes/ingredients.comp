@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Values of the noise of any ingredients.
+// Values of the noise with any ingredients.
 
 #include "ingredients.glsl"
 #include "places.glsl"

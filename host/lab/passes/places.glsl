@@ -1,6 +1,6 @@
-// Where the study looks: a square grid of 4^grid_bits places in each of many instances, starting at a fixed place or
-// somewhere in a cell from there. One value at a random place of each instance, pairs, windows, cells and pictures all
-// are this. Include a file that has gabor_impl_mix before.
+// The study's places: a square grid of 4^grid_bits places in each of many instances, which starts at a fixed place or
+// at a random offset of up to a cell from there. Single values, pairs, windows, cells and pictures are all such grids.
+// Before it, include a file that defines gabor_impl_mix.
 
 #include "passes/places_interface.h"
 

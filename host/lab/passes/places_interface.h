@@ -14,7 +14,7 @@ GABOR_PUSH_CONSTANTS(PlacesPush) {
     vec2 corner;     // where the grid starts, in cells
     float amplitude; // K
     float spacing;   // of the grid, in cells
-    float within;    // 1: starts anywhere in a cell from there
+    float within;    // 1: adds a random offset of up to a cell to the corner
     uint grid_bits;
     uint first; // instance
     uint count; // values

@@ -11,7 +11,7 @@ const uint points_group = 8; // invocations along x and y
 
 GABOR_PUSH_CONSTANTS(PointsPush) {
     uint side;     // of the square, in cells
-    uint capacity; // impulses that a cell has room for
+    uint capacity; // room for impulses in each cell
     uint seed;
 };
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int cell = Lines::pixels_per_cell;
 
-/// Frequencies that are not their own mirror images: of those the power has half the degrees of freedom.
+/// Only frequencies that are not their own mirror images: the power of those that are has half the degrees of
+/// freedom.
 constexpr std::array<std::array<int, 2>, 6> frequencies{{{1, 0}, {0, 1}, {1, 1}, {1, -1}, {1, 2}, {2, 1}}};
 
 } // namespace
@@ -92,7 +93,7 @@ double Lines::largest() const {
         double sum = -line;
         for (std::size_t i = 0; i < around; ++i)
             sum += powers_[f * around + i];
-        result = std::fmax(result, line / (sum / (around - 1))); // not NaN, where one is a number
+        result = std::fmax(result, line / (sum / (around - 1))); // a number, if any of them is one
     }
     return result;
 }

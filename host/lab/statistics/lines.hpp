@@ -9,7 +9,7 @@
 namespace gabor::statistics {
 
 /// Spectral lines. A pattern that repeats from cell to cell of a grid has all its power at whole numbers of
-/// cycles per cell. There the spectrum of a picture of whole cells exceeds its surroundings.
+/// cycles per cell. In a picture of whole cells, the spectrum at these frequencies exceeds its surroundings.
 class Lines {
   public:
     static constexpr int pixels_per_cell = 4;
@@ -22,9 +22,9 @@ class Lines {
     void add_row(std::span<const float> row);
 
     /// The largest ratio, over the frequencies (1, 0), (0, 1), (1, 1), (1, -1), (1, 2) and (2, 1) cycles per
-    /// cell, of the power there to that of the 24 frequencies around it, both averaged over the pictures: 1
-    /// without lines, but for chance, which makes K times the ratio of K pictures exceed x as a gamma
-    /// variable of shape K does. NaN without a picture.
+    /// cell, of the power there to that of the 24 frequencies around it, both averaged over the pictures.
+    /// Without lines it is 1 plus chance: K times the ratio of K pictures is a gamma variable of shape K. NaN
+    /// without a picture.
     double largest() const;
 
   private:
@@ -39,12 +39,12 @@ class Lines {
     std::vector<float> cosine_; ///< of the steps 0 to `reach`, pixel by pixel
     std::vector<float> sine_;
     std::vector<Complex>
-        sums_; ///< by step along x and y and pixel within a cell: the transform but for the cell
+        sums_; ///< by step along x and y and pixel of a cell, over which the transform still sums
     std::vector<double> powers_; ///< by frequency, then by step along y and x
 };
 
-/// The lines of functions of a noise: where its mean or variance, the kurtosis or the tails of its law depend
-/// on the place within a cell, one of these has them.
+/// The lines of functions of a noise. If its mean, variance, kurtosis or tails depend on the place within a
+/// cell, one of them has lines.
 class NoiseLines {
   public:
     enum Function : std::size_t { value, square, magnitude, fourth_power, tails, count };

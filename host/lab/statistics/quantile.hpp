@@ -5,10 +5,10 @@
 namespace gabor::statistics {
 
 /// The number below which a share of `values` lies, interpolated linearly between order statistics.
-/// Throws std::invalid_argument without values.
+/// Throws std::invalid_argument if there are none.
 double quantile(std::vector<double> values, double share);
 
-/// The spread of positive numbers: "median and relative interdecile" in [TNVT19].
+/// The spread of positive values, "median and relative interdecile" in [TNVT19].
 struct Dispersion {
     double median = 0;
     double interdecile = 0; ///< (q90 - q10) / median

@@ -8,9 +8,8 @@
 
 namespace gabor::statistics {
 
-/// Instance stationarity [TNVT19, 3.3, figure 4]: how the contrast, which is the variance, of
-/// windows, of one kernel diameter in the paper, differ from window to window. Results depend on the windows
-/// and not on their order.
+/// Instance stationarity [TNVT19, 3.3, figure 4]: how the contrast (variance) differs from window to window;
+/// in the paper, windows are one kernel diameter wide. Results do not depend on the order of the windows.
 class InstanceStationarity {
   public:
     /// All pixels of one window.
@@ -25,7 +24,7 @@ class InstanceStationarity {
 };
 
 /// Process stationarity [TNVT19, 3.2]: the mean and the variance at each of several places of a cell, over
-/// many instances, as many at each place.
+/// equally many instances.
 class ProcessStationarity {
   public:
     /// The values at one more place.
@@ -34,11 +33,11 @@ class ProcessStationarity {
     const std::vector<Moments>& places() const { return places_; }
     /// Of the variances.
     Dispersion variance() const;
-    /// The relative interdecile that the variances would show by chance, were they all the same.
+    /// The relative interdecile that equal variances would show by chance.
     double chance_interdecile() const;
     /// The largest magnitude of a mean.
     double largest_mean() const;
-    /// What the largest mean would exceed by chance in one case of twenty, were all means 0.
+    /// The bound that the largest mean exceeds by chance in one case of twenty if all means are 0.
     double chance_largest_mean() const;
 
   private:

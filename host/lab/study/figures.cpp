@@ -104,7 +104,7 @@ void figure2_pictures(const vulkan::Device& device, const Effort& effort, const 
 // Figure 3: the seminal N that is needed for the same Gaussianity, against N.
 
 void SeminalCurve::add(int n, double cvm) {
-    // By chance the curve can rise at its low end. Only use the part that falls.
+    // By chance the curve can rise at its low end. So this uses only the falling part.
     if (cvm > 0 && (points_.empty() || std::log(cvm) < points_.back().first))
         points_.emplace_back(std::log(cvm), std::log(n));
 }
@@ -227,7 +227,7 @@ std::vector<Noise> six_lobes(const vulkan::Device& device, const Ingredients& in
 }
 
 std::vector<float> sum_picture(std::vector<Noise> sum, int bits) {
-    constexpr double scale = 80; // gives the thinnest lines of the colour map a few pixels
+    constexpr double scale = 80; // makes the thinnest lines of the colour map a few pixels wide
     std::vector<float> total(std::size_t{1} << 2 * bits);
     std::uint32_t seed = 0;
     for (Noise& noise : sum)

@@ -11,7 +11,7 @@ namespace gabor::study {
 
 namespace {
 
-// The sine kernel without weights, beside the same with Bernoulli weights.
+// The sine kernel without weights, next to the same with Bernoulli weights.
 Table unweighted(const vulkan::Device& device, const Effort& effort) {
     Table table{"future_unweighted",
                 "points,weights,kernel,envelope,N,frequency,samples,variance,cvm,cvm_low,cvm_high,"

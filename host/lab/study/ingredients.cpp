@@ -84,7 +84,7 @@ void reduce(Vector& a, Vector& b) {
         b = {-b[0], -b[1]};
 }
 
-// Of the triangle 0, a, b, which is that of the hexagon's corners.
+// The circumradius of the triangle 0, a, b, whose circumcentre is a corner of the hexagon.
 double circumradius(const Vector& a, const Vector& b) {
     const double area = std::abs(a[0] * b[1] - a[1] * b[0]) / 2;
     const Vector c = subtract_multiple(b, a, 1);

@@ -9,7 +9,7 @@
 
 namespace gabor::study {
 
-/// The wave of a kernel. The study looks at an oblique one, so that no axis of the grid is special.
+/// The wave of a kernel. The study uses an oblique one, so that no grid axis is special.
 struct PlaneWave {
     double frequency = 4;                      ///< cycles per kernel radius
     double orientation = std::numbers::pi / 4; ///< radians
@@ -56,8 +56,7 @@ inline constexpr Ingredients recommended{
 std::string key(const Ingredients& ingredients);
 
 /// The lattice (i / n, i step / n) mod 1: n points in each unit cell, the same in all cells. Its Voronoi
-/// cells are equal hexagons that tile the plane, as close to regular ones as a lattice that repeats in each
-/// cell can have.
+/// cells are equal hexagons that tile the plane, as regular as a lattice that repeats in each cell allows.
 struct HexagonalLattice {
     int step = 0;
     std::array<double, 2> a{}; ///< a reduced basis, a.b >= 0

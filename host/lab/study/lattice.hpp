@@ -8,8 +8,8 @@ namespace gabor::study {
 /// for two taps c / sqrt(c^2 + (1 - c)^2) with c = (1 - |x|)^2 (1 + 2 |x|), whose squares sum to 1.
 double lattice_window(int taps, double x);
 
-/// The covariance of two values a lag apart with the wave left out, which is the sum of the products of their
-/// windows, over the places of a cell where the two are in different cells.
+/// The covariance of two values a lag apart without the wave, the sum of the products of their windows, over
+/// the places of a cell where the two are in different cells.
 struct CovarianceOverCell {
     double mean = 0;    ///< over the whole cell
     double rms = 0;     ///< of the differences from the mean

@@ -26,7 +26,7 @@ struct Subject {
     std::string name;
     double visited; ///< impulses per value
     double cells_per_radius;
-    int taps; ///< of the lattice, else 0
+    int taps; ///< the lattice's taps, else 0
     std::function<Noise(const vulkan::Device&, const PlaneWave&)> make;
 };
 
@@ -166,7 +166,7 @@ Table pairs(const vulkan::Device& device, const Effort& effort) {
 }
 
 // The covariance of two values a lag apart at each place of a cell, and how it differs from its mean over the
-// places where the two are in different cells. The wave turns wholly between any two of them, so that their
+// places where the two are in different cells. Between the two values the wave makes whole turns, so their
 // covariance is that of the windows.
 constexpr PlaneWave whole_turns{4, 0};
 
@@ -176,7 +176,7 @@ constexpr std::size_t place_count = side * side;
 std::array<double, place_count> covariances(Noise& noise, const std::array<double, 2>& lag,
                                             double cells_per_radius, std::uint64_t instances,
                                             std::uint32_t seed) {
-    const double half = 0.5 / side / cells_per_radius; // places are in the middle of their squares
+    const double half = 0.5 / side / cells_per_radius; // places are at the centres of their squares
     const Grid first{3, 1 / cells_per_radius, false, {-half, -half}};
     Grid second = first;
     second.shift = {lag[0] - half, lag[1] - half};

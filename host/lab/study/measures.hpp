@@ -36,7 +36,7 @@ struct PlaceStatistics {
     statistics::ProcessStationarity stationarity;
     std::vector<statistics::Estimate> cvm; ///< the index at each place
 
-    /// The mean index of all places. The interval is the mean of their intervals, which is wider than
+    /// The mean index of all places. Its interval is the mean of their intervals, which is wider than
     /// necessary.
     statistics::Estimate mean_cvm() const;
 };
@@ -49,7 +49,7 @@ std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64
                                   std::uint32_t seed);
 
 /// Returns each noise's seconds on the device for a picture of 2^bits x 2^bits pixels, 32 to a kernel radius:
-/// the medians of `timings` rounds in which the noises take turns, so that other load affects all alike.
+/// the medians of `timings` interleaved rounds, so that other load affects all alike.
 std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings);
 
 /// Returns the pixels of such a picture, row by row, with `scale` pixels per kernel radius.

@@ -14,7 +14,7 @@
 namespace gabor::study {
 
 /// A square of 2^bits x 2^bits places in every instance, row by row, at the centres of pixels. A single place
-/// without extent is a value.
+/// gives one value.
 struct Grid {
     unsigned bits = 0;
     double side = 0;               ///< kernel radii

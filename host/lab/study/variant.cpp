@@ -169,7 +169,7 @@ double node(int i) {
     return (i + 0.5) / nodes;
 }
 
-// The Fourier transform of a separable window along an axis, or of a round one, which is Hankel's.
+// The Fourier transform of a separable window along an axis, or the Hankel transform of a round one.
 double transform(const std::function<double(double)>& q, bool separable, double frequency) {
     double sum = 0;
     for (int i = 0; i < nodes; ++i) {

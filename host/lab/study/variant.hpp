@@ -49,8 +49,8 @@ double variance(const Variant& variant);
 /// The mean number of impulses in the cells whose impulses can reach a place: N (2 R + jitter)^2.
 double visited(const Variant& variant);
 
-/// The floor, in steps of 1/1000, with which the noise is nearest to a normal distribution by its cumulants
-/// of orders 4 and 6, which a Cramér-von Mises index sees together.
+/// The floor, in steps of 1/1000, that brings the noise closest to a normal distribution, by the combined
+/// effect of its cumulants of orders 4 and 6 on the Cramér-von Mises index.
 double best_floor(const Variant& variant);
 
 /// The share of a kernel's power in its main lobe. The spectrum of a kernel is that of its window
@@ -60,7 +60,7 @@ struct SpectralPurity {
     double outside = 0;  ///< share of the power that is outside the lobe
 };
 
-/// That of a window q(x) q(y), or of a round one q(|d|), by quadrature of its Fourier transform.
+/// The purity of a window q(x) q(y), or of a round one q(|d|), by quadrature of its Fourier transform.
 SpectralPurity spectral_purity(const std::function<double(double)>& q, bool separable);
 SpectralPurity spectral_purity(const Window& window);
 

@@ -7,7 +7,7 @@ import sys
 import bpy
 import numpy as np
 
-# bpy does not look for the packages that it brings along, and the one that reads shaders is among them.
+# bpy does not look in its own bundled packages, which include the one that reads shaders.
 sys.path.insert(0, str(next(pathlib.Path(bpy.utils.resource_path("LOCAL")).glob("python/lib/*/site-packages"))))
 
 import cycles.osl  # noqa: E402
@@ -22,7 +22,8 @@ class Said:
 
 
 def script_node(tree, shader, folder, **inputs):
-    """With those of the inputs that the shader has. Blender puts what it compiles beside the shader: here into a folder."""
+    """Sets only the inputs that the shader has. Blender writes the compiled shader beside its source, hence the
+    folder."""
     shutil.copytree(shader.parent, folder, dirs_exist_ok=True)
     node = tree.nodes.new("ShaderNodeScript")
     node.mode, node.filepath = "EXTERNAL", f"{folder}/{shader.name}"
@@ -34,7 +35,7 @@ def script_node(tree, shader, folder, **inputs):
 
 
 def lit_by(tree, colour):
-    """Draws colours without a tone mapping."""
+    """Draws colours without tone mapping."""
     emission = tree.nodes.new("ShaderNodeEmission")
     tree.links.new(colour, emission.inputs["Color"])
     tree.links.new(emission.outputs[0], tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])

@@ -1,6 +1,6 @@
-"""The node group of shaders/nodes/blender/gabor_noise in Cycles without OSL, or in Eevee: nodes.py cycles|eevee VALUES.raw,
-by a Python that has bpy. Its amplitudes are those of White Noise nodes: they are drawn too, and the noise is compared with
-what the equations give of them."""
+"""The node group of shaders/nodes/blender/gabor_noise in Cycles without OSL, or in Eevee: nodes.py cycles|eevee
+VALUES.raw, by a Python that has bpy. Its amplitudes come from White Noise nodes: these are drawn too, and the noise is
+compared with the equations applied to them."""
 
 import json
 import pathlib
@@ -22,7 +22,8 @@ FIRST = -4  # the first column and row whose amplitude is drawn
 
 
 def drawn(folder, value, least, steps):
-    """A square of 256 x 256, a pixel to each unit, seen from above: value(tree, (x, y)), above `least`, at each pixel. Eevee's
+    """A square of 256 x 256, a pixel to each unit, seen from above: value(tree, (x, y)), above `least`, at each pixel.
+    Eevee's
     light has 11 bits: red has whole steps, of which there are `steps` to 1, and green the rest."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     tree = plane(256, (128, 128, 0))

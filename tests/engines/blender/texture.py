@@ -1,5 +1,5 @@
 """Planes to the horizon in Blender's Cycles, each with a mip-mapped texture: texture.py PICTURE.npy TEXTURE.exr...
-by a Python that has bpy. A texture that is flat gets the levels that OpenImageIO's maketx gives it, averages of 2 x 2."""
+by a Python that has bpy. A flat texture first gets mip levels from OpenImageIO's maketx, averages of 2 x 2."""
 
 import math
 import pathlib
@@ -10,10 +10,10 @@ import bpy
 import numpy as np
 from cycles_scene import lit_by, plane, render, script_node
 
-import OpenImageIO as oiio  # cycles_scene knows where bpy has it
+import OpenImageIO as oiio  # cycles_scene finds it inside bpy
 
 picture, *textures = map(pathlib.Path, sys.argv[1:])
-SIDE, TILE = 512, 4.0  # pixels, and the size of a texture beside the camera's height of 1
+SIDE, TILE = 512, 4.0  # pixels, and the size of a texture when the camera's height is 1
 
 
 def with_levels(texture, folder):

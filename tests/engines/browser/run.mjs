@@ -64,7 +64,7 @@ try {
     }
     const { values, ...facts } = await tab.evaluate(async () => {
         while (!("drawn" in globalThis))
-            await new Promise(resolve => setTimeout(resolve, 50)); // frames may be slow to come: they are drawn on the CPU
+            await new Promise(resolve => setTimeout(resolve, 50)); // frames may be slow, as they are drawn on the CPU
         const { values, ...facts } = await globalThis.drawn;
         return { values: Array.from(values), ...facts };
     });

@@ -16,7 +16,7 @@ function deviation(values) {
 }
 
 globalThis.drawn = (async () => {
-    asked = true; // the page itself draws nothing until the end: its scenes take seconds on the CPU
+    asked = true; // the page itself draws nothing until the end, because its scenes take seconds on the CPU
     const gl = document.createElement("canvas").getContext("webgl2");
     for (const [name, tab] of Object.entries(TABS)) {
         const choices = tab.controls.filter(each => each.options).flatMap(({ name, options }) =>

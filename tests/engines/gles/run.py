@@ -1,6 +1,6 @@
 """OpenGL ES alone, without a window: a drop-in in a fragment shader of GLSL 300 es after a header of its own:
 run.py HEADER VALUES.raw DROP_IN [NAME=VALUE]
-or a shader of one's own, less its version and its header: run.py HEADER VALUES.raw SHADER.frag"""
+or a custom shader without version and header: run.py HEADER VALUES.raw SHADER.frag"""
 
 import ctypes
 import json

@@ -26,7 +26,7 @@ model = node["shader_model"]
 given = node["parameters"] | {"orientation": np.degrees(np.float32(0.7854))}  # the scene's orientation, slightly different from 45 degrees
 missing = {parameter["name"] for parameter in model["parameters"]} ^ set(given)
 if missing:
-    sys.exit(f"not both declared and given: {missing}")
+    sys.exit(f"not both declared and passed: {missing}")
 output = model["outputs"][0]["f"]
 names = {"uv": "uv", "seed": "uintBitsToFloat(7u)"} | {name: f"{float(number):.9f}" for name, number in given.items()}
 value = re.sub(r"\$(\w+)", lambda name: names[name[1]], output)

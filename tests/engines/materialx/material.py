@@ -1,4 +1,5 @@
-"""The MaterialX document of a folder that `gabor render --maps` wrote, in the room and under the lamp of the viewer's lit view
+"""The MaterialX document of a folder that `gabor render --maps` wrote, in the room and under the lamp of the viewer's
+lit view
 (shaders/passes/light.glsl), by MaterialX's own renderer in OpenGL: material.py FOLDER VALUES.raw AZIMUTH/ELEVATION..."""
 
 import json
@@ -24,7 +25,7 @@ def smoothstep(low, high, x):
 
 
 def directions(height):
-    """MaterialX's map of all directions: rows from the top of the picture down, and its middle is +z, towards the eye."""
+    """MaterialX's environment map: rows go down from the top, and its middle is +z, towards the eye."""
     up = np.pi * (0.5 - (np.arange(height) + 0.5) / height)[:, None]
     around = np.pi * (np.arange(2 * height) + 0.5)[None] / height - np.pi
     return np.dstack([-np.cos(up) * np.sin(around), np.sin(up) + 0 * around, np.cos(up) * np.cos(around)])

@@ -1,8 +1,9 @@
 """Runs what MaterialX generates from shaders/nodes/materialx: run.py TARGET VALUES.raw
 
-Each function of a node is a graph that ends in a float. glsl is drawn with moderngl, and osl by Cycles. Of the other
-targets the nodes' functions are taken out of the generated text and run: essl, vulkan, wgsl and slang on Vulkan, msl and mdl as C++.
-Before that all of it is generated within a standard_surface and compiled, where there is a compiler for it."""
+Each function of a node is a graph that ends in a float. glsl is drawn with moderngl, and osl by Cycles. For the other
+targets, the nodes' functions are cut out of the generated text and run: essl, vulkan, wgsl and slang on Vulkan, msl and
+mdl as C++.
+First, all nodes are generated within a standard_surface and compiled if the target has a compiler here."""
 
 import json
 import os
@@ -51,7 +52,7 @@ PLACE = """<position name="position" type="vector3"><input name="space" type="st
 
 
 def weighed(kind, of, weights):
-    """A dot product of a vector's output."""
+    """The dot product of a vector output with weights."""
     return (f'<constant name="weights" type="{kind}"><input name="value" type="{kind}" value="{weights}" /></constant>'
             f'<dotproduct name="weighed" type="float"><input name="in1" type="{kind}" {of} />'
             f'<input name="in2" type="{kind}" nodename="weights" /></dotproduct>')
@@ -166,7 +167,7 @@ def spirv(target, text, ending, folder):
 
 
 def compiled(target, stages, folder):
-    """Compiles all stages, where a compiler is known."""
+    """Compiles all stages for targets that have a compiler here."""
     if target in ("glsl", "essl", "vulkan", "wgsl", "slang"):
         for text, ending in zip(stages, ("vert", "frag")):
             spirv(target, text, ending, folder)
@@ -174,7 +175,7 @@ def compiled(target, stages, folder):
 
 # ---- The nodes' functions alone ------------------------------------------------------------------------------------
 
-# Their names in reference.FUNCTIONS.
+# Named as in reference.FUNCTIONS.
 VALUES = {
     "noise": "field2d(p, 7).x",
     "complex": "field2d(p, 7).y",
@@ -226,7 +227,7 @@ int main(int, char** argv)
 
 
 def functions(target):
-    """Those of the nodes, in the text of a shader that has all of them."""
+    """The nodes' functions, cut out of a shader that uses all nodes."""
     if target == "mdl":
         text = (NODE / "libraries" / "gabor" / "genmdl" / "mx_gabor.mdl").read_text()
         text = re.sub(r"^(mdl|import) .*$|^export ", "", text, flags=re.MULTILINE)
@@ -239,7 +240,7 @@ def functions(target):
 
 
 def drawn_alone(target, folder):
-    """Each function of the nodes."""
+    """Yields the values of each node function, run without the rest of the graph."""
     text, values = functions(target), folder / "values.raw"
     wanted = VALUES | {"four": MDL_FOUR} if target == "mdl" else VALUES
     for value in wanted.values():
@@ -260,7 +261,7 @@ def drawn_alone(target, folder):
 # ---- Whole graphs --------------------------------------------------------------------------------------------------
 
 def drawn_by_opengl():
-    """Each function as a graph, and the name of the driver."""
+    """Draws each function as a graph; returns the values and the driver's name."""
     import moderngl
     context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
     corners = context.buffer(np.array([0, 0, 0, 512, 0, 0, 0, 512, 0], "f4"))

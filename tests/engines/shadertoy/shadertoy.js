@@ -1,4 +1,4 @@
-// A text for Shadertoy, between what Shadertoy puts around it, drawn with WebGL 2 and nothing else.
+// A Shadertoy text with the code that Shadertoy adds around it, drawn with plain WebGL 2.
 
 const VERTEX = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;

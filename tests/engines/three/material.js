@@ -37,7 +37,7 @@ async function draw() {
     const scene = new THREE.Scene();
     scene.environment = room(128);
     scene.add(gltf.scene);
-    if (query.has("open")) // without occlusion, which the viewer does not know
+    if (query.has("open")) // without occlusion, which the viewer does not have
         material.aoMap = null;
     const lamp = new THREE.PointLight(new THREE.Color(1, 0.96, 0.9), 0.7 * Math.PI, 0, 0);
     scene.add(lamp);

@@ -11,7 +11,7 @@ material.onBeforeCompile = shader => {
         .replace("#include <common>", `#include <common>
             ${drop_ins}
             varying vec3 height_slope_ridge;
-            const float spacing = 8.0 / 511.0; // of vertices; gullies too fine for them fade
+            const float spacing = 8.0 / 511.0; // spacing of vertices; gullies too fine for it fade
             GaborTerrain ground(vec2 p) {
                 vec2 x = vec2(spacing, 0.0), y = vec2(0.0, spacing);
                 return gabor_eroded_filtered(p, x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u);
@@ -41,7 +41,7 @@ const scene = new THREE.Scene();
 scene.background = new THREE.Color(0.6, 0.72, 0.85);
 scene.fog = new THREE.Fog(scene.background, 6, 16);
 const mountains = new THREE.Mesh(new THREE.PlaneGeometry(8, 8, 511, 511).rotateX(-Math.PI / 2), material);
-mountains.frustumCulled = false; // three.js knows only the flat plane
+mountains.frustumCulled = false; // three.js would use the bounds of the flat plane
 scene.add(mountains, new THREE.HemisphereLight(0xbfd4ff, 0x4a3f35, 1));
 const sun = new THREE.DirectionalLight(0xffe8c8, 4);
 sun.position.set(-2, 1.2, 1);

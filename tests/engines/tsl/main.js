@@ -9,7 +9,8 @@ const { screenCoordinate, uv, vec3, vec4 } = tsl;
 const forceWebGL = new URLSearchParams(location.search).get("backend") === "webgl";
 const target = new THREE.RenderTarget(256, 256, { type: THREE.FloatType, depthBuffer: false });
 
-// The reds of what is drawn. Rows of the screen go down in three.js, and so do WebGPU's; WebGL's targets are read from below.
+// The red channel of the drawn picture. Rows of the screen go down in three.js, and so do WebGPU's; WebGL's targets are
+// read from below.
 async function reds(renderer, render) {
     renderer.setRenderTarget(target);
     render();

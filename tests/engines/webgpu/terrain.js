@@ -1,4 +1,4 @@
-// A grid of triangles whose corners gabor_eroded lifts.
+// A grid of triangles whose vertices gabor_eroded lifts.
 const drop_in = async name => (await fetch(`../../../shaders/translations/${name}.wgsl`)).text();
 const code = await drop_in("gabor_lattice") + await drop_in("gabor_erosion") + `
 const side = 512u; // squares along each side

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What the drop-in answers at any places, for the tests.
+// Evaluates the drop-in at given places, for the tests.
 
 #include "recipe.glsl"
 

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What gabor_direction.glsl answers at any places, for the tests.
+// Evaluates gabor_direction.glsl at given places, for the tests.
 
 #include "gabor_lattice.glsl"
 

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What hills and erosion answer at any places, for the tests.
+// Evaluates hills and erosion at given places, for the tests.
 
 #include "gabor_lattice.glsl"
 #include "gabor_erosion.glsl"

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What isotropic noise of gabor_spectrum.glsl answers at any places, for the tests.
+// Evaluates the isotropic noise of gabor_spectrum.glsl at given places, for the tests.
 
 #include "gabor_lattice.glsl"
 #include "gabor_spectrum.glsl"
@@ -37,7 +37,7 @@ struct Answer {
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]; };
 
-// Which of the answers are wanted.
+// Selects the answers to compute.
 #define ALL 0
 #define FIELD 1
 #define FILTERED 2

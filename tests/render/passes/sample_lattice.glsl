@@ -1,4 +1,4 @@
-// What the lattice noise answers at any places, for the tests. GABOR_TAPS is defined before.
+// Evaluates the lattice noise at given places, for the tests. GABOR_TAPS is defined before.
 
 #include "gabor_lattice.glsl"
 

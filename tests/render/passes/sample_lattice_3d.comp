@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What one function of gabor_lattice_3d.glsl answers at any places, for the tests. GABOR_OF_... names it, as in
-// sampler_lattice_3d.hpp: a pipeline that chooses among all of them takes drivers seconds to compile.
+// Evaluates one function of gabor_lattice_3d.glsl at given places, for the tests. GABOR_OF_... names it, as in
+// sampler_lattice_3d.hpp: drivers take seconds to compile a pipeline that contains all of them.
 
 #include "gabor_lattice.glsl"
 #include "gabor_spectrum.glsl"
@@ -10,10 +10,10 @@
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = 0) const int filtered = 0; // the functions by place
+layout(constant_id = 0) const int filtered = 0; // the functions that take a place
 layout(constant_id = 1) const int animated = 0;
 
-// In scalars, for a vec3 would be padded.
+// Scalars, because a vec3 would be padded.
 struct Sample {
     int cell[3];
     float local[3];

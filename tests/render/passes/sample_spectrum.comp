@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// What gabor_spectrum.glsl answers at any places, for the tests.
+// Evaluates gabor_spectrum.glsl at given places, for the tests.
 
 #define GABOR_LOBES 3
 
@@ -51,7 +51,7 @@ struct Answer {
 layout(std430, set = 0, binding = 0) readonly buffer Samples { Sample samples[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Answers { Answer answers[]; };
 
-// Which of the answers are wanted; millions of some would take too long together with the others.
+// Selects the answers to compute: millions of one kind would take too long with the others.
 #define ALL 0
 #define FILTERED 1
 #define SPREAD 2
@@ -67,7 +67,7 @@ void main() {
         return;
     Sample s = samples[i];
     GaborLobes lobes;
-    lobes.count = 2 * GABOR_LOBES; // those beyond do not count
+    lobes.count = 2 * GABOR_LOBES; // those beyond `count` are unused
     for (int k = 0; k < GABOR_LOBES; ++k)
         lobes.lobe[k] = gabor_lobe_elliptical(s.lobes[5 * k], s.lobes[5 * k + 1],
                                               vec2(s.lobes[5 * k + 2], s.lobes[5 * k + 3]), s.lobes[5 * k + 4]);

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Eroded hills as one would paste them, and the same by the filter with random splats.
+// Eroded hills by the drop-in, called as users would, and by the filter with random splats.
 
 #include "gabor_lattice.glsl"
 #include "gabor_erosion.glsl"

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The drop-in of any recipe, as one would call it.
+// The drop-in of any recipe, called as users would.
 
 #include "recipe.glsl"
 #if GABOR_TAPS == 3

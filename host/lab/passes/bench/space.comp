@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The drop-in in space, as one would call it.
+// The drop-in in space, called as users would.
 
 #include "gabor_lattice.glsl"
 #include "gabor_spectrum.glsl"

@@ -1,6 +1,6 @@
 // The erosion filter with stripes of random splats, from its description: runevision, "Fast and gorgeous erosion filter",
 // March 2026. In each octave, each of 4 x 4 cells has one splat at a random place: a wave with the direction at the point,
-// under a round window. What gabor_eroded is compared with; it has the same structs and parameters.
+// under a round window. The benchmark compares gabor_eroded with it; structs and parameters are the same.
 
 // Two random numbers in [0, 1) for a cell: PCG2D of Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
 vec2 gabor_splat_place(ivec2 cell, uint seed) {
@@ -14,7 +14,7 @@ vec2 gabor_splat_place(ivec2 cell, uint seed) {
     return vec2(word) / 4294967296.0;
 }
 
-// Cosine and sine of stripes, of mean square 2 before they are brought to length 1. p and wave are in cells.
+// Cosine and sine of stripes, with mean square 2 before normalization to length 1. p and wave are in cells.
 vec2 gabor_splat_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {
     vec2 corner = floor(p - 0.5);
     ivec2 cell = ivec2(corner);

@@ -1,7 +1,7 @@
 # Gabor noise as a group of Blender's own shader nodes: Add > Texture > Gabor Noise (Normalized) in the shader editor.
 #
-# The sum is that of gabor_lattice.glsl with three taps, and so is the law of its values. The amplitudes are others: shader
-# nodes have no integers to hash, so White Noise nodes draw them.
+# The sum is that of gabor_lattice.glsl with three taps, and so is the law of its values. The amplitudes differ: shader
+# nodes have no integers to hash, so White Noise nodes supply them.
 #
 # Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -58,7 +58,7 @@ class Builder:
         return self.node("VectorMath", a, b, operation="DOT_PRODUCT")["Value"]
 
     def arranged(self):
-        """In columns, so that no node covers another."""
+        """Arranges nodes in columns, so that none covers another."""
         for index, node in enumerate(self.tree.nodes):
             node.location = 180 * (index // 8), -180 * (index % 8)
         return self.tree
@@ -91,7 +91,7 @@ def node_group():
 
 
 def field_group():
-    """The sum over the 3 x 3 nodes that reach a point; made once in a file."""
+    """The sum over the 3 x 3 nodes that reach a point; created once per file."""
     if FIELD in bpy.data.node_groups:
         return bpy.data.node_groups[FIELD]
     one = node_group()
@@ -124,7 +124,7 @@ def field_group():
 
 
 class GABOR_OT_add(bpy.types.Operator):
-    """Add normalized Gabor noise, of Blender's own nodes"""
+    """Add normalized Gabor noise, built from Blender's own nodes"""
     bl_idname = "node.add_gabor_noise"
     bl_label = FIELD
     bl_options = {"REGISTER", "UNDO"}
@@ -150,7 +150,7 @@ def menu(self, _context):
 
 
 def menus():
-    """The shader editor's menu of textures, which has other names in other versions."""
+    """The shader editor's menu of textures, whose name depends on the version."""
     return [getattr(bpy.types, name) for name in ("NODE_MT_shader_node_add_all", "NODE_MT_category_shader_texture")
             if hasattr(bpy.types, name)][-1:]
 
