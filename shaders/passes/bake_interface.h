@@ -27,7 +27,7 @@ struct BakeWave {
     vec2 weights[3]; // of (quadrature, noise) in the components of a colour
 };
 
-// The noises of one kernel radius, whose pixels fall into the same runs.
+// The noises that share a kernel radius, so that their pixels fall into the same runs.
 GABOR_PUSH_CONSTANTS(BakePush) {
     GABOR_BAND
     vec2 radius;  // as in GaborPlace

@@ -2,7 +2,8 @@
 // Radiance as in glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction
 // through rough surfaces", 2007). The exported maps look the same in other renderers; see docs/gallery.md.
 
-// The room's light from direction `d`: a window, soft as a surface of that roughness reflects it, and dark walls.
+// The room's light from direction `d`: dark walls and a window, blurred by the roughness of the surface that reflects
+// it.
 const vec3 walls = vec3(0.13, 0.14, 0.16);
 const vec3 window = vec3(0.8, 0.85, 0.95);
 vec3 room(vec3 d, float roughness) {

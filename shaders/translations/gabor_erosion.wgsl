@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope.
 // Paste or include this file after gabor_lattice.wgsl: for WGSL.
 //
-// Digest of the GLSL and of this file: da7c67f757e18d03
+// Digest of the GLSL and of this file: a74bc652e772e473
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope

@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
 // Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: f4637163fc044c33
+// Digest of the GLSL and of this file: 9d4ddcb001b01549
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], to show

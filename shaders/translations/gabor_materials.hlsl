@@ -501,8 +501,7 @@ float2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
 
 // ---- Functions of noise, and their means over the removed part -----------------------------------------------------
 
-// Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
-// 2e-5.
+// A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
 float gabor_impl_above(float noise, float removed, float threshold, float softness) {
     float scale = rsqrt(softness * softness + removed);
     float x = clamp(scale * noise - scale * threshold, -8.0, 8.0);

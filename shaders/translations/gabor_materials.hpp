@@ -332,8 +332,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float
 
 // ---- Functions of noise, and their means over the removed part -----------------------------------------------------
 
-// Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
-// 2e-5.
+// A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
 GABOR_INLINE float gabor_impl_above(float noise, float removed, float threshold, float softness) {
     float scale = gabor_cpp_inversesqrt(softness * softness + removed);
     float x = gabor_cpp_clamp(scale * noise - scale * threshold, -8.0f, 8.0f);

@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 3a7ad6793b22ba6d
+// Digest of the GLSL and of this file: a9d3a8eb4047b173
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -1705,8 +1705,7 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
     return vec2(count);
 }
 
-// Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
-// 2e-5.
+// A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
     var scale_4: f32;
     var x_15: f32;

@@ -117,8 +117,8 @@ struct GaborLobes {
 //     pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
 //     a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
 //     and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
-//     0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2 both
-//     of the first run. On CPUs, where compilers run both sides of a branch: 3 and 5.
+//     0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2
+//     the first two both run. On CPUs, where compilers run both sides of a branch: 3 and 5.
 
 // vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 //     With its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows: its error is up

@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, and filtered for a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 0a41a496dc2fa879
+// Digest of the GLSL and of this file: 8765d58cef52f5aa
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -364,8 +364,8 @@ fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fr
 // pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
 // a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
 // and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
-// 0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2 both
-// of the first run. On CPUs, where compilers run both sides of a branch: 3 and 5.
+// 0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2
+// the first two both run. On CPUs, where compilers run both sides of a branch: 3 and 5.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var field_10: vec4<f32>;
 

@@ -23,7 +23,7 @@ def environment(**changes):
 
 
 def gabor(*arguments, cwd, command=(PROGRAM,), env={}, stdout=subprocess.PIPE):
-    """Runs the program to its end. command: what to start it with; env: changes to its environment."""
+    """Runs the program to its end. command: the program, or a wrapper around it; env: changes to its environment."""
     return subprocess.run([*command, *arguments], cwd=cwd, env=environment(**env), stdout=stdout,
                           stderr=subprocess.PIPE, text=True, errors="replace", timeout=900)
 

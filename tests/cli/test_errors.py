@@ -201,7 +201,7 @@ class Devices(ErrorTest):
             self.assert_refused(["no Vulkan", "mesa-vulkan-drivers"], "devices", env=none)
 
     def test_no_loader(self):
-        # Found first and unreadable, these hide the real one.
+        # The program finds these unreadable files first, so they hide the real loader.
         for name in ("libvulkan.so", "libvulkan.so.1"):
             (self.folder / name).touch()
         hidden = {"LD_LIBRARY_PATH": str(self.folder)}

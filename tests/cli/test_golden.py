@@ -1,8 +1,7 @@
 """The pixels of this version: 8 x 8 for each recipe, drawn in blocks and pixel by pixel, in the first and the last
-corner
-of the largest picture. On lavapipe from Mesa 22.3 (Debian 12), their hashes must match tests/golden/pixels.txt; on other
-drivers, the sums of rows must agree within the tolerance in render/request.hpp. Changing pixels requires a new version.
-After an intended change, regenerate the file with this command and review the diff:
+corner of the largest picture. On lavapipe from Mesa 22.3 (Debian 12), their hashes must match tests/golden/pixels.txt;
+on other drivers, the sums of rows must agree within the tolerance in render/request.hpp. Changing pixels requires a new
+version. After an intended change, regenerate the file with this command and review the diff:
 
     GABOR_PROGRAM=$PWD/build/dev/gabor GABOR_GOLDEN=write python3 tests/cli/test_golden.py
 """

@@ -140,7 +140,7 @@ TEST_CASE("any finite arguments give finite noise") {
     }
 }
 
-TEST_CASE("pixels that are lines, points or of any size have a footprint") {
+TEST_CASE("pixels of any size, even lines and points, have a footprint") {
     test::AnyFloat any;
     Random draw;
     test::Broken footprints{"gabor_footprint"}, values{"gabor_noise_filtered"}, removed{"removed"};

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-/// An empty folder that lives as long as a test.
+/// An empty folder that exists for the duration of a test.
 class ScratchFolder {
   public:
     ScratchFolder() {
@@ -27,7 +27,7 @@ class ScratchFolder {
     std::filesystem::path operator/(std::string_view name) const { return folder_ / name; }
     const std::filesystem::path& path() const { return folder_; }
 
-    /// How many entries there are, hidden ones included.
+    /// The number of entries, including hidden ones.
     auto count() const { return std::distance(std::filesystem::directory_iterator(folder_), {}); }
 
   private:

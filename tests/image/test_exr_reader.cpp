@@ -36,7 +36,7 @@ constexpr int left = -3; // a data window may start anywhere
 constexpr int top = 11;
 const Imath::Box2i box{{left, top}, {left + width - 1, top + height - 1}};
 
-/// Small whole numbers, so that half, float and integer channels hold the same.
+/// Small integers, which half, float and integer channels hold exactly.
 std::vector<float> ramp() {
     std::vector<float> values(width * height);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -166,7 +166,7 @@ TEST_CASE("Tiles are read as rows", "[exr]") {
     CHECK(read_all(alpha, rows) == ramp());
 }
 
-TEST_CASE("The first part of several is read", "[exr]") {
+TEST_CASE("Of several parts, the first is read", "[exr]") {
     const ScratchFolder folder;
     Foreign first;
     first.add<float>("one");
@@ -191,7 +191,8 @@ TEST_CASE("The first part of several is read", "[exr]") {
     CHECK(read_all(reader) == ramp());
 }
 
-TEST_CASE("Without a channel name, Y is read, else R, else the first half or float channel", "[exr]") {
+TEST_CASE("Without a channel name, the reader takes Y, else R, else the first half or float channel",
+          "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "in.exr";
     Foreign foreign;
@@ -305,7 +306,7 @@ TEST_CASE("A window that the file cannot hold is refused before memory is alloca
     rusage before{};
     ::getrusage(RUSAGE_SELF, &before);
 
-    const std::int32_t far = 0x3ffffffe; // the farthest corner that OpenEXR itself allows
+    const std::int32_t far = 0x3ffffffe; // the farthest corner that OpenEXR allows
     for (const auto& window : {std::array{0, 0, 65536, 0}, std::array{0, 0, 0, 65536},
                                std::array{0, 0, far, far}, std::array{-far, -far, far, far}}) {
         write_file(path, patched(whole, window_mark, window));

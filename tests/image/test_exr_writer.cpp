@@ -84,7 +84,7 @@ TEST_CASE("Every compression keeps every bit, whatever the bands", "[exr]") {
     }
 }
 
-TEST_CASE("Compressible values are kept, in a smaller file", "[exr]") {
+TEST_CASE("Compressible values survive in a smaller file", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
     std::vector<float> pixels(64 * 64);
@@ -116,7 +116,7 @@ TEST_CASE("A window may lie in the far corner of the largest picture", "[exr]") 
     CHECK(same_bits(read_all(path, "b", 4), channel_of(pixels, 1, 2)));
 }
 
-TEST_CASE("The parameters are kept as text", "[exr]") {
+TEST_CASE("The parameters are stored as text", "[exr]") {
     const ScratchFolder folder;
     const auto pixels = any_floats(40);
     const std::string parameters =
@@ -141,7 +141,7 @@ TEST_CASE("Joining regions reports every pixel once", "[exr]") {
     CHECK(reported == 20 * 37);
 }
 
-TEST_CASE("An unknown compression is refused with those there are", "[exr]") {
+TEST_CASE("An unknown compression is refused with a list of the known ones", "[exr]") {
     const ScratchFolder folder;
     CHECK_THROWS_AS(ExrWriter(folder / "out.exr", {small, small, {"Y"}, "dwaa", {}}), RequestError);
     CHECK_THROWS_WITH(ExrWriter(folder / "out.exr", {small, small, {"Y"}, "dwaa", {}}),
@@ -150,7 +150,7 @@ TEST_CASE("An unknown compression is refused with those there are", "[exr]") {
     CHECK(folder.count() == 0);
 }
 
-TEST_CASE("An EXR that was not finished does not appear", "[exr]") {
+TEST_CASE("An unfinished EXR does not appear", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
     const auto pixels = any_floats(40);
@@ -168,7 +168,7 @@ TEST_CASE("An EXR that was not finished does not appear", "[exr]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("A full disk ends an EXR with an error", "[exr]") {
+TEST_CASE("A full disk makes an EXR fail with an error", "[exr]") {
     using Catch::Matchers::Contains;
     CHECK_THROWS_WITH(ExrWriter("/dev/full", {small, small, {"Y"}, "none", {}}),
                       Contains("/dev/full: No space left on device"));
@@ -176,7 +176,7 @@ TEST_CASE("A full disk ends an EXR with an error", "[exr]") {
 
 TEST_CASE("Writing an EXR into a pipe is refused without blocking", "[exr]") {
     const ScratchFolder folder;
-    const auto path = folder / "fifo"; // that nobody reads: to open it would take for ever
+    const auto path = folder / "fifo"; // nobody reads it, so opening it would block forever
     REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
     CHECK_THROWS_AS(ExrWriter(path, {small, small, {"Y"}, "none", {}}), gabor::RequestError);
 }

@@ -75,7 +75,7 @@ bool forbid_nameless_files() {
     return filter_calls(program);
 }
 
-/// Has this process killed as soon as it makes that call.
+/// Makes the kernel kill this process as soon as it makes that system call.
 bool kill_at(unsigned call) {
     sock_filter program[] = {
         {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
@@ -109,7 +109,7 @@ TEST_CASE("A file has its name only after commit", "[output_file]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("Seeking writes over what is there", "[output_file]") {
+TEST_CASE("Seeking overwrites earlier data", "[output_file]") {
     const ScratchFolder folder;
     OutputFile file(folder / "out");
     write(file, "table: ....");
@@ -149,7 +149,7 @@ TEST_CASE("A moved-from file does nothing", "[output_file]") {
     CHECK(read_file(folder / "out") == "one two");
 }
 
-TEST_CASE("The mode is that of any new file", "[output_file]") {
+TEST_CASE("The mode is that of an ordinary new file", "[output_file]") {
     const ScratchFolder folder;
     const mode_t before = ::umask(027);
     replace(folder / "narrow", "");
@@ -160,7 +160,7 @@ TEST_CASE("The mode is that of any new file", "[output_file]") {
     CHECK(mode(folder / "wide") == 0666);
 }
 
-TEST_CASE("A name that cannot be a file is refused in one line", "[output_file]") {
+TEST_CASE("A name that cannot be a file is refused with one line", "[output_file]") {
     using Catch::Matchers::Contains;
     const ScratchFolder folder;
     write_file(folder / "file", "");
@@ -220,7 +220,7 @@ TEST_CASE("A device is written into and never replaced", "[output_file]") {
     CHECK(fs::is_character_file("/dev/full"));
 }
 
-TEST_CASE("A FIFO takes what is written in order", "[output_file]") {
+TEST_CASE("A FIFO receives the data in order", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "fifo";
     REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
@@ -244,7 +244,7 @@ TEST_CASE("A FIFO takes what is written in order", "[output_file]") {
 TEST_CASE("A failing disk is not reported as a wrong request", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
-    // The limit on a file's size plays the full disk; it cuts the first write short and fails the next.
+    // The file size limit stands in for a full disk: it cuts the first write short and fails the next.
     const int status = in_child([&] {
         ::signal(SIGXFSZ, SIG_IGN);
         const rlimit limit{1000, 1000};
@@ -292,7 +292,7 @@ TEST_CASE("Replacing a file removes what a killed process left behind", "[output
     CHECK(read_file(path) == "old");
     REQUIRE(folder.count() == 2);
 
-    write_file(folder / ".out.gabor-lockedfi", "no name of ours");
+    write_file(folder / ".out.gabor-lockedfi", "not one of our names");
     write_file(folder / ".out.gabor-00c0ffee", "somebody writes here");
     const int writer = ::open((folder / ".out.gabor-00c0ffee").c_str(), O_WRONLY | O_CLOEXEC);
     REQUIRE(::flock(writer, LOCK_EX) == 0);
@@ -305,7 +305,7 @@ TEST_CASE("Replacing a file removes what a killed process left behind", "[output
     CHECK(folder.count() == 2);
 }
 
-TEST_CASE("A hidden file is used where the file system has no unnamed files", "[output_file]") {
+TEST_CASE("A hidden file is used if the file system lacks unnamed files", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
     const mode_t before = ::umask(027);

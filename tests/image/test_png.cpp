@@ -64,7 +64,7 @@ TEST_CASE("A PNG decodes to the nearest of 256 steps", "[png]") {
         REQUIRE(picture.bytes[i] == std::lround(values[i] * 255.0f));
 }
 
-TEST_CASE("A PNG clamps what it cannot show", "[png]") {
+TEST_CASE("A PNG clamps values outside its range", "[png]") {
     const ScratchFolder folder;
     const float infinity = std::numeric_limits<float>::infinity();
     const std::vector<float> values = {-1.0f, -0.0f, 1.0f, 7.0f, infinity, -infinity, std::nanf(""), 0.5f};
@@ -84,7 +84,7 @@ TEST_CASE("A PNG can be as wide as any picture", "[png]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("A PNG that was not finished does not appear", "[png]") {
+TEST_CASE("An unfinished PNG does not appear", "[png]") {
     const ScratchFolder folder;
     const std::vector<float> row(8, 0.5f);
     {
@@ -100,6 +100,6 @@ TEST_CASE("A PNG that was not finished does not appear", "[png]") {
     CHECK_THROWS_AS(PngWriter(folder / "missing/out.png", 8, 2, 1), RequestError);
 }
 
-TEST_CASE("A full disk ends a PNG with an error", "[png]") {
+TEST_CASE("A full disk makes a PNG fail with an error", "[png]") {
     CHECK_THROWS_WITH(PngWriter("/dev/full", 8, 2, 1), "cannot write /dev/full: No space left on device");
 }

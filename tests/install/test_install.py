@@ -65,7 +65,7 @@ class Install(unittest.TestCase):
         files = {str(path.relative_to(self.prefix)) for path in self.prefix.rglob("*") if not path.is_dir()}
         self.assertEqual(files - {"bin/gabor-viewer"}, INSTALLED)  # the viewer needs packages that may be missing
 
-    def test_the_drop_in_is_ours(self):
+    def test_the_installed_drop_in_equals_the_source(self):
         source = pathlib.Path(__file__).parents[2] / "shaders" / "gabor_noise.glsl"
         self.assertEqual((self.prefix / "share/gabor-noise/shaders/gabor_noise.glsl").read_bytes(), source.read_bytes())
 

@@ -80,7 +80,7 @@ std::vector<double> excess_distribution(const std::vector<double>& weights, cons
     return result;
 }
 
-// cvm as T at n = 2^18 less what samples of the normal law have: n times the integral of (F - Phi)^2 dPhi.
+// cvm as T at n = 2^18, less its value for normal samples: n times the integral of (F - Phi)^2 dPhi.
 double cvm(const std::vector<double>& excess) {
     double sum = 0;
     for (int k = 0; k < values; ++k) {

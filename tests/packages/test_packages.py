@@ -272,7 +272,7 @@ class Blender(Package):
 
 
 class Vcpkg(Package):
-    """vcpkg itself would have to be downloaded. Functions with the behaviour that its manual describes run the port."""
+    """vcpkg itself would have to be downloaded. Stand-ins for its functions, written from its manual, run the port."""
 
     tools = "cmake",
     VCPKG = """

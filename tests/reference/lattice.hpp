@@ -85,8 +85,8 @@ class Lattice {
 ///     n(p) = K / sqrt(3) Im sum_c h(x - c_x) h(y - c_y) sum_m A_cm exp(2 pi i F u_cm.(p - c)).
 Lattice::Field lattice_isotropic(const LatticePlace& place, double frequency, std::uint32_t seed);
 
-/// Cosine, sine and intensity of a complex noise's stripes: the value over its length where that exceeds
-/// 1 / sharpness, `sharpness` times the value below.
+/// Cosine, sine and intensity of a complex noise's stripes: the value over its length if that exceeds 1 /
+/// sharpness, otherwise `sharpness` times the value.
 std::array<double, 3> lattice_stripes(std::complex<double> value, double sharpness);
 
 } // namespace gabor::noise

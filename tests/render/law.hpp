@@ -132,8 +132,8 @@ inline std::vector<std::vector<float>> places_of_cell(std::size_t side, std::siz
     return places;
 }
 
-/// Equally many values for each place of a cell or each normal of a surface, all predicted to be standard
-/// normal.
+/// The same number of values for each place of a cell or each normal of a surface, all standard normal by
+/// theory.
 class Laws {
   public:
     /// `each` is described by fmt::format.
@@ -143,7 +143,7 @@ class Laws {
             names_.push_back(fmt::format("{}", one));
     }
 
-    /// Adds some of the numbers that answer batches of samples; `sample(k)` is one of the k-th place or
+    /// Adds some numbers of the answers to batches of samples; `sample(k)` draws one for the k-th place or
     /// normal.
     template <typename Sampler, typename Wanted, typename Sample>
     void add(Sampler& sampler, Wanted wanted, double count, const Sample& sample,

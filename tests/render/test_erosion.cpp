@@ -204,8 +204,8 @@ std::array<double, 3> largest_steps(Terrains& terrains) {
     return largest;
 }
 
-// Degrees between the gullies of one octave and the slope of the hills that they run down, on average by the
-// square of the gullies' own slope.
+// Mean angle in degrees between the gullies of one octave and the slope of the hills, weighted by the square
+// of the gullies' own slope.
 double gully_angle(Terrains& terrains) {
     std::vector<Sample> samples = anywhere(per_batch, 2);
     const float step = 1.0f / 256;

@@ -95,7 +95,7 @@ class Error {
         const double value = square(0, exact.value);
         squares_ += value;
         largest_ = std::max(largest_, std::sqrt(value));
-        double slopes = 0; // of each wave 4 pi^2 F^2, and pi^2 / 3 of the window along each axis
+        double slopes = 0; // each wave contributes 4 pi^2 F^2, the window pi^2 / 3 along each axis
         double variance = std::pow(2 * pi * sample.frequency, 2);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             slopes += square(2 + 2 * static_cast<int>(axis), exact.slope[axis]);

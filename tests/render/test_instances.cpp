@@ -46,7 +46,7 @@ Law measure(const vulkan::Device& device, const noise::Recipe& recipe, float fre
 
 TEST_CASE("mean 0 and variance 1 at every frequency", "[instances]") {
     const vulkan::Device device;
-    const std::vector<float> low_and_high{0.002f, 30}; // with many phases, none matters
+    const std::vector<float> low_and_high{0.002f, 30}; // with many phases nothing depends on the frequency
     for (const auto& [name, frequencies] : {std::pair("one", low_and_high),
                                             {"pure", low_and_high},
                                             {"paper", {0.002f, 0.1f, 0.7f, 1.5f, 30}}}) {

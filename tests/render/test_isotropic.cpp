@@ -30,8 +30,7 @@ noise::Lattice::Field reference_at(double x, double y, const Sample& s) {
     return noise::lattice_isotropic(place, s.frequency, s.seed);
 }
 
-// The reference at the sample's position, averaged over its pixel: a sum over a grid of four deviations each
-// way.
+// The reference averaged over the sample's pixel: a sum over a grid of four deviations each way.
 double filtered_reference(const Sample& s) {
     constexpr int steps = 10;
     double sum = 0, weights = 0;

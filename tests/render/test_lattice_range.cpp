@@ -60,15 +60,14 @@ void check_finite(Make make) {
 
 } // namespace
 
-TEST_CASE("any frequency and any finite orientation give a finite noise on the lattice", "[range]") {
+TEST_CASE("any frequency and any finite orientation give finite noise on the lattice", "[range]") {
     check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float) {
         s.frequency = draw.within(test::infinity);
         s.orientation = draw.within(std::numeric_limits<float>::max());
     });
 }
 
-TEST_CASE("any cell, any place of the world and any finite time give a finite noise on the lattice",
-          "[range]") {
+TEST_CASE("any cell, any place and any finite time give finite noise on the lattice", "[range]") {
     check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float nodes) {
         for (int axis = 0; axis < 2; ++axis) {
             s.cell[axis] = draw.cell();
@@ -80,7 +79,7 @@ TEST_CASE("any cell, any place of the world and any finite time give a finite no
     });
 }
 
-TEST_CASE("any period gives a finite noise on the lattice", "[range]") {
+TEST_CASE("any period gives finite noise on the lattice", "[range]") {
     check_finite([](test::LatticeSample& s, test::AnyFloat& draw, float nodes) {
         for (int axis = 0; axis < 2; ++axis) {
             s.tile[axis] = draw.within(test::infinity);
@@ -91,7 +90,7 @@ TEST_CASE("any period gives a finite noise on the lattice", "[range]") {
     });
 }
 
-TEST_CASE("any float gives a finite noise in space", "[range]") {
+TEST_CASE("any float gives finite noise in space", "[range]") {
     const vulkan::Device device;
     for (const auto entry : {test::Entry3d::field, test::Entry3d::surface, test::Entry3d::tiled,
                              test::Entry3d::animated, test::Entry3d::filtered, test::Entry3d::isotropic,

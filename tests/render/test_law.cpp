@@ -81,7 +81,7 @@ test::LatticeSample plane_sample(Draw& draw) {
     return s;
 }
 
-// The number of a LatticeAnswer's member among its floats.
+// The index of a LatticeAnswer member among its floats.
 std::size_t number(auto test::LatticeAnswer::*member, std::size_t component = 0) {
     const test::LatticeAnswer answer{};
     return static_cast<std::size_t>(reinterpret_cast<const float*>(&(answer.*member)) -

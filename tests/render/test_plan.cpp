@@ -1,4 +1,4 @@
-// How requests are to be drawn: plans are values, and need no device.
+// Tests how requests become plans, which are plain values and need no device.
 
 #include "render/bake.hpp"
 #include "render/erosion.hpp"
@@ -163,7 +163,7 @@ TEST_CASE("every parameter of terrain changes its plan") {
     }
 }
 
-TEST_CASE("a region's columns are those of the whole") {
+TEST_CASE("a region has the columns of the whole") {
     for (const char* tileable : {"false", "true"}) {
         const Request request = request_of({{"scale", "13.7"}, {"tileable", tileable}});
         const std::vector<passes::Line> all = columns(request, viewport_of(request, {0, 0, 150, 1}));
@@ -188,7 +188,7 @@ TEST_CASE("the default camera reproduces the picture's position exactly") {
     }
 }
 
-TEST_CASE("a camera is as precise far away as near by") {
+TEST_CASE("a camera is as precise far away as nearby") {
     Camera camera;
     // Moves there and back in steps too small for one double so far away.
     camera = camera.moved(2e9, -2e9);
@@ -199,7 +199,7 @@ TEST_CASE("a camera is as precise far away as near by") {
     CHECK(static_cast<double>(camera.y.whole) + camera.y.part == Approx(-1e-4).margin(1e-12));
 }
 
-TEST_CASE("a place belongs to the cell that its whole and fractional parts make together") {
+TEST_CASE("a place belongs to the cell given by the sum of its whole and fractional parts") {
     const auto [cell, local] = cell_at({3, 0.9}, 1.5);
     CHECK(cell == 5);
     CHECK(local == Approx(0.85));

@@ -88,7 +88,7 @@ TEST_CASE("every parameter survives JSON and text exactly, and changes the reque
                 } catch (const RequestError&) { // conflicts with the initial request
                     continue;
                 }
-                Request drawn = changed; // normalized to what draws it
+                Request drawn = changed; // normalized to the recipe that draws it
                 drawn.recipe = render::drawing_recipe(changed);
                 CHECK(render::from_json(render::to_json(changed)) == drawn);
                 ++seen[parameter.name];
@@ -212,7 +212,7 @@ TEST_CASE("ranges, sliders and defaults are those of this version", "[request]")
 }
 
 // By the standard of sRGB, IEC 61966-2-1.
-TEST_CASE("colours are read as linear light", "[request]") {
+TEST_CASE("colours are converted to linear light", "[request]") {
     const auto colour = [](const char* text) {
         return std::get<std::array<double, 3>>(render::read(render::parameter("wood.early"), text));
     };

@@ -66,7 +66,7 @@ Vector3 scaled(double s, const Vector3& v) {
 struct Camera {
     explicit Camera(const Request& of) : request(of), body(std::get<Body>(of.view)) {}
 
-    // From the eye's angles around the axis and above the equator.
+    // Rotates a vector from the camera's axes by its angles around the body's axis and above the equator.
     Vector3 turned(const Vector3& right_forward_up) const {
         const auto& [x, y, z] = right_forward_up;
         const double yaw = noise::radians(body.yaw);
@@ -210,7 +210,7 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
     }
 }
 
-TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
+TEST_CASE("a sphere and a torus show the reference noise", "[solid]") {
     const vulkan::Device device;
     // The default camera of gabor render, and another one at another time.
     const Body turned{.yaw = -70, .pitch = -55, .zoom = 1.4};
@@ -264,8 +264,8 @@ TEST_CASE("a sphere and a torus carry the reference", "[solid]") {
                             dy = moved(0, step);
                         }
                         const Expected here = expected(request, normal, scaled(unit, *p), dx, dy);
-                        // Places are off by 10^-6 of the unit, more at grazing angles; on the surface waves
-                        // turn with the normal by at most four times as much.
+                        // Places are off by 10^-6 of the unit, more at grazing angles; the normal turns
+                        // surface waves by at most four times as much.
                         const double turning = solid || spread > 0 ? 1 : 4;
                         const double tolerance = (request.filter ? filter_error : 1e-5) +
                                                  5e-7 * turning * unit * (here.slope + 20) / facing;
@@ -295,7 +295,7 @@ TEST_CASE("coverage is the covered share of a pixel, and uncovered pixels are 0"
     CHECK(area == Approx(3.14159265 * radius * radius).epsilon(1e-3));
 }
 
-TEST_CASE("regions and bands of a solid picture are parts of the whole", "[solid]") {
+TEST_CASE("regions and bands of a solid picture match the whole", "[solid]") {
     const vulkan::Device device;
     for (const render::View& view :
          {render::View(Slice()), render::View(Body()), render::View(Body{Shape::torus})}) {

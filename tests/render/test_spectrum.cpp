@@ -529,7 +529,7 @@ TEST_CASE("the removed variance is a share for footprints of any length", "[filt
     }
 }
 
-TEST_CASE("any footprint and any frequency give a finite filtered noise", "[filter][range]") {
+TEST_CASE("any footprint and any frequency give finite filtered noise", "[filter][range]") {
     const vulkan::Device device;
     constexpr std::size_t count = 1 << 15;
     Sampler sampler(device, count);

@@ -1,6 +1,5 @@
 """The drop-ins, each after those that it needs and with a call of each function, in shaders of every dialect, and the
-names
-and constructs that they may use."""
+names and constructs that they may use."""
 
 import json
 import os

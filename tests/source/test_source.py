@@ -43,7 +43,7 @@ class Comments(unittest.TestCase):
                 before = line.strip()
         self.assertEqual(missing, [])
 
-    def test_comments_on_declarations_have_three_strokes(self):
+    def test_comments_on_declarations_have_three_slashes(self):
         wrong = [f"{path.relative_to(ROOT)}: {comment}" for path in sorted((ROOT / "host").rglob("*.hpp"))
                  for comment in re.findall(r"^// .*(?=\n[A-Za-z])", path.read_text(), re.MULTILINE)]
         self.assertEqual(wrong, [])

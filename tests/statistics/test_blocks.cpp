@@ -107,7 +107,7 @@ TEST_CASE("the index is the mean over all pairs of pixels in blocks that do not 
     CHECK(blocks.estimate(2)->cvm.value == Approx(262144 * sum / pairs).epsilon(0.002));
 }
 
-TEST_CASE("the index of a large picture of independent pixels is the exact one") {
+TEST_CASE("the index of a large picture of independent pixels is exact") {
     const samples::Bent bent{0.2};
     std::vector<float> picture = samples::normal(2000 * 1000, 3);
     bent.apply(picture);

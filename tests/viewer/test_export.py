@@ -31,7 +31,7 @@ class Export(ViewerTest):
         def has_begun():
             try:
                 return any(os.readlink(entry).startswith(str(self.out)) for entry in descriptors.iterdir())
-            except FileNotFoundError: # one was just closed
+            except FileNotFoundError: # one file was just closed
                 return False
 
         self.wait(process, has_begun)

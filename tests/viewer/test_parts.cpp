@@ -165,7 +165,7 @@ TEST_CASE("every preset has its picture") {
           Extent{columns * PresetPictures::cell, (presets + columns - 1) / columns * PresetPictures::cell});
     CHECK(pictures.colours.size() == std::size_t{3} * static_cast<std::size_t>(pictures.extent.width) *
                                          static_cast<std::size_t>(pictures.extent.height));
-    for (int index = 0; index < presets; ++index) { // the last one's cell is not empty
+    for (int index = 0; index < presets; ++index) { // the last preset's cell is not empty
         const int row = index / columns * PresetPictures::cell + PresetPictures::cell / 2;
         const int column = index % columns * PresetPictures::cell + PresetPictures::cell / 4;
         const auto first = pictures.colours.begin() + 3 * (row * pictures.extent.width + column);

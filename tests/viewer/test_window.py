@@ -12,7 +12,7 @@ from png import read_colour_png
 class Window(ViewerTest):
     def setUp(self):
         super().setUp()
-        (self.folder / "plain.json").write_text("{}") # a noise instead of the material of a first start
+        (self.folder / "plain.json").write_text("{}") # a noise, not the material shown on first start
 
     def test_everything_by_script(self):
         self.play("""

@@ -59,9 +59,9 @@ vec2 gabor_impl_jittered_point(int index, vec2 unit) {
 }
 
 // The Voronoi cells of the lattice (i / N, i STEP / N) mod 1 are N equal hexagons per cell and tile the plane across
-// all cells; a point anywhere in each. A and B are a reduced basis of the lattice with A.B >= 0: a point anywhere in
-// their parallelogram, moved by the lattice vectors A, B, B - A that bring it nearer to the centre, is uniform in the
-// hexagon.
+// all cells; a point anywhere in each. A and B are a reduced basis of the lattice with A.B >= 0: a random point of
+// their parallelogram, moved by those of the lattice vectors A, B, B - A that bring it nearer to the centre, is uniform
+// in the hexagon.
 vec2 gabor_impl_hexagon_point(int index, vec2 unit) {
     float n = float(GABOR_IMPULSES);
     vec2 a = GABOR_HEX_A;
@@ -101,13 +101,13 @@ uint gabor_impl_owen_scrambled(uint fraction, uint seed) {
     return bitfieldReverse(v);
 }
 
-// How many impulses a cell has. `cell_word` is the word of its impulse -1.
+// The number of impulses in a cell. `cell_word` is the word of its impulse -1.
 int gabor_count(uint cell_word) {
     return GABOR_POINTS == 0 ? gabor_impl_poisson_count(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
 }
 
-// Place of an impulse, from its cell's corner. A Sobol cell takes N successive points from a random start in the
-// sequence; a scrambled one takes the first N, with its own scrambling.
+// The position of an impulse relative to its cell's corner. A Sobol cell takes N successive points from a random start
+// in the sequence; a scrambled one takes the first N, with its own scrambling.
 vec2 gabor_point(int index, uint word, uint cell_word) {
     if (GABOR_POINTS == 2)
         return gabor_impl_jittered_point(index, gabor_impl_unit_square(word));

@@ -281,9 +281,9 @@ Tables law(const vulkan::Device& device, const Effort& effort) {
             spectra(device, effort)};
 }
 
-// Side by side: a noise in each column; in the rows frequency 1.5 and 4 over eight kernel radii, both zoomed
-// to two, and 4095 cells of frequency 1.5, one value for sixteen cells, at a place that moves once across the
-// cell.
+// A picture with a noise per column. Its rows: frequencies 1.5 and 4 over eight kernel radii, the same zoomed
+// to two, and frequency 1.5 over 4095 cells with one value per sixteen cells, at a place that moves once
+// across the cell.
 void law_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder) {
     struct View {
         double frequency;

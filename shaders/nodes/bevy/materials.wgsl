@@ -1708,8 +1708,7 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
     return vec2(count);
 }
 
-// Where the noise is above a threshold: the normal distribution function of (noise - threshold) / softness, within
-// 2e-5.
+// A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
     var scale_4: f32;
     var x_15: f32;

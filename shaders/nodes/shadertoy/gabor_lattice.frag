@@ -322,7 +322,7 @@ void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis
     gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
     if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
-    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always, but a branch keeps CPUs from spilling registers
+    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always true, but a branch keeps CPUs from spilling registers
         gabor_impl_add(sum, row, y.node[j].xy);
         gabor_impl_add(slope, row, y.node[j].zw);
     }

@@ -23,8 +23,7 @@ FIRST = -4  # the first column and row whose amplitude is drawn
 
 def drawn(folder, value, least, steps):
     """A square of 256 x 256, a pixel to each unit, seen from above: value(tree, (x, y)), above `least`, at each pixel.
-    Eevee's
-    light has 11 bits: red has whole steps, of which there are `steps` to 1, and green the rest."""
+    Eevee's light has 11 bits: red has whole steps, of which there are `steps` to 1, and green the rest."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     tree = plane(256, (128, 128, 0))
     bpy.ops.object.camera_add(location=(128, 128, 10))

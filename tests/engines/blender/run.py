@@ -47,7 +47,7 @@ pixel = math(tree, "ADD", math(tree, "FLOOR", position), (0.5, 0.5, 0.0))  # a s
 if "Vector" in noise.inputs:
     tree.links.new(math(tree, "MULTIPLY", pixel, (1 / 32, 1 / 32, 0)), noise.inputs["Vector"])
 
-# Light is not negative: what the noise has above 0 in red, and below in green.
+# Light cannot be negative, so red carries the noise above 0, and green below.
 colour = tree.nodes.new("ShaderNodeCombineColor")
 tree.links.new(scalar(tree, "MAXIMUM", output, 0.0), colour.inputs[0])
 tree.links.new(scalar(tree, "MAXIMUM", scalar(tree, "MULTIPLY", output, -1.0), 0.0), colour.inputs[1])

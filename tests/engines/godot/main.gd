@@ -9,7 +9,7 @@ func _ready() -> void:
 		return
 	var node := arguments[1] == "node"
 	var values := compute() if arguments[1] == "compute" else await canvas(visual(true) if node else load("res://noise.gdshader"))
-	if node: # it has no gabor_noise_at, and by itself it takes UV * 8, which is the same place here
+	if node: # it has no gabor_noise_at; its default place UV * 8 is the same here
 		values.resize(256 * 256)
 		var unconnected := await canvas(visual(false))
 		for i in values.size():
@@ -64,7 +64,7 @@ func visual(connected: bool) -> VisualShader:
 func canvas(shader: Shader) -> PackedFloat32Array:
 	var viewport := SubViewport.new()
 	viewport.size = Vector2i(256, 257)
-	viewport.transparent_bg = true # or there is no alpha to write to
+	viewport.transparent_bg = true # otherwise there is no alpha to write to
 	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	viewport.add_child(rectangle(shader, false))
 	add_child(viewport)

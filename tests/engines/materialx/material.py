@@ -1,6 +1,6 @@
 """The MaterialX document of a folder that `gabor render --maps` wrote, in the room and under the lamp of the viewer's
-lit view
-(shaders/passes/light.glsl), by MaterialX's own renderer in OpenGL: material.py FOLDER VALUES.raw AZIMUTH/ELEVATION..."""
+lit view (shaders/passes/light.glsl), by MaterialX's own renderer in OpenGL: material.py FOLDER VALUES.raw
+AZIMUTH/ELEVATION..."""
 
 import json
 import math

@@ -2,8 +2,7 @@
 
 Each function of a node is a graph that ends in a float. glsl is drawn with moderngl, and osl by Cycles. For the other
 targets, the nodes' functions are cut out of the generated text and run: essl, vulkan, wgsl and slang on Vulkan, msl and
-mdl as C++.
-First, all nodes are generated within a standard_surface and compiled if the target has a compiler here."""
+mdl as C++. First, all nodes are generated within a standard_surface and compiled if the target has a compiler here."""
 
 import json
 import os

@@ -27,7 +27,7 @@ void main()
 rl.SetTraceLogLevel(rl.LOG_WARNING)
 rl.SetConfigFlags(rl.FLAG_WINDOW_HIDDEN)
 rl.InitWindow(256, 257, b"Gabor noise")
-shader = rl.LoadShaderFromMemory(ffi.NULL, FRAGMENT.encode())  # no vertex shader is NULL, not ""
+shader = rl.LoadShaderFromMemory(ffi.NULL, FRAGMENT.encode())  # no vertex shader: NULL, not ""
 
 # LoadRenderTexture only creates 8-bit targets, so this creates a target of floats itself.
 target = rl.rlLoadFramebuffer()

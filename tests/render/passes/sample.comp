@@ -18,7 +18,7 @@ struct Sample {
     float frequency;
     float orientation;
     uint seed;
-    uint index;     // of the impulse whose word is wanted
+    uint index;     // of the impulse whose word to return
     float period_x; // of gabor_noise_tiled, kernel radii
     float period_y;
     uint padding;

@@ -133,7 +133,7 @@ float advice_noise(vec2 p, float frequency, float orientation, uint seed) {
     return 1.416 * sum;
 }
 
-// What 3D packages offer as Gabor noise: 8 impulses for each of 9 cells, the noise as a complex number.
+// Gabor noise as in 3D packages: 8 impulses for each of 9 cells, as a complex number.
 float gabor_72_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
     vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
