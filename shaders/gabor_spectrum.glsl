@@ -320,8 +320,8 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
 //
 // Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
 // three waves a = -1, 0, 1 are h itself. Filtered, they are wrong only near its ends, by less than 1 % of the noise's
-// deviation for filters of at most 0.1 radii. The filter widens the kernel, for which the seven waves a = -3 ... 3 have
-// room: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five nodes beyond.
+// deviation for filters of at most 0.1 radii. The filter widens the kernel; the seven waves a = -3 ... 3 make room for
+// that: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five nodes beyond.
 // Between 0.09 and 0.1, seven waves gradually replace three. These are the windows of GABOR_TAPS 3.
 //
 // The axes are coupled by exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy is

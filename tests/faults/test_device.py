@@ -29,7 +29,7 @@ class Device(ProgramTest):
             if result.returncode == 0:
                 break
             self.assert_failed(1, words, result, before)
-        self.assertGreater(call, least, f"{function} fewer calls than expected")
+        self.assertGreater(call, least, f"{function}: fewer calls than expected")
 
     def render(self, function, words, least):
         (self.folder / "old.exr").write_text("older")

@@ -69,7 +69,7 @@ class Lattice {
 
     Field field(const LatticePlace& place) const;
 
-    /// With a wave vector for each of the nine nodes around the place, three taps, row by row.
+    /// The noise with three taps and a wave vector for each of the nine nodes around the place, row by row.
     using Waves = std::array<std::array<double, 2>, 9>;
     static Field field(const LatticePlace& place, const Waves& waves, std::uint32_t seed);
 

@@ -71,7 +71,7 @@ class Isotropic3d {
   public:
     using Vector = Lattice3d::Vector;
     using Frame = std::array<Vector, 3>;
-    /// Of length 1 and at right angles to each other and to a surface's normal.
+    /// Two unit vectors at right angles to each other and to a surface's normal.
     using Tangents = std::array<Vector, 2>;
 
     Isotropic3d(double frequency, std::uint32_t seed, bool animated = false);

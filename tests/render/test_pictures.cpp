@@ -112,8 +112,8 @@ noise::Field expected(const render::Request& request, const std::vector<noise::S
     return sum;
 }
 
-// Compares a region with the reference, in units of the phase's rounding in single precision, and of a low
-// sine's small values, which normalization amplifies.
+// Compares a region with the reference. The tolerance covers the phase's rounding in single precision, and
+// the small values of a low sine, which normalization amplifies.
 void compare(test::Largest& largest, const vulkan::Device& device, const render::Request& request,
              const image::Rect& region, const std::string& name) {
     const std::vector<noise::SpectrumLobe> terms = terms_of(request);

@@ -601,7 +601,7 @@ TEST_CASE("isotropic noise has variance 1, and a gradient with equal, independen
         statistics::Gaussianity law_x, law_y;
         double squares = 0, xx = 0, yy = 0, xy = 0;
         constexpr int rounds = 8;
-        // Of each wave 4 pi^2 F^2 along it, and pi^2 2/3 from the window along each axis.
+        // Averaged over directions a wave contributes 2 pi^2 F^2 along each axis, its window pi^2 / 3.
         const double expected = 2 * pi * pi * frequency * frequency + pi * pi / 3;
         for (int round = 0; round < rounds; ++round) {
             for (Sample& s : sampler.samples()) {
