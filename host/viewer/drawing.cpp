@@ -11,7 +11,7 @@ namespace gabor::viewer {
 namespace {
 
 // The highest frequency, in cycles per pixel of the picture.
-double highest_frequency(const render::Request& request, const render::Paint& paint) {
+double cycles_per_pixel(const render::Request& request, const render::Paint& paint) {
     if (!request.paint.empty())
         return render::highest_frequency(request, paint) / request.scale;
     return std::ranges::max(noise::waves(request.lobes, request.seed), {}, &noise::Wave::frequency)
@@ -49,7 +49,7 @@ int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double z
     const bool fades = request.paint.empty() || request.filter;
     if (render::has_material(request) || !render::is_flat(request.view) || (fades && !request.quadrature))
         return stride;
-    const double pixels = zoom / highest_frequency(request, paint); // in the shortest wave
+    const double pixels = zoom / cycles_per_pixel(request, paint); // in the shortest wave
     while (stride > 1 && pixels < least_per_wave * stride)
         stride /= 2;
     return stride;
