@@ -204,7 +204,7 @@ void add_erode_command(CLI::App& app) {
         ->expected(2);
     command
         ->add_option("--region", options->region,
-                     "X,Y,WIDTH,HEIGHT: only this part, with the pixels of the whole")
+                     "X,Y,WIDTH,HEIGHT: write only this part, with the same pixels")
         ->type_name("RECTANGLE")
         ->delimiter(',')
         ->expected(4);

@@ -126,7 +126,7 @@ Work make_work(const RenderOptions& options) {
     Work work;
     std::optional<image::Rect> region;
     if (options.preset && options.like)
-        throw RequestError("--preset and --like: one of them, for both say what is not given");
+        throw RequestError("--preset and --like exclude each other: both set the options that are not given");
     if (options.preset)
         work.request = render::preset(*options.preset);
     if (options.like) {

@@ -16,7 +16,7 @@ namespace {
 
 using noise::Colour;
 
-// Keywords and built-in functions of GLSL that a file may be named after.
+// GLSL keywords and built-in functions that a file name might match.
 constexpr std::array<std::string_view, 34> reserved{
     "abs",    "all",     "any",      "asin",       "atan", "ceil",      "clamp",  "common",  "cos",
     "cross",  "degrees", "distance", "dot",        "exp",  "filter",    "fixed",  "flat",    "floor",

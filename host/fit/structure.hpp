@@ -7,8 +7,8 @@
 
 namespace gabor::fit {
 
-/// Tells pictures that have edges, lines or isolated things from those that a Gaussian texture can be, whose
-/// derivatives are normal whatever its spectrum.
+/// Distinguishes pictures with edges, lines or isolated objects from Gaussian textures, whose derivatives are
+/// normal whatever the spectrum.
 class Structure {
   public:
     explicit Structure(int width);

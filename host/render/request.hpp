@@ -92,7 +92,7 @@ struct Request {
     std::string material = "none"; ///< drawn in place of the noise; see render/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of materials that are not
                                                                  ///< default, by their names in the table
-    double light_azimuth = -135; ///< degrees; of the lamp over a material and of terrain's sun
+    double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
     bool filter = false;    ///< antialias with a normal filter of half a pixel
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see

@@ -15,7 +15,7 @@ using render::Coordinate;
 
 enum class Output { value, gradient, phase, intensity, variance, phasor, lit, lit_phasor };
 
-/// What is shown of a material.
+/// Which property of a material the window shows.
 enum class Look { lit, colour, height, normal, roughness, metalness };
 
 /// A colour at a place between 0 and 1 of a colour map: red, green and blue as sRGB, from 0 to 1.

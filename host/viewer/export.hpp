@@ -36,10 +36,10 @@ struct ExportTarget {
     const std::string& name() const { return as == ExportAs::maps ? folder : path; }
 };
 
-/// Whether there are maps of this request.
+/// Whether this request has maps.
 bool can_export_maps(const render::Request& request);
 
-/// The files that an export writes, but for maps.
+/// The files that an export writes, except maps.
 std::vector<render::Files> files_of(const ExportTarget& target);
 /// All their paths.
 std::vector<std::filesystem::path> paths_of(const ExportTarget& target);

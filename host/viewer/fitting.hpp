@@ -41,7 +41,7 @@ class Fitter {
     void open(const std::string& path);
     /// Forgets the photograph.
     void close();
-    /// Sets the most lobes that the noise may have; fits again if that changes.
+    /// Sets the largest number of lobes; fits again if it changes.
     void set_lobes(int lobes) { wanted_.lobes = lobes; }
     int lobes() const { return wanted_.lobes; }
     /// The photograph's file; empty if there is none.

@@ -9,9 +9,9 @@
 
 namespace gabor::viewer {
 
-/// Draws the panel beside the view, and does what the user does there. Sizes are in Dear ImGui's units.
+/// Draws the panel beside the view and handles its input. Sizes are in Dear ImGui's units.
 void side_panel(Session& session);
-/// Brings it back: a button at the lower right of the window.
+/// Draws the button that shows it again, at the lower right of the window.
 void unfold_button(Session& session);
 /// Parts of it.
 void spectrum_panel(Session& session);

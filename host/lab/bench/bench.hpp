@@ -26,7 +26,7 @@ struct Row {
     double frequency = 0;
     Quartiles seconds;   ///< on the device's own clock, for the whole picture
     double pipeline = 0; ///< seconds to create the pipeline, the first time in this process
-    std::optional<statistics::Estimate> cvm; ///< of its values; absent where it is not measured
+    std::optional<statistics::Estimate> cvm; ///< of its values; absent if not measured
 
     double nanoseconds_per_pixel() const { return seconds.median * 1e9 / side / side; }
 };

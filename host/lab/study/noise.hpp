@@ -61,7 +61,7 @@ struct Point {
 /// The impulses of each cell; cells are in row order.
 using PointSet = std::vector<std::vector<Point>>;
 
-/// Returns those of `side` x `side` cells, starting at the origin.
+/// Returns the impulses of `side` x `side` cells, starting at the origin.
 PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients, int side,
                    std::uint32_t seed);
 
