@@ -77,8 +77,8 @@ std::string function_name(const std::filesystem::path& file) {
         name.find("__") != std::string::npos || name.starts_with("gl_") ||
         std::ranges::find(reserved, name) != reserved.end())
         throw RequestError(
-            fmt::format("--glsl '{}': it takes NAME.glsl with the name of a function, of letters, digits "
-                        "and _, and no word of GLSL",
+            fmt::format("--glsl '{}': it takes NAME.glsl, where NAME can be a GLSL function: letters, "
+                        "digits and _, not a reserved word",
                         file.string()));
     return name;
 }

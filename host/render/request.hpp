@@ -99,7 +99,7 @@ struct Request {
                             ///< load_paint; empty for none
 
     // Additional channels.
-    bool quadrature = false; ///< the noise with cosines for sines
+    bool quadrature = false; ///< the noise with cosines instead of sines
     bool gradient = false;   ///< derivatives per kernel radius, to the picture's right and down
     bool phasor = false;     ///< phase, in turns, and intensity
     int values = 1;          ///< independent noises, 1 to 4

@@ -30,7 +30,7 @@ struct ExportTarget {
     bool directx = false;        ///< of maps: also write normals whose green points down
     std::size_t compression = 0; ///< of EXRs, as in image::compression_names()
 
-    /// The target of this request, with the last of these set.
+    /// Returns this target with `as` and `of_noise` set for the request.
     ExportTarget of(const render::Request& request) const;
     /// The EXR, or the folder of maps.
     const std::string& name() const { return as == ExportAs::maps ? folder : path; }

@@ -20,8 +20,8 @@ Code unrolled(std::string name, const Statistics& statistics) {
             static_cast<int>(value(statistics, "VGPRs"))};
 }
 
-// A block's code consists of a part before the rows, and of the rows. Code for two rows minus code for one
-// is one row.
+// A block's code consists of a part before the rows, and the rows. The difference between two rows and one is
+// the code of a row.
 Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     render::Request request;
     request.recipe = recipe;
@@ -44,8 +44,8 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
             static_cast<int>(value(two, "VGPRs"))};
 }
 
-// The compiler guesses how often a loop runs: what comes without it, and for each of its rounds what one
-// adds.
+// The compiler only guesses how often a loop runs. So count the code without the loop, plus what one round
+// adds times the number of rounds.
 Code multiplied_out(const vulkan::Device& device, Subject subject) {
     subject.options.back() = 0;
     const Statistics none = make_pass(device, subject, Use::statistics).statistics(device);

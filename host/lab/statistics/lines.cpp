@@ -13,7 +13,8 @@ namespace {
 
 constexpr int cell = Lines::pixels_per_cell;
 
-/// Frequencies that are not their own mirror images: of those the power has half the degrees of freedom.
+/// Frequencies that are not their own mirror images; the power of those that are has half the degrees of
+/// freedom.
 constexpr std::array<std::array<int, 2>, 6> frequencies{{{1, 0}, {0, 1}, {1, 1}, {1, -1}, {1, 2}, {2, 1}}};
 
 } // namespace

@@ -14,7 +14,7 @@ class Lines {
   public:
     static constexpr int pixels_per_cell = 4;
 
-    /// For pictures of `side` * `side` pixels whose first pixel is at a corner of a cell. Throws
+    /// Takes pictures of `side` * `side` pixels whose first pixel is at a corner of a cell. Throws
     /// std::invalid_argument unless `side` is a multiple of 4 and at least 32.
     explicit Lines(int side);
 
@@ -23,8 +23,8 @@ class Lines {
 
     /// The largest ratio, over the frequencies (1, 0), (0, 1), (1, 1), (1, -1), (1, 2) and (2, 1) cycles per
     /// cell, of the power there to that of the 24 frequencies around it, both averaged over the pictures: 1
-    /// without lines, but for chance, which makes K times the ratio of K pictures exceed x as a gamma
-    /// variable of shape K does. NaN without a picture.
+    /// without lines. By chance, K times the ratio of K pictures is distributed like a gamma variable of
+    /// shape K. NaN without a picture.
     double largest() const;
 
   private:
@@ -43,8 +43,8 @@ class Lines {
     std::vector<double> powers_; ///< by frequency, then by step along y and x
 };
 
-/// The lines of functions of a noise: where its mean or variance, the kurtosis or the tails of its law depend
-/// on the place within a cell, one of these has them.
+/// The lines of functions of a noise: if its mean, variance, kurtosis or tails depend on the place within a
+/// cell, one of these functions has lines.
 class NoiseLines {
   public:
     enum Function : std::size_t { value, square, magnitude, fourth_power, tails, count };

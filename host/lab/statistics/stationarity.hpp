@@ -8,12 +8,11 @@
 
 namespace gabor::statistics {
 
-/// Instance stationarity [TNVT19, 3.3, figure 4]: how the contrast, which is the variance, of
-/// windows, of one kernel diameter in the paper, differ from window to window. Results depend on the windows
-/// and not on their order.
+/// Instance stationarity [TNVT19, 3.3, figure 4]: how much the contrast, that is the variance, differs
+/// between windows (of one kernel diameter in the paper). Results do not depend on the order of the windows.
 class InstanceStationarity {
   public:
-    /// All pixels of one window.
+    /// Adds all pixels of one window.
     void add(std::span<const float> window);
 
     Dispersion contrast() const { return dispersion(contrasts_); }
@@ -28,17 +27,17 @@ class InstanceStationarity {
 /// many instances, as many at each place.
 class ProcessStationarity {
   public:
-    /// The values at one more place.
+    /// Adds the values at one more place.
     void add(const Moments& place) { places_.push_back(place); }
 
     const std::vector<Moments>& places() const { return places_; }
-    /// Of the variances.
+    /// Median and relative interdecile of the variances.
     Dispersion variance() const;
-    /// The relative interdecile that the variances would show by chance, were they all the same.
+    /// The relative interdecile that equal variances would show by chance.
     double chance_interdecile() const;
     /// The largest magnitude of a mean.
     double largest_mean() const;
-    /// What the largest mean would exceed by chance in one case of twenty, were all means 0.
+    /// The value that the largest mean would exceed by chance in one case of twenty if all means were 0.
     double chance_largest_mean() const;
 
   private:

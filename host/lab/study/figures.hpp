@@ -28,10 +28,10 @@ void law_pictures(const vulkan::Device& device, const Effort& effort, const Fold
 Tables frontier(const vulkan::Device& device, const Effort& effort);
 Tables future(const vulkan::Device& device, const Effort& effort);
 
-/// N* of a cvm: the N with which the seminal noise has it, from that noise's own measured curve, interpolated
-/// in logarithms; beyond that curve by what it approaches, cvm = 2^18 (k / (24 N))^2 C with its excess
-/// kurtosis k / N (Edgeworth's series, C = integral of (He3 phi)^2 dPhi = 7 / (9 sqrt(3) pi)). Infinite where
-/// cvm is not positive.
+/// N* of a cvm: the N at which the seminal noise has this cvm, interpolated in logarithms from its measured
+/// curve. Beyond the curve, its asymptote is used: cvm = 2^18 (k / (24 N))^2 C with its excess kurtosis k / N
+/// (Edgeworth's series, C = integral of (He3 phi)^2 dPhi = 7 / (9 sqrt(3) pi)). Infinite unless cvm is
+/// positive.
 class SeminalCurve {
   public:
     void add(int n, double cvm);
@@ -55,8 +55,9 @@ Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const
 /// The same for the seminal noise.
 Row seminal_row(const vulkan::Device& device, const Effort& effort);
 
-/// Appends to each of such rows 1 where it is on the Pareto front, 0 elsewhere: where its variance is
-/// stationary, and no such row is as good in visits, Gaussianity at places and sidelobes and better in one.
+/// Appends 1 to each of these rows that is on the Pareto front, 0 to the others. On the front, the variance
+/// is stationary, and no other such row is at least as good in visits, Gaussianity at places and sidelobes,
+/// and better in one.
 void mark_pareto(std::vector<Numbers>& rows);
 
 } // namespace gabor::study

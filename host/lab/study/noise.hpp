@@ -18,7 +18,7 @@ namespace gabor::study {
 struct Grid {
     unsigned bits = 0;
     double side = 0;               ///< kernel radii
-    bool random = true;            ///< begins at a random place of a cell; else at a cell's corner
+    bool random = true;            ///< begins at a random place of a cell, otherwise at its corner
     std::array<double, 2> shift{}; ///< from there, kernel radii
 };
 

@@ -15,7 +15,7 @@ namespace gabor::study {
 struct Effort {
     std::uint64_t samples;     ///< values of independent instances, per row
     std::uint64_t windows;     ///< of independent instances, per row
-    std::uint64_t places;      ///< instances that are seen at each place of a cell, per row
+    std::uint64_t places;      ///< instances per place of a cell, per row
     std::uint64_t law;         ///< values at each place of a cell, and pairs of values, per row
     std::vector<int> impulses; ///< N along the axis of a figure
     std::vector<double> radii; ///< R of recipes, cells
@@ -24,7 +24,7 @@ struct Effort {
 
     /// The paper's seven million samples, and N up to 30: all up to 10, then fewer.
     static Effort full();
-    /// A run of everything in two minutes on a software device.
+    /// Small numbers: the whole study in two minutes on a software device.
     static Effort quick();
 };
 

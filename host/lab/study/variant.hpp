@@ -43,7 +43,8 @@ struct Variant {
 /// The specialization constants of passes/variants.comp.
 std::vector<std::uint32_t> constants(const Variant& variant);
 
-/// N R^2 E[w^2] integral(window^2) / 2: the mean over all places, and at each place where jitter is 1.
+/// The variance, N R^2 E[w^2] integral(window^2) / 2: its mean over all places; with jitter 1, the variance
+/// at every place.
 double variance(const Variant& variant);
 
 /// The mean number of impulses in the cells whose impulses can reach a place: N (2 R + jitter)^2.
@@ -60,7 +61,8 @@ struct SpectralPurity {
     double outside = 0;  ///< share of the power that is outside the lobe
 };
 
-/// That of a window q(x) q(y), or of a round one q(|d|), by quadrature of its Fourier transform.
+/// The spectral purity of a window q(x) q(y), or of a round one q(|d|), by quadrature of its Fourier
+/// transform.
 SpectralPurity spectral_purity(const std::function<double(double)>& q, bool separable);
 SpectralPurity spectral_purity(const Window& window);
 

@@ -14,7 +14,7 @@ vec2 gabor_splat_place(ivec2 cell, uint seed) {
     return vec2(word) / 4294967296.0;
 }
 
-// Cosine and sine of stripes, of mean square 2 before they are brought to length 1. p and wave are in cells.
+// Cosine and sine of stripes, with mean square 2 before normalization. p and wave are in cells.
 vec2 gabor_splat_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {
     vec2 corner = floor(p - 0.5);
     ivec2 cell = ivec2(corner);
