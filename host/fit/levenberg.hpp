@@ -14,7 +14,7 @@ namespace gabor::fit {
 struct Wave {
     Eigen::Vector2d frequency; ///< cycles per pixel
     Eigen::Vector2d radius;    ///< pixels, along x and y
-    Eigen::VectorXcd weight;   ///< of each channel; real where there is one
+    Eigen::VectorXcd weight;   ///< of each channel; real if there is only one
 };
 
 /// The spectra that waves are fitted to, as least squares see them: each frequency divided by the root of the

@@ -110,8 +110,8 @@ class Power {
     Eigen::ArrayXd values_;
 };
 
-// The rows of a scale's frequencies that windows of the scale before cannot tell apart: long waves, and those
-// around peaks that stand out from what those windows see.
+// The rows of a scale's frequencies that windows of the previous scale cannot resolve: long waves, and
+// frequencies around peaks above the spectrum that those windows see.
 std::vector<Eigen::Index> unresolved(const Scale& scale, const Power& fine, const Scale& before,
                                      const Power& coarse) {
     constexpr double peak = 2.5;

@@ -25,8 +25,8 @@ struct Scale {
     /// n / (n + 100) for an estimate from n independent windows: its squared error is 1 / n, and a sum of few
     /// lobes misses a tenth of the power anyway.
     double confidence = 1;
-    /// x from 0 to grid / 2. Those at its ends are in the whole plane once, the others stand for their
-    /// opposite too.
+    /// x from 0 to grid / 2. Frequencies at its ends occur once in the whole plane; the others also represent
+    /// their opposites.
     struct Frequency {
         int x;
         int y;

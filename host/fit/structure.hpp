@@ -17,7 +17,7 @@ class Structure {
     void add_row(std::span<const float> row);
 
     /// How far derivatives are from normal: the excess kurtosis of those along x and y, which edges and
-    /// things far apart have, or twice the skewness of the Laplacian, which ridges, creases and cells have.
+    /// isolated objects have, or twice the skewness of the Laplacian, which ridges, creases and cells have.
     /// The larger of them, and 0 for a Gaussian texture or a few waves.
     double excess() const;
 

@@ -54,11 +54,11 @@ Document document_of(const render::Request& request);
 /// The document without its camera, time and file: undo has no step for those, and closing asks about none.
 Document content_of(Document document);
 
-/// Sets the camera around a body or a landscape back.
+/// Resets the camera around a body or a landscape.
 void reset_orbit(render::View& view);
 
 /// Sets a parameter and resets those that conflict with it. A new view starts with its default camera, and
-/// filtered if it shows the distance. Throws RequestError for a value that is not accepted.
+/// with the filter on if it is in perspective. Throws RequestError for a value that is not accepted.
 void set_parameter(Document& document, std::string_view name, const render::Value& value);
 
 /// Adds the channels that an output needs.

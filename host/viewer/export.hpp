@@ -13,8 +13,8 @@
 
 namespace gabor::viewer {
 
-/// What a document is exported as: a picture, the frames of its animation, a mip-mapped texture, or maps for
-/// other programs: those of a material, or colour, normals and height of noise in the plane.
+/// The form of an export: a picture, the frames of an animation, a mip-mapped texture, or maps for other
+/// programs. Maps are those of a material, or colour, normals and height of noise in the plane.
 enum class ExportAs { picture, frames, texture, maps };
 
 /// Where an export goes and in what form.

@@ -18,7 +18,7 @@ struct FileDialog {
     std::string name = {};                        ///< in the field
     std::function<void(const std::string&)> take; ///< called with the chosen path
     bool saves = false;
-    bool folder_wanted = false; ///< without a name, take the folder
+    bool folder_wanted = false; ///< if no name is given, take the folder
 
     std::filesystem::path listed = {}; ///< folder of the two lists below
     std::vector<std::string> folders = {};

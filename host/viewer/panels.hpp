@@ -20,7 +20,7 @@ void help_window(Session& session);
 void question_window(Session& session);
 /// Says on the picture how the view differs from it.
 void view_overlay(const Session& session);
-/// Shows what is under the pointer, at the upper right of a view of this width.
+/// Shows the values under the pointer, at the upper right of a view of this width.
 void reading_overlay(const Session& session, float width);
 /// Shows messages at the foot of a view of that size.
 void message_overlay(const Session& session, float width, float height);

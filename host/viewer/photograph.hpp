@@ -7,7 +7,7 @@
 
 namespace gabor::viewer {
 
-/// Extensions of pictures that hold no parameters, in lower case.
+/// Extensions of pictures that cannot hold parameters, in lower case.
 inline constexpr std::array<std::string_view, 3> photograph_endings{".png", ".jpg", ".jpeg"};
 
 /// Whether a file has such an extension.
