@@ -80,7 +80,7 @@ def macro(source, name):
 
 
 def constants(source):
-    """Salts, and what sums are multiplied with in the plane and in space: over the deviation and the energy of windows."""
+    """The salts, and the factors of sums in the plane and in space, from the deviation and the energy of windows."""
     lattice, others = source("gabor_lattice"), source("gabor_spectrum") + source("gabor_lattice_3d")
     deviation = float(macro(lattice, "GABOR_IMPL_DEVIATION"))
     return {"ROWS": macro(lattice, "GABOR_IMPL_ROWS"), "SLICES": macro(others, "GABOR_IMPL_SLICES"),
@@ -196,7 +196,7 @@ def mdl_variants():
 
 
 def mdl(texts):
-    """Everything in one module."""
+    """All nodes in one module."""
     whole = "\n".join(re.sub("(?:.*\n)*?(?=^(#define|uint|void))", "", text, count=1, flags=re.MULTILINE) for text in texts)
     whole = integers(whole, r"\1 >>> \2").replace("// ---- End ----\n\n", "")
     for name, number in re.findall(r"^#define (\w+) (\S+)\n", whole, re.MULTILINE):

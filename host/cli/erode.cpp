@@ -32,7 +32,7 @@ using render::has_extension;
 constexpr int most_side = 16384;
 constexpr double preset_hill = 4; // the width of the hills that presets are for
 
-// Gullies as options state them: a preset, and members that are set one by one.
+// The options for gullies: a preset, and single members that override it.
 struct GullyOptions {
     std::string preset = "alps";
     std::vector<std::string> members; // in the order of render::erosion_parameters; empty if not given
@@ -204,7 +204,7 @@ void add_erode_command(CLI::App& app) {
         ->expected(2);
     command
         ->add_option("--region", options->region,
-                     "X,Y,WIDTH,HEIGHT: only this part, with the pixels of the whole")
+                     "X,Y,WIDTH,HEIGHT: write only this part, with the same pixels")
         ->type_name("RECTANGLE")
         ->delimiter(',')
         ->expected(4);

@@ -126,7 +126,7 @@ Work make_work(const RenderOptions& options) {
     Work work;
     std::optional<image::Rect> region;
     if (options.preset && options.like)
-        throw RequestError("--preset and --like: one of them, for both say what is not given");
+        throw RequestError("--preset and --like exclude each other: both set the options that are not given");
     if (options.preset)
         work.request = render::preset(*options.preset);
     if (options.like) {
@@ -237,7 +237,7 @@ render::Files files_of(const RenderOptions& options) {
     if (options.png) {
         if (same_file(*options.png, *options.output))
             throw RequestError(
-                fmt::format("--png and -o both name '{}': they take two different files", *options.output));
+                fmt::format("--png and -o both name '{}': give two different files", *options.output));
         if (files.png)
             throw RequestError("-o and --png both name a PNG: give the EXR's name with -o");
         if (const std::filesystem::path name = *options.png; !name.extension().empty() && !is_png(name))
@@ -479,7 +479,7 @@ void add_render_command(CLI::App& app) {
         ->type_name("FILE");
     command
         ->add_option("--elevation", options->elevation,
-                     "LOW,HIGH: heights that 0 and 65535 stand for in --heightmap [all that there can be]")
+                     "LOW,HIGH: heights that 0 and 65535 stand for in --heightmap [the full possible range]")
         ->type_name("RANGE")
         ->delimiter(',')
         ->expected(2);

@@ -37,7 +37,7 @@ const Eigen::ArrayXd& lag_window(const Scale& scale, int axis) {
     return scale.lag_window[static_cast<std::size_t>(axis)];
 }
 
-// The lags at which a kernel, whose autocovariance reaches 2 radii, contributes to a window's spectrum.
+// The lags at which a kernel contributes to a window's spectrum: its autocovariance reaches 2 radii.
 struct Lags {
     Eigen::Index count;    ///< of samples
     Eigen::ArrayXd pixels; ///< 0, 1 ...

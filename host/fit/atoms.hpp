@@ -4,12 +4,12 @@
 
 namespace gabor::fit {
 
-/// The least kernel radius that can be found, in pixels: at frequency 0 its noise is white at pixels, where
-/// it correlates by 0.03 with that of the next.
+/// The smallest kernel radius that a fit can find, in pixels: at frequency 0 its noise is nearly white, with
+/// a correlation of 0.03 between neighbouring pixels.
 constexpr double smallest_radius = 0.75;
 
 /// The autocorrelation of Hann's window h(x) = (1 + cos pi x) / 2, at most 1, at a shift of t kernel radii:
-/// of the lattice's noise, averaged over the places of a cell, that along each axis, without its wave.
+/// the autocorrelation of the lattice's noise along each axis, averaged over a cell, without its wave.
 double kernel_correlation(double t);
 
 /// What a scale's estimate expects along an axis, 0 for x and 1 for y, of a wave of `frequency` cycles per
@@ -17,7 +17,7 @@ double kernel_correlation(double t);
 ///
 /// Averages of weights a(p) give samples the autocovariance sum_u A(u) C(t - u), with A(u) = sum_p a(p) a(p +
 /// u), and windows of weights w(p) see a stationary noise of autocovariance C(t) as sum_t C(t) L(t) e^(-2 pi
-/// i k t), with L(t) = sum_p w(p) w(p + t): sampling, aliasing and what windows spread are all in this sum.
+/// i k t), with L(t) = sum_p w(p) w(p + t): this sum includes sampling, aliasing and the leakage of windows.
 struct AxisAtom {
     Eigen::ArrayXd value;
     Eigen::ArrayXd by_frequency;

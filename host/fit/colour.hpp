@@ -6,12 +6,12 @@
 
 namespace gabor::fit {
 
-/// What components of variance 1 are multiplied by: their deviations to the power 0.8. Weak ones count for a
-/// little more than their power, so that hues are kept.
+/// The factors of components of variance 1: their deviations to the power 0.8. Weak ones count for a little
+/// more than their power, to keep hues.
 Eigen::VectorXd component_scales(const Exemplar& exemplar);
 
-/// Makes the covariance of the components the unit matrix, by the least change, as far as waves can have it:
-/// a single one has two independent components at most.
+/// Makes the covariance of the components the unit matrix with the least change, as far as possible: a single
+/// wave has at most two independent components.
 void normalize(std::vector<Wave>& waves);
 
 /// From waves in components to colours. In the first component waves have no quadrature: phases common to all

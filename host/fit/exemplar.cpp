@@ -17,7 +17,7 @@ namespace gabor::fit {
 
 namespace {
 
-// A deviation below that of the rounding of 16 bits is none.
+// A deviation smaller than the rounding error of 16 bits counts as 0.
 constexpr double least_deviation = 1e-5;
 // Components of less than this share of the first one's deviation are left out.
 constexpr double least_share = 0.01;
@@ -163,7 +163,7 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
     exemplar.components = solver.eigenvectors().rowwise().reverse().leftCols(kept);
     for (Eigen::Index c = 0; c < kept; ++c) {
         auto component = exemplar.components.col(c);
-        component *= std::copysign(deviations[c], component.sum()); // up is brighter
+        component *= std::copysign(deviations[c], component.sum()); // positive is brighter
     }
     return exemplar;
 }

@@ -11,10 +11,10 @@
 
 namespace gabor::fit {
 
-/// Called with the share of the work that is done, from 0 to 1. What it throws ends the work.
+/// Called with the share of the work done, from 0 to 1. Throwing an exception ends the work.
 using Advance = std::function<void(double)>;
 
-/// The least picture that a spectrum can be estimated from.
+/// The smallest picture from which a spectrum can be estimated.
 constexpr int least_side = 2 * window_side;
 
 /// A photograph as the estimate sees it: without its quadratic trend, in principal components of variance 1.
@@ -35,11 +35,11 @@ struct Exemplar {
     double structure = 0;                        ///< of the first component: see Structure
 };
 
-/// Reads the file twice, and holds no more of it than the rows of a window. Throws RequestError where it
-/// cannot be read, is too small, transparent or constant, or has a value that is not finite.
+/// Reads the file twice and keeps only one window's rows in memory. Throws RequestError if the file cannot be
+/// read, or if the picture is too small, transparent or constant, or has a value that is not finite.
 Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance);
 
-/// The matrix that takes channels without their trend to components.
+/// The matrix that maps channels, after their trend is removed, to components.
 Eigen::MatrixXd to_components(const Exemplar& exemplar);
 
 } // namespace gabor::fit

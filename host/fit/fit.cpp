@@ -11,10 +11,10 @@ namespace gabor::fit {
 
 namespace {
 
-// Whether what is left may be chance in the estimate from a picture of that size: its relative errors fall
-// with the number of windows along a side. Larger pictures have 64 a side, which half overlap, as good as 28
-// that overlap wholly. Strong frequencies and autocorrelations, of which less is asked, are within chance or
-// within what can be seen.
+// Whether chance explains the error, in an estimate from a picture of that size: relative errors fall with
+// the number of windows along a side. Larger pictures have 64 windows a side, which overlap by half and are
+// worth 28 that overlap wholly. Strong frequencies and autocorrelations only need to be within chance or too
+// close to see.
 bool is_chance(const FitError& error, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
     const double windows = std::min(side / window_side, 28.0);
@@ -22,8 +22,8 @@ bool is_chance(const FitError& error, const Exemplar& exemplar) {
            error.autocorrelation < std::max(2 * error.chance, 0.03);
 }
 
-// A lobe around 0 has the least frequency that a lobe may have, in the unit of the first one: it could as
-// well have any of that order.
+// Gives lobes around frequency 0 the least frequency that a preset accepts, in units of the first lobe. At
+// this scale any value looks the same.
 void keep_from_zero(std::vector<Wave>& waves) {
     const double least = 0.0011 / unit_of(waves);
     for (Wave& wave : waves)
@@ -38,7 +38,7 @@ void drop_empty(std::vector<Wave>& waves) {
     std::erase_if(waves, [&](const Wave& wave) { return wave.weight.squaredNorm() < 1e-5 * all; });
 }
 
-// Adds the lobe that takes most of what is left, and moves all of them.
+// Adds the lobe that reduces the residual most, then refines all lobes.
 void add_lobe(const TargetSpectra& target, const Search& search, std::vector<Wave>& waves) {
     Wave next = search.best(target, residual(target, waves));
     if (next.weight.isZero())
@@ -49,7 +49,7 @@ void add_lobe(const TargetSpectra& target, const Search& search, std::vector<Wav
     drop_empty(waves);
 }
 
-// Each lobe was the best one before later ones were known: now another may be better in its place.
+// Each lobe was the best choice before later ones were added: now another may be better in its place.
 void exchange_lobes(const TargetSpectra& target, const Search& search, std::vector<Wave>& waves,
                     const Advance& advance) {
     const std::size_t count = waves.size();

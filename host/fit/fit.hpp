@@ -9,26 +9,25 @@
 
 namespace gabor::fit {
 
-/// The most lobes that a preset may have.
+/// The largest number of lobes in a preset.
 constexpr int most_lobes = 16;
 
 /// A texture of Gabor noise.
 struct FittedNoise {
     std::vector<Wave> waves; ///< the most powerful first; weights are of components of variance 1
     noise::Colour colour;
-    FitError error;                ///< before it got the exemplar's exact covariance
+    FitError error;                ///< before correction to the exemplar's exact covariance
     std::vector<double> variances; ///< of the components there, as shares of the exemplar's
 };
 
-/// Fits at most so many lobes: fewer where more would fit what is chance in an exemplar of that size.
+/// Fits at most `lobes` lobes: fewer if more would only fit chance in an exemplar of that size.
 ///
-/// One after another, the lobe is chosen that takes most of what is left of the spectra; then all of them are
-/// moved towards the least squares. After [GLLD12] Galerne, Lagae, Lefebvre, Drettakis, "Gabor noise by
-/// example", 2012.
+/// Adds one lobe at a time, the one that reduces the residual of the spectra most, then refines all of them
+/// by least squares. After [GLLD12] Galerne, Lagae, Lefebvre, Drettakis, "Gabor noise by example", 2012.
 FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance);
 
-/// The length in pixels that a preset measures these lobes in: the strongest one's radius, or so near it that
-/// no other radius is more than 100 or less than 0.01.
+/// The unit of length of a preset with these lobes, in pixels: the radius of the strongest lobe, or the
+/// nearest one that keeps all radii from 0.01 to 100 units.
 double unit_of(const std::vector<Wave>& waves);
 
 } // namespace gabor::fit

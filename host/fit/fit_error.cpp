@@ -17,7 +17,7 @@ struct SpectrumRows {
     double sum(const Eigen::ArrayXd& values) const {
         return (values.segment(begin, measure.size()) * measure).sum();
     }
-    // Over all entries of the matrices: those off the diagonal are there twice.
+    // Sums over all entries of the matrices: those off the diagonal occur twice.
     double squares(const Spectra& spectra) const {
         double result = 2 * sum(spectra.imaginary.rowwise().squaredNorm().array());
         Eigen::Index column = 0;

@@ -9,12 +9,12 @@ namespace gabor::fit {
 struct FitError {
     double l1 =
         0; ///< sum of |model - estimate| of the total power in windows of 64 pixels, relative to its sum
-    double l2 = 0;  ///< root of the sum of squares over all cross-spectra, relative likewise
-    double low = 0; ///< as l1, of waves longer than 64 pixels in the largest windows; 0 where there are none
-    int furthest_lag = 0;       ///< pixels: a quarter of the exemplar
+    double l2 =
+        0; ///< root of the sum of squared differences of all cross-spectra, relative to that of the estimate
+    double low = 0;       ///< l1 of waves longer than 64 pixels, in the largest windows; 0 if there are none
+    int furthest_lag = 0; ///< pixels: a quarter of the exemplar
     double autocorrelation = 0; ///< largest difference up to that lag
-    double chance =
-        0; ///< what chance alone makes of that in an exemplar of this size: its standard deviation
+    double chance = 0; ///< standard deviation of an autocorrelation by chance, in an exemplar of this size
 };
 
 /// Of waves in the exemplar's components.

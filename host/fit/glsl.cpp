@@ -16,7 +16,7 @@ namespace {
 
 using noise::Colour;
 
-// Keywords and built-in functions of GLSL that a file may be named after.
+// GLSL keywords and built-in functions that a file name might match.
 constexpr std::array<std::string_view, 34> reserved{
     "abs",    "all",     "any",      "asin",       "atan", "ceil",      "clamp",  "common",  "cos",
     "cross",  "degrees", "distance", "dot",        "exp",  "filter",    "fixed",  "flat",    "floor",
@@ -77,8 +77,8 @@ std::string function_name(const std::filesystem::path& file) {
         name.find("__") != std::string::npos || name.starts_with("gl_") ||
         std::ranges::find(reserved, name) != reserved.end())
         throw RequestError(
-            fmt::format("--glsl '{}': it takes NAME.glsl with the name of a function, of letters, digits "
-                        "and _, and no word of GLSL",
+            fmt::format("--glsl '{}': it takes NAME.glsl, where NAME can be a GLSL function: letters, "
+                        "digits and _, not a reserved word",
                         file.string()));
     return name;
 }

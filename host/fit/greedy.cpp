@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Index;
 
-// All frequencies of the first scale's grid, from those of the half that is kept: opposite ones are the same,
-// or negative.
+// All frequencies of the first scale's grid, from the stored half: values at opposite frequencies are equal,
+// or opposite in sign.
 Eigen::MatrixXf whole_plane(const Scale& scale, const Eigen::ArrayXd& half, float opposite) {
     const int grid = scale.grid;
     Eigen::MatrixXf plane(grid, grid);
@@ -58,7 +58,7 @@ std::vector<double> radii(double from, double to) {
     return result;
 }
 
-// The frequencies of a scale where a single one would take most, in cycles per pixel.
+// The frequencies of a scale at which a single wave would reduce the residual most, in cycles per pixel.
 std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Residual& left, const Scale& scale) {
     constexpr std::size_t most = 8;
     constexpr int apart = 3;

@@ -6,7 +6,7 @@
 
 namespace gabor::fit {
 
-/// Looks for the wave that takes most of a residual.
+/// Finds the wave that reduces a residual most.
 class Search {
   public:
     explicit Search(const TargetSpectra& target);

@@ -6,7 +6,7 @@
 
 namespace gabor::fit {
 
-/// Counts of values of about variance 1, from which their law is read.
+/// Counts values of variance about 1, to estimate their distribution.
 class Quantiles {
   public:
     Quantiles();

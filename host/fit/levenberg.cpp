@@ -19,7 +19,7 @@ using Eigen::Index;
 
 constexpr double root_2 = std::numbers::sqrt2;
 constexpr double largest_stretch = 99; // of the 100 that presets take
-// Of a wave: its atom, and that by both frequencies and by the logarithms of both radii.
+// For each wave: its atom, and the derivatives by both frequencies and by the logarithms of both radii.
 constexpr int functions = 5;
 
 // An atom on the grid has a part for the wave and a mirrored one for its opposite. Real parts of
@@ -41,7 +41,7 @@ void put(Parts& parts, Index column, const Scale& scale, const Eigen::ArrayXd& x
     }
 }
 
-// Of every wave one column, or with derivatives `functions` of them, times the weight of each frequency.
+// One column for each wave, or `functions` of them with derivatives, times the weight of each frequency.
 Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_derivatives,
                const Eigen::ArrayXd& weight) {
     const Index each = with_derivatives ? functions : 1;
@@ -67,8 +67,8 @@ Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_d
     return parts;
 }
 
-// A Hermitian matrix as the entries that are kept of it, those off the diagonal times the root of 2: the sum
-// of their squares is that of the matrix.
+// The stored entries of a Hermitian matrix, those off the diagonal times the root of 2, so that the sum of
+// their squares is that of the matrix.
 struct Entries {
     Eigen::RowVectorXd real;
     Eigen::RowVectorXd imaginary;
@@ -87,14 +87,14 @@ Entries entries(const Eigen::MatrixXcd& matrix) {
     return result;
 }
 
-// One parameter: by which function of its wave the model changes with it, and with which cross-spectra.
+// One parameter: the function of its wave, and the cross-spectra, by which the model changes with it.
 struct Parameter {
     Index wave;
     Index function;
     Entries change;
 };
 
-// Weights change in proportion to the length of all of a wave's; a single one is real.
+// Changes of weights are relative to the length of the wave's weight vector. A single weight is real.
 std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, FreeParameters free) {
     std::vector<Parameter> parameters;
     for (Index j = 0; j < std::ssize(waves); ++j) {
@@ -154,8 +154,8 @@ Normal normal_equations(const std::vector<Parameter>& parameters, const Parts& p
     return normal;
 }
 
-// What is added to the diagonal, in proportion. All weights of a wave share one value, for turning them by a
-// common phase changes nothing. A frequency of 0 or a radius that does not matter would have none.
+// The damping added to the diagonal, up to a factor. All weights of a wave share one value, because a common
+// phase has no effect. Without a lower bound, a frequency of 0 or an irrelevant radius would get no damping.
 Eigen::VectorXd damping(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves,
                         const Normal& normal) {
     Eigen::VectorXd power = Eigen::VectorXd::Zero(std::ssize(waves));
@@ -174,7 +174,7 @@ Eigen::VectorXd damping(const std::vector<Parameter>& parameters, const std::vec
     return result;
 }
 
-// Radii that are at a bound and would leave it stay there.
+// Keeps a radius at its bound if the step would cross it.
 void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<Wave>& waves, double largest,
                     Normal& normal) {
     for (Index i = 0; i < std::ssize(parameters); ++i) {
@@ -192,7 +192,7 @@ void freeze_bounded(const std::vector<Parameter>& parameters, const std::vector<
     }
 }
 
-// The waves after a step, which is kept within what the equations can know of.
+// The waves after a step, limited to where the linearization is valid.
 std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, FreeParameters free,
                         double largest) {
     Index at = 0;

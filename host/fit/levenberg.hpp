@@ -14,7 +14,7 @@ namespace gabor::fit {
 struct Wave {
     Eigen::Vector2d frequency; ///< cycles per pixel
     Eigen::Vector2d radius;    ///< pixels, along x and y
-    Eigen::VectorXcd weight;   ///< of each channel; real where there is one
+    Eigen::VectorXcd weight;   ///< of each channel; real if there is only one
 };
 
 /// The spectra that waves are fitted to, as least squares see them: each frequency divided by the root of the
@@ -26,13 +26,13 @@ struct TargetSpectra {
     Scales scales;
     Eigen::MatrixXd real; ///< of each pair, times `weight`; twice the square for those off the diagonal
     Eigen::MatrixXd imaginary;
-    Eigen::ArrayXd weight; ///< the root, with what each frequency counts
-    double largest_radius; ///< that waves may have
+    Eigen::ArrayXd weight; ///< root of the weight of each frequency in the sum of squares
+    double largest_radius; ///< allowed for waves
 
     TargetSpectra(const Spectra& spectra, double largest_radius);
 };
 
-/// What waves leave of the target.
+/// The residual: the target minus the waves.
 struct Residual {
     Eigen::MatrixXd real;
     Eigen::MatrixXd imaginary;
@@ -41,7 +41,7 @@ struct Residual {
 };
 Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves);
 
-/// How much less is left with the best weights of one more such wave, and those weights.
+/// How much another such wave, with the best weights, reduces the residual; and those weights.
 struct Gain {
     double cost = 0;
     Eigen::VectorXcd weight;
@@ -52,11 +52,11 @@ Gain gain(const TargetSpectra& target, const Residual& left, const Eigen::Vector
 /// The spectra that waves have, as the estimate would see them.
 Spectra model(const std::vector<Wave>& waves, int channels, const Scales& scales = first_scale());
 
-/// What may change: weights alone, or also frequencies and radii.
+/// Which parameters may change: only weights, or also frequencies and radii.
 enum class FreeParameters { weights, all };
 
-/// Moves waves towards the least residual, by Levenberg and Marquardt's method, until it falls by less than a
-/// ten-thousandth or for so many steps.
+/// Reduces the residual by the Levenberg-Marquardt method, until a step reduces it by less than a
+/// ten-thousandth or the number of steps is reached.
 void refine(const TargetSpectra& target, std::vector<Wave>& waves, FreeParameters free, int steps);
 
 } // namespace gabor::fit

@@ -14,10 +14,10 @@ namespace gabor::fit {
 
 namespace {
 
-// Windows of the larger scales, in samples, and the least that are worth an estimate.
+// Side of the windows of larger scales, in samples, and the smallest one worth an estimate.
 constexpr int large_window = 256;
 constexpr int least_window = 32;
-// Averages of eight samples, four apart, by a triangle.
+// Decimates by 4 with a triangle filter of eight samples.
 constexpr int decimation = 4;
 constexpr std::array<double, 2 * decimation> triangle{1 / 32.0, 3 / 32.0, 5 / 32.0, 7 / 32.0,
                                                       7 / 32.0, 5 / 32.0, 3 / 32.0, 1 / 32.0};
@@ -110,8 +110,8 @@ class Power {
     Eigen::ArrayXd values_;
 };
 
-// The rows of a scale's frequencies that windows of the scale before cannot tell apart: long waves, and those
-// around peaks that stand out from what those windows see.
+// The rows of a scale's frequencies that windows of the previous scale cannot resolve: long waves, and
+// frequencies around peaks above the spectrum that those windows see.
 std::vector<Eigen::Index> unresolved(const Scale& scale, const Power& fine, const Scale& before,
                                      const Power& coarse) {
     constexpr double peak = 2.5;
@@ -165,7 +165,7 @@ std::vector<Scale> scales_of(int width, int height) {
     std::vector<Scale> scales{first_scale()->front()};
     int side = std::min(width, height);
     for (int spacing = 1; side / 2 >= least_window; spacing *= decimation, side = decimated(side)) {
-        const int window = std::min(large_window, side / 32 * 16); // sides that transform fast
+        const int window = std::min(large_window, side / 32 * 16); // sides with a fast transform
         if (spacing * window >= 1.5 * scales.back().length())
             scales.push_back(make_scale(spacing, window, window));
         if (side < static_cast<int>(triangle.size()))
@@ -282,7 +282,7 @@ class SpectraEstimate::Welch {
     }
 
     int windows() const { return windows_; }
-    /// What makes sums over windows cross-spectra.
+    /// The factor that turns sums over windows into cross-spectra.
     double unit() const { return scale_->spacing * scale_->spacing / power_; }
     /// The weighted sum of the channels' power in a row, of all windows.
     double power(Eigen::Index row, const Eigen::VectorXd& weights) const {
@@ -299,8 +299,8 @@ class SpectraEstimate::Welch {
     const Eigen::MatrixXd& imaginary() const { return imaginary_; }
 
   private:
-    /// Of windows that begin there along an axis of so many samples, the sums and the sums of squares that
-    /// they have in the picture.
+    /// For windows with these beginnings along an axis of `length` samples, returns the sum and the sum of
+    /// squares of their weights within the picture.
     std::vector<std::array<double, 2>> seen_weights(const std::vector<int>& begins, int length) const {
         std::vector<std::array<double, 2>> result;
         for (const int begin : begins) {
@@ -378,7 +378,7 @@ class SpectraEstimate::Welch {
     int windows_ = 0;
 };
 
-/// Averages by the triangle along both axes, every fourth of them.
+/// Filters with the triangle along both axes and keeps every fourth value.
 class SpectraEstimate::Decimation {
   public:
     Decimation(int width, int values)
@@ -409,7 +409,7 @@ class SpectraEstimate::Decimation {
   private:
     int values_;
     Eigen::Index columns_;
-    std::vector<Eigen::ArrayXf> sums_; ///< of rows that are not complete, the older first
+    std::vector<Eigen::ArrayXf> sums_; ///< of incomplete rows, the older one first
     Eigen::ArrayXf complete_;
     int row_ = 0;
 };

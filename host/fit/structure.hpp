@@ -7,8 +7,8 @@
 
 namespace gabor::fit {
 
-/// Tells pictures that have edges, lines or isolated things from those that a Gaussian texture can be, whose
-/// derivatives are normal whatever its spectrum.
+/// Distinguishes pictures with edges, lines or isolated objects from Gaussian textures, whose derivatives are
+/// normal whatever the spectrum.
 class Structure {
   public:
     explicit Structure(int width);
@@ -17,7 +17,7 @@ class Structure {
     void add_row(std::span<const float> row);
 
     /// How far derivatives are from normal: the excess kurtosis of those along x and y, which edges and
-    /// things far apart have, or twice the skewness of the Laplacian, which ridges, creases and cells have.
+    /// isolated objects have, or twice the skewness of the Laplacian, which ridges, creases and cells have.
     /// The larger of them, and 0 for a Gaussian texture or a few waves.
     double excess() const;
 

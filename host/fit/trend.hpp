@@ -15,13 +15,13 @@ struct Trend {
     int height = 0;
     Eigen::Matrix<double, 6, Eigen::Dynamic>
         coefficients;    ///< of 1, x, y, x^2, x y, y^2, in [-1, 1] over the picture
-    double contrast = 0; ///< from 0, where light was added, to 1, where it was multiplied
+    double contrast = 0; ///< from 0 (light adds) to 1 (light multiplies)
 
-    /// Subtracts it from row y, whose pixels have their channels side by side, and evens the contrast.
+    /// Subtracts it from row y, channels interleaved, and evens the contrast.
     void subtract(int y, std::span<float> row) const;
     /// Returns the sum of its channels at a place in [-1, 1], divided by their mean over the picture.
     double light(double u, double v) const;
-    /// Returns the factor that evens the contrast there.
+    /// Returns the factor that evens the contrast at that place.
     double gain(double u, double v) const;
 };
 

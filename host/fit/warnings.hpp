@@ -7,8 +7,8 @@
 
 namespace gabor::fit {
 
-/// Returns one sentence for each thing that a user should know: pixels that were left out, and what the noise
-/// lacks of the photograph.
+/// Returns one sentence for each warning: pixels that were left out, and features of the photograph that the
+/// noise lacks.
 std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& fitted);
 
 } // namespace gabor::fit

@@ -75,7 +75,7 @@ void check_region(const fs::path& path, const Imf::Header& header) {
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
         floats &= i.channel() == Imf::Channel(Imf::FLOAT);
     if (!floats)
-        refuse_join(fmt::format("'{}' has tiles, a lossy compression, or values that are no 32-bit floats; "
+        refuse_join(fmt::format("'{}' has tiles, a lossy compression, or values other than 32-bit floats; "
                                 "accepted are regions of flat "
                                 "pictures",
                                 path.string()));
@@ -127,7 +127,7 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
     }
     // A gap begins at the top, or below a region. In a row that has none, regions touch from left to right.
     for (auto y = rows.begin(); y != rows.end() && *y <= picture.max.y; ++y) {
-        std::map<int, int> ends; // of the regions in this row, by their beginnings
+        std::map<int, int> ends; // ends of the regions in this row, by their beginnings
         for (const ExrRegion& region : regions)
             if (region.window.min.y <= *y && *y <= region.window.max.y)
                 ends[region.window.min.x] = region.window.max.x + 1;

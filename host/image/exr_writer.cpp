@@ -22,7 +22,7 @@ namespace {
 constexpr std::array<std::string_view, 5> names = {"none", "rle", "zips", "zip", "piz"};
 constexpr std::array methods = {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
                                 Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
-constexpr int zip_level = 1; // on noise twice as fast as the default, and no larger
+constexpr int zip_level = 1; // twice as fast as the default on noise, and no larger
 constexpr int tile_side = 64;
 constexpr std::uint64_t magic_and_version = 8; // bytes before the header
 constexpr const char* average_name = "oiio:AverageColor";
@@ -112,7 +112,7 @@ struct ExrWriter::State {
     const Imf::Header header;
     std::vector<double> sums; ///< per channel of a texture's first level
     int level = 0;
-    int row = 0;             ///< the next one of the level
+    int row = 0;             ///< next row of the level
     std::vector<float> rows; ///< of an incomplete row of tiles
     std::vector<half> halves;
     OutputFile file;

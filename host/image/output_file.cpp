@@ -84,7 +84,7 @@ int open_locked(const char* name) {
     return -1;
 }
 
-/// Removes hidden files that killed processes left while writing `target`: those that nobody has locked.
+/// Removes hidden files that killed processes left behind while writing `target`: those without a lock.
 void remove_abandoned(const fs::path& target) {
     const std::string stem = hidden_stem(target);
     std::error_code ignored;

@@ -46,8 +46,8 @@ class PictureReader {
     std::vector<float> alpha_;
 };
 
-/// Opens a PNG, JPEG, TGA or OpenEXR file; the content decides, not the name. Of an EXR with a channel of
-/// that name it reads this one alone. Throws RequestError for other formats, colours other than grey or RGB,
+/// Opens a PNG, JPEG, TGA or OpenEXR file; the content decides, not the name. If an EXR has a channel of that
+/// name, only this channel is read. Throws RequestError for other formats, colours other than grey or RGB,
 /// and unreadable files.
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
                                             const std::string& channel = {});
@@ -58,7 +58,7 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
 /// Opens a file of that format.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path);
-/// Returns nothing if the file is no TGA.
+/// Returns nothing if the file is not a TGA.
 std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path);
 
 } // namespace gabor::image

@@ -29,13 +29,13 @@ struct HeightMap {
 inline constexpr std::array<std::string_view, 5> erosion_channels{"height", "slope.x", "slope.y", "ridge",
                                                                   "erosion"};
 
-/// Plans the erosion of a region. `seed`: another one gives other gullies.
+/// Plans the erosion of a region. Another `seed` gives other gullies.
 Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
                   const image::Rect& region);
 
-/// Erodes a region band by band, so that memory does not grow with the map's height, and hands on the rows
-/// with their channels interleaved. A region has the same pixels as the whole. Throws RequestError for a map
-/// that is damaged or holds a NaN or an infinity.
+/// Erodes a region band by band, so that memory does not grow with the map's height, and passes on the rows,
+/// channels interleaved. A region has the same pixels as the whole. Throws RequestError for a map that is
+/// damaged or holds a NaN or an infinity.
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
            const image::Rect& region, const std::function<void(std::span<const float>)>& write);
 

@@ -38,7 +38,7 @@ struct FileTimes {
     FileTimes& operator+=(const FileTimes& other);
 };
 
-/// Names version, device and driver for a file's header. Where they agree, so do pixels.
+/// Names version, device and driver for a file's header. If these agree, so do pixels.
 std::string software(const vulkan::Device& device);
 
 /// Describes the EXR with a region of a picture. `software`: what made it.
@@ -49,7 +49,7 @@ struct Files {
     std::optional<std::filesystem::path> exr;
     std::optional<std::filesystem::path> png;            ///< a picture to look at
     std::optional<std::filesystem::path> heightmap = {}; ///< of the view terrain
-    std::optional<Elevation> elevation = {}; ///< of the heightmap; by default all that there can be
+    std::optional<Elevation> elevation = {}; ///< of the heightmap; by default the full possible range
     std::string_view compression = "none";
     /// Converts a band to the red, green and blue, from 0 to 1, that the PNG shows instead.
     std::function<std::span<const float>(std::span<const float>)> colours = {};

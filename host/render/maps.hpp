@@ -16,11 +16,11 @@ constexpr int most_map_side = 8192;
 
 struct MapFormat {
     bool directx = false; ///< also normal_directx.png
-    bool texture = false; ///< maps.exr with mip levels, whose roughness grows by the slopes that they lose
+    bool texture = false; ///< maps.exr with mip levels, which turn lost slopes into roughness
     bool half = false;    ///< of the texture
 };
 
-/// The set's MaterialX document and its glTF scene, with a square to look at, for fmt to fill in: files of
+/// fmt templates of the set's MaterialX document and of its glTF scene, which shows a square: files of
 /// host/render/scenes.
 extern const std::string_view materialx_template, gltf_template;
 

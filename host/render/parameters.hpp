@@ -9,7 +9,7 @@
 
 namespace gabor::render {
 
-/// The value of any parameter. Integers are `double` too: all that fit here are exact. Colours are linear.
+/// The value of any parameter. Integers are `double` too: all that occur here are exact. Colours are linear.
 using Value = std::variant<bool, double, std::string, std::vector<noise::Lobe>, std::array<double, 3>>;
 
 /// A closed interval.

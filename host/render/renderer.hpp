@@ -40,7 +40,7 @@ class Renderer {
     std::vector<vulkan::Buffer> tables_;
 };
 
-/// The number of work groups of `group` invocations that cover so many.
+/// The number of work groups of `group` invocations that cover `invocations`.
 constexpr std::uint32_t groups(int invocations, std::uint32_t group) {
     return (static_cast<std::uint32_t>(invocations) + group - 1) / group;
 }

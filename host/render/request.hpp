@@ -92,14 +92,14 @@ struct Request {
     std::string material = "none"; ///< drawn in place of the noise; see render/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of materials that are not
                                                                  ///< default, by their names in the table
-    double light_azimuth = -135; ///< degrees; of the lamp over a material and of terrain's sun
+    double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
     bool filter = false;    ///< antialias with a normal filter of half a pixel
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
                             ///< load_paint; empty for none
 
     // Additional channels.
-    bool quadrature = false; ///< the noise with cosines for sines
+    bool quadrature = false; ///< the noise with cosines instead of sines
     bool gradient = false;   ///< derivatives per kernel radius, to the picture's right and down
     bool phasor = false;     ///< phase, in turns, and intensity
     int values = 1;          ///< independent noises, 1 to 4

@@ -44,7 +44,7 @@ Lobe lobe_of(const json& entry) {
 
 std::vector<Lobe> lobes_of(const json& list) {
     if (!list.is_array())
-        throw RequestError("the lobes must be a list of lobes");
+        throw RequestError("'lobes' must be a list");
     std::vector<Lobe> lobes;
     std::ranges::transform(list, std::back_inserter(lobes), lobe_of);
     return lobes;

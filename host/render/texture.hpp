@@ -19,7 +19,7 @@ struct TextureFormat {
 /// and divide its corner and the picture's sides.
 void check_texture(const Request& request, const image::Rect& region);
 
-/// How many levels are drawn, down to a single row or column; those below are averages.
+/// The number of levels that are drawn, down to a single row or column; smaller ones are averages.
 int drawn_levels(const image::Rect& region);
 
 /// The request that draws a level of a texture.

@@ -34,7 +34,7 @@ class Background {
             }
         });
     }
-    /// Makes the next `advance` end the work.
+    /// Requests cancellation: the next `advance` throws.
     void cancel() { cancelling_ = true; }
     /// For the work: reports progress from 0 to 1. Throws when the work has been cancelled.
     void advance(double progress) {

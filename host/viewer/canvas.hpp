@@ -56,7 +56,7 @@ class Canvas {
     /// its paint cannot be read.
     bool refine(const Drawing& drawing, const Camera& camera, Extent extent, double seconds);
 
-    /// Draws all of it at once, with one value for `stride` x `stride` pixels.
+    /// Draws the whole view at once, with one value per `stride` x `stride` pixels.
     void draw(const Drawing& drawing, const Camera& camera, Extent extent, int stride);
 
     const vulkan::Buffer& values() const { return grids_[front_].values(); }

@@ -7,7 +7,7 @@
 
 namespace gabor::viewer {
 
-/// The desktop's own file dialog: zenity or kdialog, which every desktop has one of, as a process.
+/// The desktop's own file dialog, run as a process: zenity or kdialog, one of which most desktops have.
 class DesktopDialog {
   public:
     DesktopDialog() = default;
@@ -15,11 +15,11 @@ class DesktopDialog {
     DesktopDialog(const DesktopDialog&) = delete;
     DesktopDialog& operator=(const DesktopDialog&) = delete;
 
-    /// Opens it. Returns false outside a desktop, and where neither program is installed.
+    /// Opens it. Returns false outside a desktop, or if neither program is installed.
     bool open(const FileDialog& dialog);
     bool is_open() const { return process_ > 0; }
-    /// Takes the answer of the one opened last, in each frame: when it has ended, `is_open` no longer holds.
-    /// Returns the path, empty if the user cancelled; nothing while it is open, and if it failed.
+    /// Polls the last dialog; call in each frame. Returns the chosen path, empty if the user cancelled;
+    /// nothing while the dialog is open or if it failed. Once it has ended, `is_open` returns false.
     std::optional<std::string> poll();
 
   private:

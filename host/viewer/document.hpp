@@ -15,7 +15,7 @@ using render::Coordinate;
 
 enum class Output { value, gradient, phase, intensity, variance, phasor, lit, lit_phasor };
 
-/// What is shown of a material.
+/// Which property of a material the window shows.
 enum class Look { lit, colour, height, normal, roughness, metalness };
 
 /// A colour at a place between 0 and 1 of a colour map: red, green and blue as sRGB, from 0 to 1.
@@ -54,11 +54,11 @@ Document document_of(const render::Request& request);
 /// The document without its camera, time and file: undo has no step for those, and closing asks about none.
 Document content_of(Document document);
 
-/// Sets the camera around a body or a landscape back.
+/// Resets the camera around a body or a landscape.
 void reset_orbit(render::View& view);
 
 /// Sets a parameter and resets those that conflict with it. A new view starts with its default camera, and
-/// filtered if it shows the distance. Throws RequestError for a value that is not accepted.
+/// with the filter on if it is in perspective. Throws RequestError for a value that is not accepted.
 void set_parameter(Document& document, std::string_view name, const render::Value& value);
 
 /// Adds the channels that an output needs.

@@ -116,7 +116,7 @@ std::string to_json(const Document& document) {
                         {"camera", json_of(document.camera)}};
     if (document.ramp != Document().ramp)
         object["viewer"]["ramp"] = json_of(document.ramp);
-    if (!render::has_material(document.request)) // otherwise a parameter of the request
+    if (!render::has_material(document.request)) // with a material, the request has it
         object["viewer"]["light"] = {document.request.light_azimuth, document.request.light_elevation};
     return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -13,7 +13,7 @@ namespace gabor::viewer {
 /// `viewer` how the window shows them, which gabor render ignores.
 std::string to_json(const Document& document);
 
-/// Reads such an object; what it lacks is as in `defaults`. Throws RequestError, saying what is accepted.
+/// Reads such an object; missing members are as in `defaults`. Throws RequestError, saying what is accepted.
 Document document_from_json(std::string_view json, const Document& defaults = {});
 
 /// Names in the order of Output, Look, the colour maps and the profiles of stripes.

@@ -44,7 +44,7 @@ std::array<NoiseMap, 3> noise_maps(const Document& document) {
     return maps;
 }
 
-// A folder that goes away again if it stays empty.
+// Creates a folder, and removes it again if it stays empty.
 struct NewFolder {
     explicit NewFolder(std::filesystem::path made) : path(std::move(made)) {
         std::filesystem::create_directories(path);

@@ -13,8 +13,8 @@
 
 namespace gabor::viewer {
 
-/// What a document is exported as: a picture, the frames of its animation, a mip-mapped texture, or maps for
-/// other programs: those of a material, or colour, normals and height of noise in the plane.
+/// The form of an export: a picture, the frames of an animation, a mip-mapped texture, or maps for other
+/// programs. Maps are those of a material, or colour, normals and height of noise in the plane.
 enum class ExportAs { picture, frames, texture, maps };
 
 /// Where an export goes and in what form.
@@ -30,16 +30,16 @@ struct ExportTarget {
     bool directx = false;        ///< of maps: also write normals whose green points down
     std::size_t compression = 0; ///< of EXRs, as in image::compression_names()
 
-    /// The target of this request, with the last of these set.
+    /// Returns this target with `as` and `of_noise` set for the request.
     ExportTarget of(const render::Request& request) const;
     /// The EXR, or the folder of maps.
     const std::string& name() const { return as == ExportAs::maps ? folder : path; }
 };
 
-/// Whether there are maps of this request.
+/// Whether this request has maps.
 bool can_export_maps(const render::Request& request);
 
-/// The files that an export writes, but for maps.
+/// The files that an export writes, except maps.
 std::vector<render::Files> files_of(const ExportTarget& target);
 /// All their paths.
 std::vector<std::filesystem::path> paths_of(const ExportTarget& target);

@@ -9,8 +9,7 @@ namespace gabor::viewer {
 
 struct Session;
 
-/// A dialog that asks for a file. Without one of the desktop's it shows a folder's contents, and a field for
-/// the name.
+/// A dialog that asks for a file. If the desktop has none, it lists a folder and has a field for the name.
 struct FileDialog {
     std::string title;
     std::string action;               ///< label of its button
@@ -19,7 +18,7 @@ struct FileDialog {
     std::string name = {};                        ///< in the field
     std::function<void(const std::string&)> take; ///< called with the chosen path
     bool saves = false;
-    bool folder_wanted = false; ///< without a name, take the folder
+    bool folder_wanted = false; ///< if no name is given, take the folder
 
     std::filesystem::path listed = {}; ///< folder of the two lists below
     std::vector<std::string> folders = {};
@@ -36,7 +35,7 @@ void ask_where_to_export(Session& session);
 /// Enters the folder that its field names, or takes the file.
 void answer_dialog(Session& session);
 
-/// Draws the dialog, or takes the answer of the desktop's. Call after all other windows.
+/// Draws the dialog, or polls the desktop's. Call after all other windows.
 void dialog_window(Session& session);
 
 } // namespace gabor::viewer

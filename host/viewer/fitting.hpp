@@ -41,7 +41,7 @@ class Fitter {
     void open(const std::string& path);
     /// Forgets the photograph.
     void close();
-    /// Sets the most lobes that the noise may have; fits again if that changes.
+    /// Sets the largest number of lobes; fits again if it changes.
     void set_lobes(int lobes) { wanted_.lobes = lobes; }
     int lobes() const { return wanted_.lobes; }
     /// The photograph's file; empty if there is none.
@@ -68,12 +68,12 @@ class Fitter {
     void work(const Wanted& wanted);
 
     Wanted wanted_;
-    Wanted begun_;      ///< what the thread does, or has done
+    Wanted begun_;      ///< the work that the thread does or has done
     bool busy_ = false; ///< until `poll` has collected the result
     std::shared_ptr<const Photograph> photograph_;
     std::optional<FittedPreset> fitted_;
     std::string error_;
-    std::shared_ptr<const Photograph> read_; ///< this and what follows belong to the thread while it runs
+    std::shared_ptr<const Photograph> read_; ///< this and the next members belong to the thread while it runs
     std::shared_ptr<const fit::Exemplar> exemplar_;
     std::optional<FittedPreset> result_;
     Background work_;

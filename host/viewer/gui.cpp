@@ -92,7 +92,7 @@ std::string sans_font() {
     return {};
 }
 
-// The font of the desktop that has most of these characters, and its number in the file, by fontconfig.
+// The desktop font that has most of these characters, and its index in the file, found by fontconfig.
 std::pair<std::string, int> font_with(const std::vector<ImWchar>& characters) {
     constexpr std::size_t enough = 64; // to tell a script
     const std::size_t asked = std::min(characters.size(), enough);
@@ -109,7 +109,7 @@ std::pair<std::string, int> font_with(const std::vector<ImWchar>& characters) {
     return {said.substr(space + 1), std::atoi(said.c_str())};
 }
 
-// Loads the font of all text, and for characters that it lacks others of the desktop: one for each script.
+// Loads the main font and, for characters that it lacks, one desktop font per script.
 void build_fonts(float pixels, const std::set<ImWchar>& characters) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
@@ -169,7 +169,7 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
     load_fonts();
 }
 
-// Starts Dear ImGui's drawing over: it does not free a font's texture before that.
+// Restarts Dear ImGui's renderer: it frees font textures only then.
 void Gui::load_fonts() {
     if (std::exchange(loaded_, true))
         return;

@@ -42,7 +42,7 @@ class Gui {
     float density_;
     float scale_;
     std::set<ImWchar> characters_; ///< besides those of western Europe
-    bool loaded_ = false;          ///< the fonts, with all of them
+    bool loaded_ = false;          ///< whether the fonts are loaded, with all `characters_`
     std::vector<int> released_;    ///< keys to release after this frame
 };
 

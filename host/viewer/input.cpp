@@ -80,7 +80,7 @@ void move_lamp(render::Request& request, double x, double y, double reach) {
     request.light_elevation = std::clamp(90 * (1 - std::hypot(x, y) / reach), 5.0, 90.0);
 }
 
-// Sets a choice of the table to the next value that keeps material and paint.
+// Advances a choice of the table to the next value that keeps material and paint.
 void next_choice(Session& session, std::string_view name) {
     const render::Parameter& parameter = render::parameter(name);
     const std::vector<std::string_view> all = render::choices(parameter);
@@ -108,10 +108,10 @@ constexpr int ctrl = 1 << 16; // added to a key
 struct Shortcut {
     const char* name;
     const char* effect;
-    int key = 0; ///< 0 for what is handled elsewhere
+    int key = 0; ///< 0 if handled elsewhere
     void (*act)(Session&) = nullptr;
     std::string_view control = {}; ///< control that must have an effect; empty for none
-    const char* without = "";      ///< said if it has none
+    const char* without = "";      ///< message if it has none
 };
 
 constexpr std::array shortcuts{

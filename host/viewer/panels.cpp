@@ -319,7 +319,7 @@ void export_panel(Session& session) {
         tooltip("Also write normal_directx.png, whose green points down");
     } else if (as != ExportAs::maps) {
         choose("compression", target.compression, image::compression_names());
-        tooltip("Of the EXR; zip and the others lose nothing, and take longer");
+        tooltip("Compression of the EXR: zip and the others are lossless, and take longer");
     }
     if (as == ExportAs::texture)
         ImGui::Checkbox("16-bit floats", &target.half);

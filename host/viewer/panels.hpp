@@ -9,9 +9,9 @@
 
 namespace gabor::viewer {
 
-/// Draws the panel beside the view, and does what the user does there. Sizes are in Dear ImGui's units.
+/// Draws the panel beside the view and handles its input. Sizes are in Dear ImGui's units.
 void side_panel(Session& session);
-/// Brings it back: a button at the lower right of the window.
+/// Draws the button that shows it again, at the lower right of the window.
 void unfold_button(Session& session);
 /// Parts of it.
 void spectrum_panel(Session& session);
@@ -20,7 +20,7 @@ void help_window(Session& session);
 void question_window(Session& session);
 /// Says on the picture how the view differs from it.
 void view_overlay(const Session& session);
-/// Shows what is under the pointer, at the upper right of a view of this width.
+/// Shows the values under the pointer, at the upper right of a view of this width.
 void reading_overlay(const Session& session, float width);
 /// Shows messages at the foot of a view of that size.
 void message_overlay(const Session& session, float width, float height);

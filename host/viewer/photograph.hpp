@@ -7,7 +7,7 @@
 
 namespace gabor::viewer {
 
-/// Extensions of pictures that hold no parameters, in lower case.
+/// Extensions of pictures that cannot hold parameters, in lower case.
 inline constexpr std::array<std::string_view, 3> photograph_endings{".png", ".jpg", ".jpeg"};
 
 /// Whether a file has such an extension.
@@ -16,7 +16,7 @@ bool is_photograph(const std::filesystem::path& path);
 /// Fits a noise to a photograph, and shows both.
 void open_photograph(Session& session, const std::string& path);
 
-/// Takes what was fitted, or says why nothing was: call in each frame.
+/// Takes a finished fit, or reports why it failed: call in each frame.
 void poll_fitter(Session& session);
 
 /// Whether the window shows the photograph beside its noise.

@@ -29,8 +29,8 @@ std::filesystem::path json_path(std::filesystem::path path) {
     return extension == ".json" ? path : path += ".json";
 }
 
-// Calls `write`, after a question if it replaces files that this session did not write, or that do not belong
-// to the document.
+// Calls `write`. Asks first if that would overwrite files that this session did not write or that do not
+// belong to the document.
 void overwrite(Session& session, const std::vector<std::filesystem::path>& paths, bool belong,
                std::function<void()> write) {
     std::vector<std::string> foreign;

@@ -105,14 +105,14 @@ void answer(Session& session, std::optional<std::size_t> number);
 bool is_changed(const Session& session);
 /// Confirms, then quits: call in each frame while `closing`.
 void continue_closing(Session& session);
-/// Runs an action; what it throws becomes a message.
+/// Runs an action; its exceptions become messages.
 void attempt(Session& session, const std::function<void()>& action);
 void notify(Session& session, std::string text, bool error = false);
 /// Text on the screen that names files, in any script.
 std::vector<std::string_view> file_names(const Session& session);
 
-/// Reads a document from a JSON file, from an EXR that gabor rendered, or from a preset's name. What it lacks
-/// is as in `defaults`. Throws RequestError if there is none, or its paint is missing.
+/// Reads a document from a JSON file, from an EXR that gabor rendered, or from a preset's name. Missing
+/// values are as in `defaults`. Throws RequestError if there is none, or its paint is missing.
 Document load_document(const std::string& path, const Document& defaults = {});
 
 } // namespace gabor::viewer

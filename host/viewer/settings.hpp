@@ -19,14 +19,14 @@ struct Settings {
     std::string preset_path;
     std::string export_path;
     std::vector<std::string> recent;
-    int unsaved_by = 0; ///< the process with changes that were neither saved nor given up; 0 for none
+    int unsaved_by = 0; ///< process with changes neither saved nor discarded; 0 for none
 
     bool operator==(const Settings&) const = default;
 };
 
-/// Returns the defaults if nothing is remembered, or nothing that can be read.
+/// Returns the defaults if viewer.json is missing or cannot be read.
 Settings load_settings();
-/// Replaces viewer.json atomically. Errors are ignored: settings are then not remembered.
+/// Replaces viewer.json atomically. Ignores errors: the settings are then lost.
 void save_settings(const Settings& settings);
 
 } // namespace gabor::viewer

@@ -16,7 +16,7 @@ namespace gabor::viewer {
 /// The specialization constants of shaders/viewer/show.glsl.
 using ShowConstants = std::array<std::int32_t, 10>;
 
-/// `channels`: of the values, as in render::channels. Without those that the output needs, the value is
+/// `channels`: of the values, as in render::channels. If the output's channels are missing, the value is
 /// shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two. `unlit`:
 /// show the normals of what is lit.
 ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
@@ -38,7 +38,7 @@ double stripe_turns(const render::Request& request);
 /// Whether a PNG of `gabor render` looks the same.
 bool shows_plainly(const Document& document);
 
-/// Says where a pixel is, in pixels from the middle of the view, and its channels in words.
+/// Describes a pixel in words: its place, in pixels from the middle of the view, and its channels.
 std::string reading(const Document& document, std::array<double, 2> from_middle,
                     std::span<const std::string> channels, std::span<const float> values);
 

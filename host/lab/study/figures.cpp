@@ -174,8 +174,8 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
 
 namespace {
 
-// N* by Gaussianity where that is measured well; where the noise is too close to a normal distribution, by
-// the excess kurtosis, from which it follows.
+// N* by Gaussianity if that is measured well; if the noise is too close to a normal distribution, by the
+// excess kurtosis.
 double seminal_equivalent(const ValueStatistics& values, const Ingredients& ingredients) {
     const statistics::Estimate cvm = values.gaussianity.index();
     if (cvm.low > cvm.value / 2)

@@ -70,7 +70,7 @@ Vector subtract_multiple(const Vector& u, const Vector& v, double factor) {
     return {u[0] - factor * v[0], u[1] - factor * v[1]};
 }
 
-// Lagrange's reduction: a is a shortest vector, b a shortest one beside it.
+// Lagrange's reduction: a is a shortest vector, b the shortest one independent of it.
 void reduce(Vector& a, Vector& b) {
     for (;;) {
         if (dot(b, b) < dot(a, a))

@@ -61,17 +61,17 @@ struct HexagonalLattice {
     int step = 0;
     std::array<double, 2> a{}; ///< a reduced basis, a.b >= 0
     std::array<double, 2> b{};
-    double overhang = 0; ///< how far hexagons reach over the border of the unit cell, at most 1/2
+    double overhang = 0; ///< how far hexagons extend beyond the unit cell, at most 1/2
 };
 
-/// The lattice for n points per cell whose nearest points are the furthest apart.
+/// The lattice with n points per cell that has the largest distance between nearest points.
 HexagonalLattice hexagonal_lattice(int n);
 
 /// The specialization constants of passes/ingredients.glsl.
 std::vector<std::uint32_t> constants(const Ingredients& ingredients);
 
 /// Variance of the sum by Campbell's theorem: N E[w^2] times the energy of the kernel. Exact for weights of
-/// mean 0 and for Poisson points; without weights other points have less.
+/// mean 0 and for Poisson points; other points without weights have a smaller variance.
 double variance(const Ingredients& ingredients, const PlaneWave& wave);
 
 /// Excess kurtosis of the sum with Poisson points, N E[w^4] integral(g^4) / variance^2 by Campbell's theorem.

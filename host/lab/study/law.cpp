@@ -50,7 +50,7 @@ std::vector<Subject> subjects() {
     return all;
 }
 
-// A noise that is created when first used, and kept for the other rows of a table.
+// A noise that is created when first used, and reused for the other rows of a table.
 using Source = std::function<Noise&()>;
 
 Source source(const vulkan::Device& device, const Subject& subject, const PlaneWave& wave) {

@@ -18,7 +18,7 @@ namespace gabor::study {
 struct Grid {
     unsigned bits = 0;
     double side = 0;               ///< kernel radii
-    bool random = true;            ///< begins at a random place of a cell; else at a cell's corner
+    bool random = true;            ///< begins at a random place of a cell, otherwise at its corner
     std::array<double, 2> shift{}; ///< from there, kernel radii
 };
 
@@ -61,7 +61,7 @@ struct Point {
 /// The impulses of each cell; cells are in row order.
 using PointSet = std::vector<std::vector<Point>>;
 
-/// Returns those of `side` x `side` cells, starting at the origin.
+/// Returns the impulses of `side` x `side` cells, starting at the origin.
 PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients, int side,
                    std::uint32_t seed);
 

@@ -30,7 +30,7 @@ double magnitude_moment(Magnitudes magnitudes, double floor, int power) {
     }
 }
 
-// The mean over [0, 1)^2, which is also an integral.
+// The mean over [0, 1)^2, which equals the integral.
 double mean_over_cell(int nodes, const std::function<double(double, double)>& f) {
     double sum = 0;
     for (int j = 0; j < nodes; ++j)
