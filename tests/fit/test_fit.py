@@ -68,6 +68,39 @@ class FitTest(ProgramTest):
             self.assertLess(abs(radius - 1), 0.03)
             self.assertLess(abs(power - 1), 0.1)
 
+    def test_an_enlargement_gives_the_same_lobes_enlarged(self):
+        known = [dict(frequency=4, orientation=30, radius=0.5, power=1),
+                 dict(frequency=2.2, orientation=-60, radius=0.8, stretch=2, power=0.6),
+                 dict(frequency=0.3, orientation=0, radius=1.2, power=0.5)]
+        (self.folder / "lobes.json").write_text(json.dumps(known))
+        self.succeed("render", "--lobes", "lobes.json", "--scale", "16", "--size", "256x256", "--tileable", "--seed", "3",
+                     "-o", "small.exr")
+        small = Exr(self.folder / "small.exr").channels["Y"].astype(float)
+        spectrum = np.fft.fftshift(np.fft.fft2(small))
+        large = 16 * np.fft.ifft2(np.fft.ifftshift(np.pad(spectrum, 384))).real  # four times as large, no frequency added
+        write_exr(self.folder / "large.exr", {"Y": large.astype("f4")})
+        places, shapes, powers, errors = [], [], [], []
+        expected = welch(without_trend(small[..., None]))
+        for name, times in (("small.exr", 1), ("large.exr", 4)):
+            fitted = self.fit(name, "--lobes", "3")
+            unit = fitted["scale"] / times
+            lobes = sorted(fitted["lobes"], key=lambda lobe: -lobe["frequency"])
+            self.assertEqual(len(lobes), len(known))
+            places.append(np.array([lobe["frequency"] / unit * np.exp(1j * math.radians(lobe["orientation"])) for lobe in lobes]))
+            shapes.append(np.array([[lobe["radius"] * unit, lobe["radius"] * unit * lobe.get("stretch", 1)] for lobe in lobes]))
+            powers.append(np.array([lobe["power"] for lobe in lobes]))
+            fitted["colour"]["histogram"][0] = [0, 1, 0, 0, 0, 0]
+            (self.folder / "fit.json").write_text(json.dumps(fitted))
+            drawn = self.render("--size", "1024x1024", "--scale", repr(unit)).channels["G"][..., None].astype(float)
+            errors.append(relative_errors(welch(drawn - drawn.mean()), expected)[0])
+        apart = np.minimum(abs(places[0] - places[1]), abs(places[0] + places[1]))
+        stretch = shapes[1] / shapes[0]
+        print(f"enlarged: frequencies off by {apart}, radii {stretch.ravel()} and powers {powers[1] / powers[0]} times, L1 {errors}")
+        self.assertLess(apart.max(), 0.0005)
+        self.assertLess(np.abs(stretch - 1).max(), 0.02)
+        self.assertLess(np.abs(powers[1] / powers[0] - 1).max(), 0.02)
+        self.assertLess(abs(errors[1] - errors[0]), 0.01)
+
     def test_grey_photographs(self):
         for name, l1_most, l2_most in (("grass", 0.06, 0.05), ("gravel", 0.06, 0.05), ("brick", 0.06, 0.08)):
             try:
