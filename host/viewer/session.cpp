@@ -43,15 +43,13 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
     }
     if (foreign.empty())
         return attempt(session, write);
-    const bool several = foreign.size() > 1;
     constexpr std::size_t most_named = 3;
     if (const std::size_t count = foreign.size(); count > most_named) {
         foreign.resize(most_named - 1);
         foreign.push_back(fmt::format("{} more", count - foreign.size()));
     }
-    session.question = Question{fmt::format("Overwrite {}? {} not written from this document.",
-                                            fmt::join(foreign, " and "), several ? "They were" : "It was"),
-                                {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
+    session.question = {fmt::format("Overwrite {}, not from this document?", fmt::join(foreign, " and ")),
+                        {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
 }
 
 } // namespace
@@ -201,8 +199,10 @@ void start_export(Session& session) {
         return notify(session, "an export needs a name that ends in .exr", true);
     for (const auto& [path, stamp] : session.exporter.written())
         session.written[path] = stamp;
-    overwrite(session, paths_of(target), true, [&session, target] {
+    const bool same = session.exported_from == session.document().path;
+    overwrite(session, paths_of(target), same, [&session, target] {
         session.exporter.start(session.document(), target);
+        session.exported_from = session.document().path;
         session.exported = false;
     });
 }

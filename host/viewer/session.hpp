@@ -48,6 +48,7 @@ struct Session {
     std::vector<std::string> recent; ///< files opened or saved, the last one first
     /// Files that this session wrote: others are overwritten only after a question.
     std::map<std::filesystem::path, FileStamp> written;
+    std::string exported_from; ///< the path of the document that was exported last
     Exporter exporter;
     ExportTarget export_target;
     bool exported = true;         ///< the result of the last export has been shown

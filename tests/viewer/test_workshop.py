@@ -114,6 +114,23 @@ class Workshop(EventsTest):
             for folder in ("maps", "expected"):
                 shutil.rmtree(self.folder / folder)
 
+    def test_exports_ask_before_they_replace_those_of_another_document(self):
+        self.open(*WINDOW, self.preset("steel.json", material="brushed-metal", width=64, height=48))
+        self.click(1020, 51)
+        self.frames(3)
+        self.keys("ctrl+e")
+        self.exported()
+        steel = self.read("maps/base_color.png")
+        self.keys("p")
+        self.frames(3)
+        self.click(370, 85) # the picture of another preset
+        self.assertFalse(self.state["gallery"])
+        self.keys("ctrl+e")
+        self.assertIn("maps", self.state["question"])
+        self.keys("Escape")
+        self.assertEqual(self.read("maps/base_color.png"), steel)
+        self.close()
+
     def test_stripes_have_maps(self):
         preset = self.preset("corduroy.json", width=96, height=64, scale=32, frequency=3, seed=2, tileable=True,
                              viewer={"output": "lit stripes", "colours": "ember", "contrast": 1, "normals": "OpenGL"})
