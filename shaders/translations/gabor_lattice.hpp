@@ -616,7 +616,7 @@ GABOR_INLINE void gabor_impl_add_row(gabor_vec4& sum, gabor_vec4& slope, GaborAx
     gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
     if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
-    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0f) { // always true, but a branch keeps CPUs from spilling registers
+    {
         gabor_impl_add(sum, row, y.node[j].xy());
         gabor_impl_add(slope, row, y.node[j].zw());
     }
