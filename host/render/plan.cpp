@@ -145,7 +145,7 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
     return result;
 }
 
-// Up to so many waves, the unrolled loop is worth the longer compilation.
+// As many as passes/pixels.comp unrolls.
 constexpr std::size_t few_waves = 16;
 
 void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, const Paint& paint) {
@@ -183,8 +183,11 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     Constants constants = constants_of(request);
     if (waves.size() <= few_waves) {
         constants[passes::few_waves_id] = vulkan::constant(push.waves);
-        // The deviation of a pixel's filter in kernel radii, for gabor_impl_wide_share.
-        for (std::size_t i = 0; i < waves.size() && request.filter && !in_perspective(request); ++i) {
+        // The deviation of a pixel's filter in kernel radii, for gabor_impl_wide_share. It is no constant in
+        // a window, which would compile another pipeline for each scale.
+        const bool is_constant =
+            request.filter && !in_perspective(request) && viewport.blocks == Blocks::fitted;
+        for (std::size_t i = 0; i < waves.size() && is_constant; ++i) {
             const passes::PixelsWave& wave = waves[i];
             const float deviation = 0.5f * push.pixel / request.recipe.radius *
                                     std::max(wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y);

@@ -80,6 +80,20 @@ TEST_CASE("a window uses one block size for all scales, and single pixels at sma
     CHECK_FALSE(uses_blocks(request, viewport));
 }
 
+TEST_CASE("a window filters with one pipeline at all scales, and a picture with that of its scale") {
+    Request request{.lobes = {{.frequency = 2}, {.frequency = 5, .radius = 0.05}}, .filter = true};
+    Viewport viewport = viewport_of(request, {0, 0, 64, 64});
+    const auto constants = [&] { return plan(request, viewport).steps.front().constants; };
+    CHECK(constants()[passes::narrow_waves_id] == 0b01);
+    CHECK(constants()[passes::wide_waves_id] == 0b10);
+    viewport.blocks = Blocks::fixed;
+    const Constants near = constants();
+    for (const double zoom : {0.02, 0.1, 3.7, 50.0}) {
+        viewport.camera.zoom = zoom;
+        CHECK(constants() == near);
+    }
+}
+
 TEST_CASE("every pass that a plan names exists") {
     std::vector<Request> requests;
     for (const noise::Recipe& recipe : noise::recipes())
