@@ -46,6 +46,8 @@ Constants constants_of(const Request& request) {
     constants[passes::values_id] = static_cast<std::uint32_t>(request.values);
     constants[passes::animated_id] = wrapped_time(request) != 0;
     constants[passes::coloured_id] = request.colour.has_value();
+    const Plane* plane = std::get_if<Plane>(&request.view);
+    constants[passes::tiled_id] = plane && plane->tileable;
     return constants;
 }
 

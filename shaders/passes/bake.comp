@@ -37,6 +37,7 @@ layout(constant_id = animated_id) const bool animated = false;        // for the
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
 layout(constant_id = few_waves_id) const int few_waves = 0; // 1: this step has one noise
 layout(constant_id = coloured_id) const bool coloured = false;        // writes the components of a colour instead of the noise
+layout(constant_id = tiled_id) const bool tiled = false; // else no cell is divided by a period, which CPUs do slowly
 layout(constant_id = view_id) const uint view = view_flat;
 const bool slice = view == view_slice; // of solid noise, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
@@ -116,6 +117,7 @@ void fill(Run across, Run down, uint index) {
     vec2 weights_1 = waves[index].weights[1];
     vec2 weights_2 = waves[index].weights[2];
     vec2 cell_side = 1.0 / radius;
+    ivec2 wrap = tiled ? period : ivec2(0);
     vec2 local = vec2(across.local, down.local);
 
     // The bracket above for each column.
@@ -134,10 +136,10 @@ void fill(Run across, Run down, uint index) {
     uint salt = gabor_impl_salt(seed);
     Depth depth = depth_of(salt);
     [[unroll]] for (int c = 0; c < terms; ++c) {
-        uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, period.y), salt ^ GABOR_IMPL_ROWS);
+        uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, wrap.y), salt ^ GABOR_IMPL_ROWS);
         vec2 node[GABOR_TAPS];
         [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
-            uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, period.x), salt);
+            uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, wrap.x), salt);
             float turns = dot(wave, (local - vec2(i, c)) * cell_side);
             vec2 a = node_amplitude(column_word, row_word, depth);
             node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * rotated(a, gabor_impl_wave(turns));
@@ -159,8 +161,8 @@ void fill(Run across, Run down, uint index) {
     uint seed_word = gabor_impl_seed_word(seed);
     [[unroll]] for (int c = 0; c < terms; ++c) {
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
-        uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, period.y), seed_word);
-        uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, period.x), row_word, c % recipe_impulses);
+        uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, wrap.y), seed_word);
+        uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, wrap.x), row_word, c % recipe_impulses);
         GaborImpulse impulse = gabor_impl_impulse(word);
         vec2 d = (local - (impulse.position_plus_one + (vec2(offset) - 2.0))) * cell_side;
         float turns = dot(wave, d) + impulse.phase + impulse.phase_rate * time;

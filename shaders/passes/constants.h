@@ -39,7 +39,7 @@ const uint sum_id = 22;
 // passes/bake_colour.comp
 const uint channels_id = 23;
 
-// passes/material.comp
+// passes/material.comp, passes/pixels.comp and passes/bake.comp: whether opposite edges match
 const uint tiled_id = 24;
 
 // passes/pixels.comp and passes/bake.comp

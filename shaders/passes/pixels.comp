@@ -19,6 +19,7 @@ layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
 layout(constant_id = values_id) const int values = 1; // independent noises
+layout(constant_id = tiled_id) const bool tiled = false; // else no cell is divided by a period, which CPUs do slowly
 layout(constant_id = animated_id) const bool animated = false; // for the lattice: whether time is not 0
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves, if there are few: their loop is unrolled
 // A bit for each of few waves whose filter needs only its narrow or only its wide form.
@@ -79,11 +80,12 @@ Values wave_at(PixelsWave wave, int index, Footprint here) {
     ivec2 cell = ivec2(column.cell, row.cell);
     vec2 paint_here = painted ? painted_at(vec2(here.pixel)) : vec2(1.0, 0.0);
     GaborKernel kernel = gabor_kernel(paint_here.x * wave.frequency, paint_here.y + wave.orientation);
+    ivec2 period = tiled ? wave.period : ivec2(0);
 #ifdef GABOR_TAPS
     kernel.wave.y *= wave.radius.y / wave.radius.x;
-    GaborPlace place = GaborPlace(cell, local, wave.nodes, wave.period, animated, time);
+    GaborPlace place = GaborPlace(cell, local, wave.nodes, period, animated, time);
 #else
-    GaborPlace place = GaborPlace(cell, local, wave.nodes, wave.period, time);
+    GaborPlace place = GaborPlace(cell, local, wave.nodes, period, time);
 #endif
 #if GABOR_TAPS == 3
     vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
