@@ -98,10 +98,11 @@ void gabor_impl_splines(float t, out vec4 value, out vec4 slope) {
 }
 
 uvec4 gabor_impl_four_line_words(int index, int period, uint salt) {
-    return uvec4(gabor_impl_line_word(gabor_impl_wrap(index - 1, period), salt),
-                 gabor_impl_line_word(gabor_impl_wrap(index, period), salt),
-                 gabor_impl_line_word(gabor_impl_wrap(index + 1, period), salt),
-                 gabor_impl_line_word(gabor_impl_wrap(index + 2, period), salt));
+    int first = gabor_impl_wrap(index - 1, period);
+    int second = gabor_impl_next_node(first, period);
+    int third = gabor_impl_next_node(second, period);
+    return uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt), gabor_impl_line_word(third, salt),
+                 gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // Adds a row of nodes to two noises; their amplitudes are uniform between -2^31 and 2^31.

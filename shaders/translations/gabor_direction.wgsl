@@ -1,7 +1,7 @@
 // gabor_direction.wgsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
 // pixel: for WGSL.
 //
-// Digest of the GLSL and of this file: 795c7d63a5688c86
+// Digest of the GLSL and of this file: a7a90364670b48ae
 // Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
@@ -50,7 +50,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
     var i: i32;
     var amplitude_2: vec2<f32>;
     var d_1: vec2<f32>;
-    var local_12: f32;
+    var local_13: f32;
     var scale: f32;
 
     waves_1 = waves;
@@ -116,11 +116,11 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
         }
     }
     if false {
-        local_12 = 1f;
+        local_13 = 1f;
     } else {
-        local_12 = 1.125f;
+        local_13 = 1.125f;
     }
-    let _e148 = local_12;
+    let _e148 = local_13;
     scale = (1f / (1459955300000000000000000000f * _e148));
     let _e152 = scale;
     let _e153 = sum_5;

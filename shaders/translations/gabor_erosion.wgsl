@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope.
 // Paste or include this file after gabor_lattice.wgsl: for WGSL.
 //
-// Digest of the GLSL and of this file: a74bc652e772e473
+// Digest of the GLSL and of this file: 191e58d87c1028c3
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
@@ -218,7 +218,7 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
     var kept_1: f32;
     var z_1: vec2<f32>;
     var place_9: GaborPlace;
-    var local_13: f32;
+    var local_14: f32;
     var side: f32;
 
     terrain = base;
@@ -297,11 +297,11 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
             terrain.slope = (_e165.slope + (_e167 * _e168.slope));
             let _e172 = z_1;
             if (_e172.y < 0f) {
-                local_13 = -6.2831855f;
+                local_14 = -6.2831855f;
             } else {
-                local_13 = 6.2831855f;
+                local_14 = 6.2831855f;
             }
-            let _e180 = local_13;
+            let _e180 = local_14;
             let _e181 = kept_1;
             side = (((_e180 * _e181) * erosion.branching) * erosion.gully_weight);
             let _e188 = steer;
@@ -410,15 +410,28 @@ fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
 }
 
 fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
+    var first: i32;
+    var second_1: i32;
+    var third_1: i32;
+
     let _e5 = gabor_impl_wrap((index - 1i), period);
-    let _e6 = gabor_impl_line_word(_e5, salt);
-    let _e7 = gabor_impl_wrap(index, period);
-    let _e8 = gabor_impl_line_word(_e7, salt);
-    let _e11 = gabor_impl_wrap((index + 1i), period);
-    let _e12 = gabor_impl_line_word(_e11, salt);
-    let _e15 = gabor_impl_wrap((index + 2i), period);
+    first = _e5;
+    let _e7 = first;
+    let _e8 = gabor_impl_next_node(_e7, period);
+    second_1 = _e8;
+    let _e10 = second_1;
+    let _e11 = gabor_impl_next_node(_e10, period);
+    third_1 = _e11;
+    let _e13 = first;
+    let _e14 = gabor_impl_line_word(_e13, salt);
+    let _e15 = second_1;
     let _e16 = gabor_impl_line_word(_e15, salt);
-    return vec4<u32>(_e6, _e8, _e12, _e16);
+    let _e17 = third_1;
+    let _e18 = gabor_impl_line_word(_e17, salt);
+    let _e19 = third_1;
+    let _e20 = gabor_impl_next_node(_e19, period);
+    let _e21 = gabor_impl_line_word(_e20, salt);
+    return vec4<u32>(_e14, _e16, _e18, _e21);
 }
 
 // Adds a row of nodes to two noises; their amplitudes are uniform between -2^31 and 2^31.
@@ -447,15 +460,15 @@ fn gabor_impl_add_hills(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec
 
 // Rises from 0 to 1 at t = 1 and stays there; starts straight, or rounded.
 fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
-    var local_12: f32;
+    var local_13: f32;
     var s_3: f32;
 
     if (t < rounding) {
-        local_12 = (((0.5f * t) * t) / rounding);
+        local_13 = (((0.5f * t) * t) / rounding);
     } else {
-        local_12 = (t - (0.5f * rounding));
+        local_13 = (t - (0.5f * rounding));
     }
-    let _e12 = local_12;
+    let _e12 = local_13;
     s_3 = (1f - min(_e12, 1f));
     let _e18 = s_3;
     let _e19 = s_3;

@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, and filtered for a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 2fb1bb04efdfa406
+// Digest of the GLSL and of this file: 03d151c8ca77e208
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -398,7 +398,7 @@ fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fre
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four: vec4<f32>;
     var i_5: i32 = 0i;
-    var local_28: u32;
+    var local_29: u32;
     var noise_2: vec4<f32>;
 
     loop {
@@ -409,13 +409,13 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
         {
             let _e17 = i_5;
             if (_e17 == 0i) {
-                local_28 = seed;
+                local_29 = seed;
             } else {
                 let _e20 = i_5;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_28 = _e22;
+                local_29 = _e22;
             }
-            let _e24 = local_28;
+            let _e24 = local_29;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_2 = _e25;
             let _e27 = i_5;
@@ -458,7 +458,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     var removed_6: f32;
     var field_12: GaborField;
     var noise_3: vec3<f32>;
-    var local_29: vec4<f32>;
+    var local_30: vec4<f32>;
 
     lobes_9 = lobes;
     loop {
@@ -512,11 +512,11 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
         let _e98 = power_3;
         let _e100 = vec3(inverseSqrt(_e98));
         let _e102 = power_3;
-        local_29 = (_e97 * vec4<f32>(_e100.x, _e100.y, _e100.z, (1f / _e102)));
+        local_30 = (_e97 * vec4<f32>(_e100.x, _e100.y, _e100.z, (1f / _e102)));
     } else {
-        local_29 = vec4(0f);
+        local_30 = vec4(0f);
     }
-    let _e112 = local_29;
+    let _e112 = local_30;
     return _e112;
 }
 
@@ -783,7 +783,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var lobe_1: GaborLobe;
         var stretched: GaborPlace;
         var field_3: GaborField;
-        var local_12: f32;
+        var local_13: f32;
         var scale_1: f32;
 
         lobes_1 = lobes;
@@ -828,11 +828,11 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e68 = power;
         if (_e68 > 0f) {
             let _e71 = power;
-            local_12 = inverseSqrt(_e71);
+            local_13 = inverseSqrt(_e71);
         } else {
-            local_12 = 0f;
+            local_13 = 0f;
         }
-        let _e75 = local_12;
+        let _e75 = local_13;
         scale_1 = _e75;
         let _e77 = scale_1;
         let _e78 = sum_5;
@@ -849,7 +849,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var lobe_1: GaborLobe;
         var stretched: GaborPlace;
         var field_3: GaborField;
-        var local_12: f32;
+        var local_13: f32;
         var scale: f32;
 
         lobes_1 = lobes;
@@ -894,11 +894,11 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e68 = power;
         if (_e68 > 0f) {
             let _e71 = power;
-            local_12 = inverseSqrt(_e71);
+            local_13 = inverseSqrt(_e71);
         } else {
-            local_12 = 0f;
+            local_13 = 0f;
         }
-        let _e75 = local_12;
+        let _e75 = local_13;
         scale = _e75;
         let _e77 = scale;
         let _e78 = sum_5;
@@ -915,7 +915,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         var lobe_1: GaborLobe;
         var stretched: GaborPlace;
         var field_3: GaborField;
-        var local_12: f32;
+        var local_13: f32;
         var scale: f32;
 
         lobes_1 = lobes;
@@ -960,11 +960,11 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
         let _e68 = power;
         if (_e68 > 0f) {
             let _e71 = power;
-            local_12 = inverseSqrt(_e71);
+            local_13 = inverseSqrt(_e71);
         } else {
-            local_12 = 0f;
+            local_13 = 0f;
         }
-        let _e75 = local_12;
+        let _e75 = local_13;
         scale = _e75;
         let _e77 = scale;
         let _e78 = sum_5;
@@ -1081,44 +1081,44 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var none: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
-        var local_14: f32;
+        var local_15: f32;
 
         let _e10 = none;
         let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
         if true {
-            local_14 = 1f;
+            local_15 = 1f;
         } else {
-            local_14 = 0.75f;
+            local_15 = 0.75f;
         }
-        let _e23 = local_14;
+        let _e23 = local_15;
         let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
         return _e26;
     } else if GABOR_TAPS == 4 {
         var none: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
-        var local_14: f32;
+        var local_15: f32;
 
         let _e10 = none;
         let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
         if false {
-            local_14 = 1f;
+            local_15 = 1f;
         } else {
-            local_14 = 1.5f;
+            local_15 = 1.5f;
         }
-        let _e23 = local_14;
+        let _e23 = local_15;
         let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
         return _e26;
     } else {
         var none_1: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
-        var local_25: f32;
+        var local_26: f32;
 
         let _e10 = none_1;
         let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
         if false {
-            local_25 = 1f;
+            local_26 = 1f;
         } else {
-            local_25 = 1.125f;
+            local_26 = 1.125f;
         }
-        let _e23 = local_25;
+        let _e23 = local_26;
         let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
         return _e26;
     }
@@ -1141,7 +1141,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var larger: f32;
     var side: f32;
     var smaller_1: f32;
-    var local_27: f32;
+    var local_28: f32;
 
     dx_1 = dx;
     dy_1 = dy;
@@ -1196,11 +1196,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e105 > 0f) {
                 let _e110 = smaller_1;
                 let _e113 = apart_1;
-                local_27 = ((0.5f * (0.25f - _e110)) / _e113);
+                local_28 = ((0.5f * (0.25f - _e110)) / _e113);
             } else {
-                local_27 = 0f;
+                local_28 = 0f;
             }
-            let _e117 = local_27;
+            let _e117 = local_28;
             axis_2 = (_e104 * _e117);
             let _e122 = smaller_1;
             let _e125 = axis_2;
@@ -1257,7 +1257,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: 
     var kept: f32;
     var s_6: vec3<f32>;
     var pixel_3: GaborFilter;
-    var local_26: f32;
+    var local_27: f32;
 
     let _e6 = gabor_impl_transmitted_isotropic_2d(frequency, footprint.covariance);
     kept = _e6;
@@ -1284,11 +1284,11 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: 
     let _e60 = pixel_3;
     let _e61 = gabor_impl_sum_isotropic_2d(place, frequency, _e60, seed);
     if false {
-        local_26 = 1f;
+        local_27 = 1f;
     } else {
-        local_26 = 1.125f;
+        local_27 = 1.125f;
     }
-    let _e73 = local_26;
+    let _e73 = local_27;
     let _e76 = kept;
     let _e77 = s_6;
     let _e78 = gabor_impl_transmitted_isotropic_2d(frequency, _e77);
@@ -1330,14 +1330,14 @@ fn gabor_impl_takeover(x: f32) -> f32 {
 
 // The number of lobes for `c`; both numbers added while one fades into the other.
 fn gabor_impl_pieces(c: f32) -> i32 {
-    var local_13: i32;
+    var local_14: i32;
 
     if (fract(c) > 0.8f) {
-        local_13 = ((2i * i32(c)) + 1i);
+        local_14 = ((2i * i32(c)) + 1i);
     } else {
-        local_13 = i32(c);
+        local_14 = i32(c);
     }
-    let _e11 = local_13;
+    let _e11 = local_14;
     return _e11;
 }
 
@@ -1552,10 +1552,10 @@ struct GaborBand {
 // r M.
 fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
     var b_2: GaborBand;
-    var local_15: i32;
-    var local_16: f32;
-    var zero_1: f32;
+    var local_16: i32;
     var local_17: f32;
+    var zero_1: f32;
+    var local_18: f32;
     var g: f32;
     var unit_1: f32;
     var fall: f32;
@@ -1578,29 +1578,29 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
     let _e18 = b_2;
     if (_e18.reach > 2f) {
-        local_15 = 5i;
+        local_16 = 5i;
     } else {
-        local_15 = 4i;
+        local_16 = 4i;
     }
-    let _e25 = local_15;
+    let _e25 = local_16;
     b_2.count = _e25;
     let _e26 = b_2;
     if (_e26.count == 5i) {
-        local_16 = 0.5f;
+        local_17 = 0.5f;
     } else {
-        local_16 = 1f;
+        local_17 = 1f;
     }
-    let _e33 = local_16;
+    let _e33 = local_17;
     zero_1 = (floor((local + _e33)) - 2f);
     let _e40 = b_2;
     if (_e40.count == 5i) {
         let _e44 = zero_1;
-        local_17 = clamp((local - _e44), 1.5f, 2.5f);
+        local_18 = clamp((local - _e44), 1.5f, 2.5f);
     } else {
         let _e49 = zero_1;
-        local_17 = clamp((local - _e49), 1f, 2f);
+        local_18 = clamp((local - _e49), 1f, 2f);
     }
-    let _e55 = local_17;
+    let _e55 = local_18;
     b_2.offset = _e55;
     let _e57 = zero_1;
     b_2.first = (cell + i32(_e57));
@@ -1895,7 +1895,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var along: GaborBand;
     var columns_3: GaborColumns;
     var line_3: GaborLine;
-    var local_18: i32;
+    var local_19: i32;
     var rows_1: i32;
     var value_7: vec2<f32> = vec2(0f);
     var next_x: vec2<f32> = vec2(0f);
@@ -1907,7 +1907,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var before: vec2<f32>;
     var x_5: vec2<f32>;
     var y_4: vec2<f32>;
-    var local_19: f32;
+    var local_20: f32;
     var scale_1: f32;
 
     m_1 = (s.xy + vec2(0.13069098f));
@@ -1966,11 +1966,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     line_3 = _e150;
     if wanted {
         let _e152 = along;
-        local_18 = _e152.count;
+        local_19 = _e152.count;
     } else {
-        local_18 = 0i;
+        local_19 = 0i;
     }
-    let _e156 = local_18;
+    let _e156 = local_19;
     rows_1 = _e156;
     loop {
         {
@@ -2044,11 +2044,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e268 = lambda;
     let _e272 = exponent_1;
     if false {
-        local_19 = 1f;
+        local_20 = 1f;
     } else {
-        local_19 = 1.125f;
+        local_20 = 1.125f;
     }
-    let _e286 = local_19;
+    let _e286 = local_20;
     scale_1 = ((sqrt((1f - (_e267 * _e268))) * exp(-(_e272))) / (1459955300000000000000000000f * _e286));
     let _e290 = scale_1;
     let _e291 = value_7;
@@ -2188,12 +2188,12 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var y_5: GaborBand;
     var z_2: GaborBand;
     var columns_4: GaborColumns;
-    var first_1: GaborLine;
+    var first: GaborLine;
     var slice_2: GaborLine;
     var none: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
-    var local_21: i32;
-    var rows_2: i32;
     var local_22: i32;
+    var rows_2: i32;
+    var local_23: i32;
     var slices: i32;
     var value_8: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
@@ -2210,9 +2210,9 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var imaginary_2: vec3<f32>;
     var quarter_1: vec3<f32>;
     var exponent_2: f32;
-    var local_23: f32;
-    var scale_2: f32;
     var local_24: f32;
+    var scale_2: f32;
+    var local_25: f32;
 
     m_4 = GaborMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
     let _e19 = m_4;
@@ -2263,7 +2263,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     let _e138 = y_5;
     let _e141 = y_5;
     let _e146 = gabor_impl_line_before(_e137, vec2<f32>(_e138.back.x, -(_e141.back.y)));
-    first_1 = _e146;
+    first = _e146;
     let _e148 = z_2;
     let _e149 = x_6;
     let _e151 = y_5;
@@ -2273,19 +2273,19 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     slice_2 = _e165;
     if wanted {
         let _e173 = y_5;
-        local_21 = _e173.count;
-    } else {
-        local_21 = 0i;
-    }
-    let _e177 = local_21;
-    rows_2 = _e177;
-    if wanted {
-        let _e179 = z_2;
-        local_22 = _e179.count;
+        local_22 = _e173.count;
     } else {
         local_22 = 0i;
     }
-    let _e183 = local_22;
+    let _e177 = local_22;
+    rows_2 = _e177;
+    if wanted {
+        let _e179 = z_2;
+        local_23 = _e179.count;
+    } else {
+        local_23 = 0i;
+    }
+    let _e183 = local_23;
     slices = _e183;
     loop {
         {
@@ -2303,7 +2303,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
             y_1_2 = _e208;
             let _e210 = none;
             y_2_2 = _e210;
-            let _e212 = first_1;
+            let _e212 = first;
             row_5 = _e212;
             j_3 = 0i;
             loop {
@@ -2428,20 +2428,20 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     exponent_2 = (19.739208f * (dot((wave + _e370), _e372) + dot(_e374, (_e375 * _e376))));
     let _e383 = determinant_1;
     if false {
-        local_23 = 1f;
-    } else {
-        local_23 = 1.125f;
-    }
-    let _e394 = local_23;
-    let _e397 = exponent_2;
-    scale_2 = (sqrt(((8f / _e383) / _e394)) * exp(-(_e397)));
-    let _e402 = scale_2;
-    if false {
         local_24 = 1f;
     } else {
         local_24 = 1.125f;
     }
-    let _e413 = local_24;
+    let _e394 = local_24;
+    let _e397 = exponent_2;
+    scale_2 = (sqrt(((8f / _e383) / _e394)) * exp(-(_e397)));
+    let _e402 = scale_2;
+    if false {
+        local_25 = 1f;
+    } else {
+        local_25 = 1.125f;
+    }
+    let _e413 = local_25;
     scale_2 = (_e402 / (1459955300000000000000000000f * _e413));
     let _e416 = scale_2;
     let _e417 = value_8;
@@ -2459,14 +2459,14 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
 // Mixes the words of rows again for each further use; their products with column words are equally random.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
     if GABOR_TAPS == 2 {
-        var first_1: u32;
+        var first: u32;
         var second_1: u32;
         var third_1: u32;
         var fourth: u32;
 
-        first_1 = ((word ^ (word >> 15u)) * 3545902487u);
-        let _e7 = first_1;
-        let _e8 = first_1;
+        first = ((word ^ (word >> 15u)) * 3545902487u);
+        let _e7 = first;
+        let _e8 = first;
         second_1 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
         let _e15 = second_1;
         let _e16 = second_1;
@@ -2474,12 +2474,33 @@ fn gabor_impl_row(word: u32) -> vec4<u32> {
         let _e23 = third_1;
         let _e24 = third_1;
         fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
-        let _e31 = first_1;
+        let _e31 = first;
         let _e36 = second_1;
         let _e41 = third_1;
         let _e46 = fourth;
         return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
     } else if GABOR_TAPS == 4 {
+        var first: u32;
+        var second_1: u32;
+        var third_1: u32;
+        var fourth: u32;
+
+        first = ((word ^ (word >> 15u)) * 3545902487u);
+        let _e7 = first;
+        let _e8 = first;
+        second_1 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
+        let _e15 = second_1;
+        let _e16 = second_1;
+        third_1 = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
+        let _e23 = third_1;
+        let _e24 = third_1;
+        fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
+        let _e31 = first;
+        let _e36 = second_1;
+        let _e41 = third_1;
+        let _e46 = fourth;
+        return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
+    } else {
         var first_1: u32;
         var second_1: u32;
         var third_1: u32;
@@ -2496,27 +2517,6 @@ fn gabor_impl_row(word: u32) -> vec4<u32> {
         let _e24 = third_1;
         fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
         let _e31 = first_1;
-        let _e36 = second_1;
-        let _e41 = third_1;
-        let _e46 = fourth;
-        return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
-    } else {
-        var first_2: u32;
-        var second_1: u32;
-        var third_1: u32;
-        var fourth: u32;
-
-        first_2 = ((word ^ (word >> 15u)) * 3545902487u);
-        let _e7 = first_2;
-        let _e8 = first_2;
-        second_1 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
-        let _e15 = second_1;
-        let _e16 = second_1;
-        third_1 = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
-        let _e23 = third_1;
-        let _e24 = third_1;
-        fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
-        let _e31 = first_2;
         let _e36 = second_1;
         let _e41 = third_1;
         let _e46 = fourth;
@@ -2704,7 +2704,7 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         var fade: vec2<f32>;
         var u_1: vec2<f32>;
         var v: vec2<f32>;
-        var first_2: vec2<f32>;
+        var first_1: vec2<f32>;
         var second_2: vec2<f32>;
         var third_2: vec2<f32>;
 
@@ -2739,20 +2739,20 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         let _e94 = u_1;
         let _e95 = d_1;
         let _e97 = gabor_impl_wave(dot(_e94, _e95));
-        first_2 = _e97;
+        first_1 = _e97;
         let _e99 = v;
         let _e100 = d_1;
         let _e102 = gabor_impl_wave(dot(_e99, _e100));
         second_2 = _e102;
         let _e104 = second_2;
-        let _e105 = first_2;
-        let _e107 = first_2;
+        let _e105 = first_1;
+        let _e107 = first_1;
         let _e111 = gabor_impl_product(_e104, vec2<f32>(_e105.x, -(_e107.y)));
         third_2 = _e111;
         let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.time);
-        let _e117 = first_2;
+        let _e117 = first_1;
         let _e118 = gabor_impl_product(_e116, _e117);
-        first_2 = _e118;
+        first_1 = _e118;
         let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.time);
         let _e123 = second_2;
         let _e124 = gabor_impl_product(_e122, _e123);
@@ -2762,7 +2762,7 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         let _e130 = gabor_impl_product(_e128, _e129);
         third_2 = _e130;
         let _e132 = node_2;
-        let _e133 = first_2;
+        let _e133 = first_1;
         let _e134 = u_1;
         gabor_impl_add_wave_2d(sum, _e132, pixel, _e133, (frequency * _e134));
         let _e138 = node_2;
@@ -2781,7 +2781,7 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         var fade: vec2<f32>;
         var u_1: vec2<f32>;
         var v: vec2<f32>;
-        var first_2: vec2<f32>;
+        var first_1: vec2<f32>;
         var second_2: vec2<f32>;
         var third_2: vec2<f32>;
 
@@ -2816,20 +2816,20 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         let _e94 = u_1;
         let _e95 = d_1;
         let _e97 = gabor_impl_wave(dot(_e94, _e95));
-        first_2 = _e97;
+        first_1 = _e97;
         let _e99 = v;
         let _e100 = d_1;
         let _e102 = gabor_impl_wave(dot(_e99, _e100));
         second_2 = _e102;
         let _e104 = second_2;
-        let _e105 = first_2;
-        let _e107 = first_2;
+        let _e105 = first_1;
+        let _e107 = first_1;
         let _e111 = gabor_impl_product(_e104, vec2<f32>(_e105.x, -(_e107.y)));
         third_2 = _e111;
         let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.time);
-        let _e117 = first_2;
+        let _e117 = first_1;
         let _e118 = gabor_impl_product(_e116, _e117);
-        first_2 = _e118;
+        first_1 = _e118;
         let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.time);
         let _e123 = second_2;
         let _e124 = gabor_impl_product(_e122, _e123);
@@ -2839,7 +2839,7 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         let _e130 = gabor_impl_product(_e128, _e129);
         third_2 = _e130;
         let _e132 = node_2;
-        let _e133 = first_2;
+        let _e133 = first_1;
         let _e134 = u_1;
         gabor_impl_add_wave_2d(sum, _e132, pixel, _e133, (frequency * _e134));
         let _e138 = node_2;
@@ -2858,7 +2858,7 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         var fade_4: vec2<f32>;
         var u_1: vec2<f32>;
         var v_2: vec2<f32>;
-        var first_3: vec2<f32>;
+        var first_2: vec2<f32>;
         var second_2: vec2<f32>;
         var third_2: vec2<f32>;
 
@@ -2893,20 +2893,20 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         let _e94 = u_1;
         let _e95 = d_3;
         let _e97 = gabor_impl_wave(dot(_e94, _e95));
-        first_3 = _e97;
+        first_2 = _e97;
         let _e99 = v_2;
         let _e100 = d_3;
         let _e102 = gabor_impl_wave(dot(_e99, _e100));
         second_2 = _e102;
         let _e104 = second_2;
-        let _e105 = first_3;
-        let _e107 = first_3;
+        let _e105 = first_2;
+        let _e107 = first_2;
         let _e111 = gabor_impl_product(_e104, vec2<f32>(_e105.x, -(_e107.y)));
         third_2 = _e111;
         let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.time);
-        let _e117 = first_3;
+        let _e117 = first_2;
         let _e118 = gabor_impl_product(_e116, _e117);
-        first_3 = _e118;
+        first_2 = _e118;
         let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.time);
         let _e123 = second_2;
         let _e124 = gabor_impl_product(_e122, _e123);
@@ -2916,7 +2916,7 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
         let _e130 = gabor_impl_product(_e128, _e129);
         third_2 = _e130;
         let _e132 = node_2;
-        let _e133 = first_3;
+        let _e133 = first_2;
         let _e134 = u_1;
         gabor_impl_add_wave_2d(sum, _e132, pixel, _e133, (frequency * _e134));
         let _e138 = node_2;
@@ -3265,7 +3265,7 @@ fn gabor_impl_triangle_integral(x: f32) -> f32 {
     if GABOR_TAPS == 2 {
         var turns: f32;
         var t_4: f32;
-        var local_15: f32;
+        var local_16: f32;
 
         turns = floor(x);
         let _e3 = turns;
@@ -3275,19 +3275,19 @@ fn gabor_impl_triangle_integral(x: f32) -> f32 {
         if (_e9 < 0.5f) {
             let _e12 = t_4;
             let _e13 = t_4;
-            local_15 = (_e12 * _e13);
+            local_16 = (_e12 * _e13);
         } else {
             let _e16 = t_4;
             let _e18 = t_4;
             let _e19 = t_4;
-            local_15 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
+            local_16 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
         }
-        let _e25 = local_15;
+        let _e25 = local_16;
         return ((0.5f * _e7) + _e25);
     } else if GABOR_TAPS == 4 {
         var turns: f32;
         var t_3: f32;
-        var local_15: f32;
+        var local_16: f32;
 
         turns = floor(x);
         let _e3 = turns;
@@ -3297,19 +3297,19 @@ fn gabor_impl_triangle_integral(x: f32) -> f32 {
         if (_e9 < 0.5f) {
             let _e12 = t_3;
             let _e13 = t_3;
-            local_15 = (_e12 * _e13);
+            local_16 = (_e12 * _e13);
         } else {
             let _e16 = t_3;
             let _e18 = t_3;
             let _e19 = t_3;
-            local_15 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
+            local_16 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
         }
-        let _e25 = local_15;
+        let _e25 = local_16;
         return ((0.5f * _e7) + _e25);
     } else {
         var turns: f32;
         var t_4: f32;
-        var local_30: f32;
+        var local_31: f32;
 
         turns = floor(x);
         let _e3 = turns;
@@ -3319,14 +3319,14 @@ fn gabor_impl_triangle_integral(x: f32) -> f32 {
         if (_e9 < 0.5f) {
             let _e12 = t_4;
             let _e13 = t_4;
-            local_30 = (_e12 * _e13);
+            local_31 = (_e12 * _e13);
         } else {
             let _e16 = t_4;
             let _e18 = t_4;
             let _e19 = t_4;
-            local_30 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
+            local_31 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
         }
-        let _e25 = local_30;
+        let _e25 = local_31;
         return ((0.5f * _e7) + _e25);
     }
 }

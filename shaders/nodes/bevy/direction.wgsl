@@ -52,7 +52,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
     var i: i32;
     var amplitude_2: vec2<f32>;
     var d_1: vec2<f32>;
-    var local_12: f32;
+    var local_13: f32;
     var scale: f32;
 
     waves_1 = waves;
@@ -118,11 +118,11 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
         }
     }
     if false {
-        local_12 = 1f;
+        local_13 = 1f;
     } else {
-        local_12 = 1.125f;
+        local_13 = 1.125f;
     }
-    let _e148 = local_12;
+    let _e148 = local_13;
     scale = (1f / (1459955300000000000000000000f * _e148));
     let _e152 = scale;
     let _e153 = sum_5;

@@ -246,28 +246,28 @@ fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f3
 // width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_10: f32;
-    var phase: f32;
     var local_11: f32;
+    var phase: f32;
+    var local_12: f32;
 
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_10 = (atan2(value.y, value.x) * 0.15915494f);
+        local_11 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_10 = 0f;
+        local_11 = 0f;
     }
-    let _e13 = local_10;
+    let _e13 = local_11;
     phase = _e13;
     let _e15 = phase;
     if (_e15 < 0f) {
         let _e18 = phase;
-        local_11 = min((_e18 + 1f), 0.99999994f);
+        local_12 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase;
-        local_11 = _e23;
+        local_12 = _e23;
     }
-    let _e25 = local_11;
+    let _e25 = local_12;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }
@@ -373,43 +373,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_5: f32;
         var local_6: f32;
-        var local_7: i32;
+        var local_7: f32;
         var local_8: i32;
+        var local_9: i32;
 
         nodes = max(floor(((period * 1f) + vec2(0.5f))), vec2(2f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_5 = (_e26.x / period.x);
-        } else {
-            local_5 = 1f;
-        }
-        let _e35 = local_5;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_6 = (_e39.y / period.y);
+            local_6 = (_e26.x / period.x);
         } else {
             local_6 = 1f;
         }
-        let _e48 = local_6;
+        let _e35 = local_6;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_7 = (_e39.y / period.y);
+        } else {
+            local_7 = 1f;
+        }
+        let _e48 = local_7;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_7 = i32(_e54.x);
-        } else {
-            local_7 = 0i;
-        }
-        let _e59 = local_7;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_8 = i32(_e63.y);
+            local_8 = i32(_e54.x);
         } else {
             local_8 = 0i;
         }
-        let _e68 = local_8;
+        let _e59 = local_8;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_9 = i32(_e63.y);
+        } else {
+            local_9 = 0i;
+        }
+        let _e68 = local_9;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -418,43 +418,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     } else if GABOR_TAPS == 4 {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_5: f32;
         var local_6: f32;
-        var local_7: i32;
+        var local_7: f32;
         var local_8: i32;
+        var local_9: i32;
 
         nodes = max(floor(((period * 2f) + vec2(0.5f))), vec2(4f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_5 = (_e26.x / period.x);
-        } else {
-            local_5 = 2f;
-        }
-        let _e35 = local_5;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_6 = (_e39.y / period.y);
+            local_6 = (_e26.x / period.x);
         } else {
             local_6 = 2f;
         }
-        let _e48 = local_6;
+        let _e35 = local_6;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_7 = (_e39.y / period.y);
+        } else {
+            local_7 = 2f;
+        }
+        let _e48 = local_7;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_7 = i32(_e54.x);
-        } else {
-            local_7 = 0i;
-        }
-        let _e59 = local_7;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_8 = i32(_e63.y);
+            local_8 = i32(_e54.x);
         } else {
             local_8 = 0i;
         }
-        let _e68 = local_8;
+        let _e59 = local_8;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_9 = i32(_e63.y);
+        } else {
+            local_9 = 0i;
+        }
+        let _e68 = local_9;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -463,43 +463,43 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     } else {
         var nodes: vec2<f32>;
         var place_1: GaborPlace;
-        var local_5: f32;
         var local_6: f32;
-        var local_7: i32;
+        var local_7: f32;
         var local_8: i32;
+        var local_9: i32;
 
         nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
         let _e20 = gabor_place(vec2(0i), vec2(0f));
         place_1 = _e20;
         if (period.x > 0f) {
             let _e26 = nodes;
-            local_5 = (_e26.x / period.x);
-        } else {
-            local_5 = 1.5f;
-        }
-        let _e35 = local_5;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_6 = (_e39.y / period.y);
+            local_6 = (_e26.x / period.x);
         } else {
             local_6 = 1.5f;
         }
-        let _e48 = local_6;
+        let _e35 = local_6;
+        if (period.y > 0f) {
+            let _e39 = nodes;
+            local_7 = (_e39.y / period.y);
+        } else {
+            local_7 = 1.5f;
+        }
+        let _e48 = local_7;
         place_1.radius = vec2<f32>(_e35, _e48);
         if (period.x > 0f) {
             let _e54 = nodes;
-            local_7 = i32(_e54.x);
-        } else {
-            local_7 = 0i;
-        }
-        let _e59 = local_7;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_8 = i32(_e63.y);
+            local_8 = i32(_e54.x);
         } else {
             local_8 = 0i;
         }
-        let _e68 = local_8;
+        let _e59 = local_8;
+        if (period.y > 0f) {
+            let _e63 = nodes;
+            local_9 = i32(_e63.y);
+        } else {
+            local_9 = 0i;
+        }
+        let _e68 = local_9;
         place_1.period = vec2<i32>(_e59, _e68);
         let _e71 = place_1;
         place_1.local = (p * _e71.radius);
@@ -904,6 +904,19 @@ fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
     return _e15;
 }
 
+// The next index within a period, without a division.
+fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
+    var local_2: i32;
+
+    if ((period == 0i) || ((index + 1i) < period)) {
+        local_2 = (index + 1i);
+    } else {
+        local_2 = 0i;
+    }
+    let _e12 = local_2;
+    return _e12;
+}
+
 // The nodes along an axis that reach a point.
 struct GaborAxis {
     offset: f32,
@@ -917,7 +930,7 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     if GABOR_TAPS == 2 {
         var axis: GaborAxis;
         var zero: f32;
-        var first: i32;
+        var index_4: i32;
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
         var turn_1: vec2<f32>;
@@ -929,65 +942,69 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         axis.offset = clamp((local - _e17), -1f, 0f);
         axis.turns = (wave / radius);
         let _e34 = zero;
-        first = ((cell + i32(_e34)) - 1i);
-        let _e43 = first;
-        let _e44 = gabor_impl_wrap(_e43, period);
+        let _e39 = gabor_impl_wrap(((cell + i32(_e34)) - 1i), period);
+        index_4 = _e39;
+        let _e44 = index_4;
         let _e45 = gabor_impl_line_word(_e44, salt);
         axis.word[0i] = _e45;
-        let _e49 = first;
-        let _e52 = gabor_impl_wrap((_e49 + 1i), period);
-        let _e53 = gabor_impl_line_word(_e52, salt);
-        axis.word[1i] = _e53;
-        let _e57 = first;
-        let _e60 = gabor_impl_wrap((_e57 + 2i), period);
-        let _e61 = gabor_impl_line_word(_e60, salt);
-        axis.word[2i] = _e61;
-        let _e65 = first;
-        let _e68 = gabor_impl_wrap((_e65 + 3i), period);
-        let _e69 = gabor_impl_line_word(_e68, salt);
-        axis.word[3i] = _e69;
-        let _e72 = axis;
-        gabor_impl_windows(_e72.offset, (&value_1), (&slope_1));
-        let _e78 = axis;
-        let _e80 = gabor_impl_wave(_e78.turns);
-        turn_1 = _e80;
-        let _e82 = turn_1;
-        let _e84 = turn_1;
-        back = vec2<f32>(_e82.x, -(_e84.y));
-        let _e89 = back;
-        let _e90 = back;
-        let _e91 = gabor_impl_product(_e89, _e90);
-        twice = _e91;
-        let _e96 = value_1;
+        let _e46 = index_4;
+        let _e47 = gabor_impl_next_node(_e46, period);
+        index_4 = _e47;
+        let _e51 = index_4;
+        let _e52 = gabor_impl_line_word(_e51, salt);
+        axis.word[1i] = _e52;
+        let _e53 = index_4;
+        let _e54 = gabor_impl_next_node(_e53, period);
+        index_4 = _e54;
+        let _e58 = index_4;
+        let _e59 = gabor_impl_line_word(_e58, salt);
+        axis.word[2i] = _e59;
+        let _e63 = index_4;
+        let _e64 = gabor_impl_next_node(_e63, period);
+        let _e65 = gabor_impl_line_word(_e64, salt);
+        axis.word[3i] = _e65;
+        let _e68 = axis;
+        gabor_impl_windows(_e68.offset, (&value_1), (&slope_1));
+        let _e74 = axis;
+        let _e76 = gabor_impl_wave(_e74.turns);
+        turn_1 = _e76;
+        let _e78 = turn_1;
+        let _e80 = turn_1;
+        back = vec2<f32>(_e78.x, -(_e80.y));
+        let _e85 = back;
+        let _e86 = back;
+        let _e87 = gabor_impl_product(_e85, _e86);
+        twice = _e87;
+        let _e92 = value_1;
+        let _e94 = turn_1;
+        let _e95 = (_e92.x * _e94);
+        let _e96 = slope_1;
         let _e98 = turn_1;
         let _e99 = (_e96.x * _e98);
-        let _e100 = slope_1;
-        let _e102 = turn_1;
-        let _e103 = (_e100.x * _e102);
-        axis.node[0i] = vec4<f32>(_e99.x, _e99.y, _e103.x, _e103.y);
-        let _e112 = value_1;
-        let _e115 = slope_1;
-        axis.node[1i] = vec4<f32>(_e112.y, 0f, _e115.y, 0f);
-        let _e122 = value_1;
+        axis.node[0i] = vec4<f32>(_e95.x, _e95.y, _e99.x, _e99.y);
+        let _e108 = value_1;
+        let _e111 = slope_1;
+        axis.node[1i] = vec4<f32>(_e108.y, 0f, _e111.y, 0f);
+        let _e118 = value_1;
+        let _e120 = back;
+        let _e121 = (_e118.z * _e120);
+        let _e122 = slope_1;
         let _e124 = back;
         let _e125 = (_e122.z * _e124);
-        let _e126 = slope_1;
-        let _e128 = back;
-        let _e129 = (_e126.z * _e128);
-        axis.node[2i] = vec4<f32>(_e125.x, _e125.y, _e129.x, _e129.y);
-        let _e138 = value_1;
+        axis.node[2i] = vec4<f32>(_e121.x, _e121.y, _e125.x, _e125.y);
+        let _e134 = value_1;
+        let _e136 = twice;
+        let _e137 = (_e134.w * _e136);
+        let _e138 = slope_1;
         let _e140 = twice;
         let _e141 = (_e138.w * _e140);
-        let _e142 = slope_1;
-        let _e144 = twice;
-        let _e145 = (_e142.w * _e144);
-        axis.node[3i] = vec4<f32>(_e141.x, _e141.y, _e145.x, _e145.y);
-        let _e151 = axis;
-        return _e151;
+        axis.node[3i] = vec4<f32>(_e137.x, _e137.y, _e141.x, _e141.y);
+        let _e147 = axis;
+        return _e147;
     } else if GABOR_TAPS == 4 {
         var axis: GaborAxis;
         var zero: f32;
-        var first: i32;
+        var index_4: i32;
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
         var turn_1: vec2<f32>;
@@ -999,65 +1016,69 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         axis.offset = clamp((local - _e17), 0f, 1f);
         axis.turns = (wave / radius);
         let _e34 = zero;
-        first = ((cell + i32(_e34)) - 1i);
-        let _e43 = first;
-        let _e44 = gabor_impl_wrap(_e43, period);
+        let _e39 = gabor_impl_wrap(((cell + i32(_e34)) - 1i), period);
+        index_4 = _e39;
+        let _e44 = index_4;
         let _e45 = gabor_impl_line_word(_e44, salt);
         axis.word[0i] = _e45;
-        let _e49 = first;
-        let _e52 = gabor_impl_wrap((_e49 + 1i), period);
-        let _e53 = gabor_impl_line_word(_e52, salt);
-        axis.word[1i] = _e53;
-        let _e57 = first;
-        let _e60 = gabor_impl_wrap((_e57 + 2i), period);
-        let _e61 = gabor_impl_line_word(_e60, salt);
-        axis.word[2i] = _e61;
-        let _e65 = first;
-        let _e68 = gabor_impl_wrap((_e65 + 3i), period);
-        let _e69 = gabor_impl_line_word(_e68, salt);
-        axis.word[3i] = _e69;
-        let _e72 = axis;
-        gabor_impl_windows(_e72.offset, (&value_1), (&slope_1));
-        let _e78 = axis;
-        let _e80 = gabor_impl_wave(_e78.turns);
-        turn_1 = _e80;
-        let _e82 = turn_1;
-        let _e84 = turn_1;
-        back = vec2<f32>(_e82.x, -(_e84.y));
-        let _e89 = back;
-        let _e90 = back;
-        let _e91 = gabor_impl_product(_e89, _e90);
-        twice = _e91;
-        let _e96 = value_1;
+        let _e46 = index_4;
+        let _e47 = gabor_impl_next_node(_e46, period);
+        index_4 = _e47;
+        let _e51 = index_4;
+        let _e52 = gabor_impl_line_word(_e51, salt);
+        axis.word[1i] = _e52;
+        let _e53 = index_4;
+        let _e54 = gabor_impl_next_node(_e53, period);
+        index_4 = _e54;
+        let _e58 = index_4;
+        let _e59 = gabor_impl_line_word(_e58, salt);
+        axis.word[2i] = _e59;
+        let _e63 = index_4;
+        let _e64 = gabor_impl_next_node(_e63, period);
+        let _e65 = gabor_impl_line_word(_e64, salt);
+        axis.word[3i] = _e65;
+        let _e68 = axis;
+        gabor_impl_windows(_e68.offset, (&value_1), (&slope_1));
+        let _e74 = axis;
+        let _e76 = gabor_impl_wave(_e74.turns);
+        turn_1 = _e76;
+        let _e78 = turn_1;
+        let _e80 = turn_1;
+        back = vec2<f32>(_e78.x, -(_e80.y));
+        let _e85 = back;
+        let _e86 = back;
+        let _e87 = gabor_impl_product(_e85, _e86);
+        twice = _e87;
+        let _e92 = value_1;
+        let _e94 = turn_1;
+        let _e95 = (_e92.x * _e94);
+        let _e96 = slope_1;
         let _e98 = turn_1;
         let _e99 = (_e96.x * _e98);
-        let _e100 = slope_1;
-        let _e102 = turn_1;
-        let _e103 = (_e100.x * _e102);
-        axis.node[0i] = vec4<f32>(_e99.x, _e99.y, _e103.x, _e103.y);
-        let _e112 = value_1;
-        let _e115 = slope_1;
-        axis.node[1i] = vec4<f32>(_e112.y, 0f, _e115.y, 0f);
-        let _e122 = value_1;
+        axis.node[0i] = vec4<f32>(_e95.x, _e95.y, _e99.x, _e99.y);
+        let _e108 = value_1;
+        let _e111 = slope_1;
+        axis.node[1i] = vec4<f32>(_e108.y, 0f, _e111.y, 0f);
+        let _e118 = value_1;
+        let _e120 = back;
+        let _e121 = (_e118.z * _e120);
+        let _e122 = slope_1;
         let _e124 = back;
         let _e125 = (_e122.z * _e124);
-        let _e126 = slope_1;
-        let _e128 = back;
-        let _e129 = (_e126.z * _e128);
-        axis.node[2i] = vec4<f32>(_e125.x, _e125.y, _e129.x, _e129.y);
-        let _e138 = value_1;
+        axis.node[2i] = vec4<f32>(_e121.x, _e121.y, _e125.x, _e125.y);
+        let _e134 = value_1;
+        let _e136 = twice;
+        let _e137 = (_e134.w * _e136);
+        let _e138 = slope_1;
         let _e140 = twice;
         let _e141 = (_e138.w * _e140);
-        let _e142 = slope_1;
-        let _e144 = twice;
-        let _e145 = (_e142.w * _e144);
-        axis.node[3i] = vec4<f32>(_e141.x, _e141.y, _e145.x, _e145.y);
-        let _e151 = axis;
-        return _e151;
+        axis.node[3i] = vec4<f32>(_e137.x, _e137.y, _e141.x, _e141.y);
+        let _e147 = axis;
+        return _e147;
     } else {
         var axis: GaborAxis;
         var zero: f32;
-        var first: i32;
+        var index_4: i32;
         var value_1: vec4<f32>;
         var slope_1: vec4<f32>;
         var turn_1: vec2<f32>;
@@ -1069,61 +1090,65 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
         axis.offset = clamp((local - _e17), -0.5f, 0.5f);
         axis.turns = (wave / radius);
         let _e34 = zero;
-        first = ((cell + i32(_e34)) - 1i);
-        let _e43 = first;
-        let _e44 = gabor_impl_wrap(_e43, period);
+        let _e39 = gabor_impl_wrap(((cell + i32(_e34)) - 1i), period);
+        index_4 = _e39;
+        let _e44 = index_4;
         let _e45 = gabor_impl_line_word(_e44, salt);
         axis.word[0i] = _e45;
-        let _e49 = first;
-        let _e52 = gabor_impl_wrap((_e49 + 1i), period);
-        let _e53 = gabor_impl_line_word(_e52, salt);
-        axis.word[1i] = _e53;
-        let _e57 = first;
-        let _e60 = gabor_impl_wrap((_e57 + 2i), period);
-        let _e61 = gabor_impl_line_word(_e60, salt);
-        axis.word[2i] = _e61;
-        let _e65 = first;
-        let _e68 = gabor_impl_wrap((_e65 + 3i), period);
-        let _e69 = gabor_impl_line_word(_e68, salt);
-        axis.word[3i] = _e69;
-        let _e72 = axis;
-        gabor_impl_windows(_e72.offset, (&value_1), (&slope_1));
-        let _e78 = axis;
-        let _e80 = gabor_impl_wave(_e78.turns);
-        turn_1 = _e80;
-        let _e82 = turn_1;
-        let _e84 = turn_1;
-        back = vec2<f32>(_e82.x, -(_e84.y));
-        let _e89 = back;
-        let _e90 = back;
-        let _e91 = gabor_impl_product(_e89, _e90);
-        twice = _e91;
-        let _e96 = value_1;
+        let _e46 = index_4;
+        let _e47 = gabor_impl_next_node(_e46, period);
+        index_4 = _e47;
+        let _e51 = index_4;
+        let _e52 = gabor_impl_line_word(_e51, salt);
+        axis.word[1i] = _e52;
+        let _e53 = index_4;
+        let _e54 = gabor_impl_next_node(_e53, period);
+        index_4 = _e54;
+        let _e58 = index_4;
+        let _e59 = gabor_impl_line_word(_e58, salt);
+        axis.word[2i] = _e59;
+        let _e63 = index_4;
+        let _e64 = gabor_impl_next_node(_e63, period);
+        let _e65 = gabor_impl_line_word(_e64, salt);
+        axis.word[3i] = _e65;
+        let _e68 = axis;
+        gabor_impl_windows(_e68.offset, (&value_1), (&slope_1));
+        let _e74 = axis;
+        let _e76 = gabor_impl_wave(_e74.turns);
+        turn_1 = _e76;
+        let _e78 = turn_1;
+        let _e80 = turn_1;
+        back = vec2<f32>(_e78.x, -(_e80.y));
+        let _e85 = back;
+        let _e86 = back;
+        let _e87 = gabor_impl_product(_e85, _e86);
+        twice = _e87;
+        let _e92 = value_1;
+        let _e94 = turn_1;
+        let _e95 = (_e92.x * _e94);
+        let _e96 = slope_1;
         let _e98 = turn_1;
         let _e99 = (_e96.x * _e98);
-        let _e100 = slope_1;
-        let _e102 = turn_1;
-        let _e103 = (_e100.x * _e102);
-        axis.node[0i] = vec4<f32>(_e99.x, _e99.y, _e103.x, _e103.y);
-        let _e112 = value_1;
-        let _e115 = slope_1;
-        axis.node[1i] = vec4<f32>(_e112.y, 0f, _e115.y, 0f);
-        let _e122 = value_1;
+        axis.node[0i] = vec4<f32>(_e95.x, _e95.y, _e99.x, _e99.y);
+        let _e108 = value_1;
+        let _e111 = slope_1;
+        axis.node[1i] = vec4<f32>(_e108.y, 0f, _e111.y, 0f);
+        let _e118 = value_1;
+        let _e120 = back;
+        let _e121 = (_e118.z * _e120);
+        let _e122 = slope_1;
         let _e124 = back;
         let _e125 = (_e122.z * _e124);
-        let _e126 = slope_1;
-        let _e128 = back;
-        let _e129 = (_e126.z * _e128);
-        axis.node[2i] = vec4<f32>(_e125.x, _e125.y, _e129.x, _e129.y);
-        let _e138 = value_1;
+        axis.node[2i] = vec4<f32>(_e121.x, _e121.y, _e125.x, _e125.y);
+        let _e134 = value_1;
+        let _e136 = twice;
+        let _e137 = (_e134.w * _e136);
+        let _e138 = slope_1;
         let _e140 = twice;
         let _e141 = (_e138.w * _e140);
-        let _e142 = slope_1;
-        let _e144 = twice;
-        let _e145 = (_e142.w * _e144);
-        axis.node[3i] = vec4<f32>(_e141.x, _e141.y, _e145.x, _e145.y);
-        let _e151 = axis;
-        return _e151;
+        axis.node[3i] = vec4<f32>(_e137.x, _e137.y, _e141.x, _e141.y);
+        let _e147 = axis;
+        return _e147;
     }
 }
 
@@ -1297,18 +1322,18 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: pt
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
     if GABOR_TAPS == 2 {
         var turn_4: vec2<f32>;
-        var local_3: f32;
+        var local_4: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_4 = turn;
         let _e6 = turn_4;
         if true {
-            local_3 = 1f;
+            local_4 = 1f;
         } else {
-            local_3 = 0.75f;
+            local_4 = 0.75f;
         }
-        let _e18 = local_3;
+        let _e18 = local_4;
         turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_4;
         let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -1326,18 +1351,18 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     } else if GABOR_TAPS == 4 {
         var turn_4: vec2<f32>;
-        var local_3: f32;
+        var local_4: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_4 = turn;
         let _e6 = turn_4;
         if false {
-            local_3 = 1f;
+            local_4 = 1f;
         } else {
-            local_3 = 1.5f;
+            local_4 = 1.5f;
         }
-        let _e18 = local_3;
+        let _e18 = local_4;
         turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_4;
         let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -1355,18 +1380,18 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
         return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
     } else {
         var turn_4: vec2<f32>;
-        var local_3: f32;
+        var local_4: f32;
         var value_2: vec2<f32>;
         var turned: vec2<f32>;
 
         turn_4 = turn;
         let _e6 = turn_4;
         if false {
-            local_3 = 1f;
+            local_4 = 1f;
         } else {
-            local_3 = 1.125f;
+            local_4 = 1.125f;
         }
-        let _e18 = local_3;
+        let _e18 = local_4;
         turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
         let _e23 = turn_4;
         let _e24 = gabor_impl_product(sum.xy, _e23);

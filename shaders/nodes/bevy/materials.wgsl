@@ -200,22 +200,22 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_36: f32;
+    var local_37: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
-    var first_4: bool;
+    var first_3: bool;
     var top: f32;
-    var local_37: vec3<f32>;
-    var tone_1: vec3<f32>;
     var local_38: vec3<f32>;
+    var tone_1: vec3<f32>;
+    var local_39: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps_1: vec2<f32>;
     var kept_2: f32;
     var uneven: f32;
     var light: f32;
-    var local_39: f32;
+    var local_40: f32;
     var share: f32;
     var colour_2: vec3<f32>;
     var height_2: f32;
@@ -258,11 +258,11 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e85 = thread;
     let _e87 = thread;
     if (fract((0.5f * (_e85.x + _e87.y))) > 0.25f) {
-        local_36 = -1f;
+        local_37 = -1f;
     } else {
-        local_36 = 1f;
+        local_37 = 1f;
     }
-    let _e98 = local_36;
+    let _e98 = local_37;
     parity = _e98;
     let _e104 = upright;
     let _e106 = level;
@@ -280,29 +280,29 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     crest = ((((_e126 * sqrt(max(_e127, vec2(0f)))) - vec2(1f)) + (((0.55f * _e137) * cos((3.1415927f * _e140.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e151 < vec2(0f))));
     let _e162 = crest;
     let _e164 = crest;
-    first_4 = (_e162.x > _e164.y);
+    first_3 = (_e162.x > _e164.y);
     let _e168 = crest;
     let _e170 = crest;
     top = max(max(_e168.x, _e170.y), -1.3f);
-    let _e177 = first_4;
+    let _e177 = first_3;
     if _e177 {
         let _e178 = upright;
-        local_37 = _e178;
+        local_38 = _e178;
     } else {
         let _e179 = level;
-        local_37 = _e179;
+        local_38 = _e179;
     }
-    let _e181 = local_37;
+    let _e181 = local_38;
     tone_1 = _e181;
-    let _e183 = first_4;
+    let _e183 = first_3;
     if _e183 {
         let _e184 = upright_fibre;
-        local_38 = _e184;
+        local_39 = _e184;
     } else {
         let _e185 = level_fibre;
-        local_38 = _e185;
+        local_39 = _e185;
     }
-    let _e187 = local_38;
+    let _e187 = local_39;
     fibre_1 = _e187;
     let _e189 = count_2;
     let _e190 = count_2;
@@ -320,13 +320,13 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e231 = top;
     let _e233 = kept_2;
     light = mix((0.8572f + (_e220 * (0.005f + (0.0083f * _e223)))), smoothstep(-1.3f, 0.5f, _e231), _e233);
-    let _e237 = first_4;
+    let _e237 = first_3;
     if _e237 {
-        local_39 = 1f;
+        local_40 = 1f;
     } else {
-        local_39 = 0f;
+        local_40 = 0f;
     }
-    let _e241 = local_39;
+    let _e241 = local_40;
     let _e242 = kept_2;
     share = mix(0.5f, _e241, _e242);
     let _e247 = share;
@@ -1216,12 +1216,12 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
     var turn_12: f32;
-    var first_5: bool;
-    var local_40: vec3<f32>;
+    var first_4: bool;
+    var local_41: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_41: vec2<f32>;
+    var local_42: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_42: f32;
+    var local_43: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_2: vec2<f32>;
@@ -1256,35 +1256,35 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     let _e52 = tow;
     turn_12 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
     let _e63 = turn_12;
-    first_5 = (_e63 < 1.5f);
-    let _e67 = first_5;
+    first_4 = (_e63 < 1.5f);
+    let _e67 = first_4;
     if _e67 {
         let _e68 = upright_1;
-        local_40 = _e68;
+        local_41 = _e68;
     } else {
         let _e69 = level_1;
-        local_40 = _e69;
+        local_41 = _e69;
     }
-    let _e71 = local_40;
+    let _e71 = local_41;
     fibre_2 = _e71;
-    let _e73 = first_5;
+    let _e73 = first_4;
     if _e73 {
         let _e74 = within_2;
-        local_41 = _e74.yx;
+        local_42 = _e74.yx;
     } else {
         let _e76 = within_2;
-        local_41 = _e76;
+        local_42 = _e76;
     }
-    let _e78 = local_41;
+    let _e78 = local_42;
     along_across = _e78;
     let _e81 = along_across;
     let _e84 = turn_12;
     if (fract(((0.5f * _e84) + 0.25f)) < 0.5f) {
-        local_42 = 0f;
+        local_43 = 0f;
     } else {
-        local_42 = 1f;
+        local_43 = 1f;
     }
-    let _e94 = local_42;
+    let _e94 = local_43;
     along_1 = (0.5f * (_e81.x + _e94));
     let _e99 = along_across;
     across_1 = ((2f * _e99.y) - 1f);
@@ -1598,15 +1598,15 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;
     var y_9: vec2<f32>;
-    var period_9: vec2<f32> = vec2(0f);
+    var period_10: vec2<f32> = vec2(0f);
     var whole: vec2<f32>;
     var size: vec2<f32>;
-    var local_31: f32;
     var local_32: f32;
+    var local_33: f32;
     var signs: vec2<f32>;
-    var local_33: vec2<f32>;
     var local_34: vec2<f32>;
     var local_35: vec2<f32>;
+    var local_36: vec2<f32>;
     var other: vec2<f32>;
 
     let _e4 = gabor_impl_wave((0.15915494f * angle));
@@ -1624,18 +1624,18 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
             size = abs(_e33);
             let _e36 = whole;
             if (_e36.x < 0f) {
-                local_31 = -1f;
-            } else {
-                local_31 = 1f;
-            }
-            let _e44 = local_31;
-            let _e45 = whole;
-            if (_e45.y < 0f) {
                 local_32 = -1f;
             } else {
                 local_32 = 1f;
             }
-            let _e53 = local_32;
+            let _e44 = local_32;
+            let _e45 = whole;
+            if (_e45.y < 0f) {
+                local_33 = -1f;
+            } else {
+                local_33 = 1f;
+            }
+            let _e53 = local_33;
             signs = vec2<f32>(_e44, _e53);
             let _e56 = size;
             let _e58 = size;
@@ -1655,36 +1655,36 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
                 let _e88 = size;
                 if (_e86.x > _e88.y) {
                     let _e91 = signs;
-                    local_33 = _e91;
+                    local_34 = _e91;
                 } else {
                     let _e92 = signs;
-                    local_33 = -(_e92);
+                    local_34 = -(_e92);
                 }
-                let _e95 = local_33;
-                local_35 = _e95;
+                let _e95 = local_34;
+                local_36 = _e95;
             } else {
                 let _e96 = size;
                 if (_e96.x == 1f) {
                     let _e101 = whole;
-                    local_34 = vec2<f32>(0f, _e101.x);
+                    local_35 = vec2<f32>(0f, _e101.x);
                 } else {
                     let _e104 = whole;
-                    local_34 = vec2<f32>(-(_e104.y), 0f);
+                    local_35 = vec2<f32>(-(_e104.y), 0f);
                 }
-                let _e110 = local_34;
-                local_35 = _e110;
+                let _e110 = local_35;
+                local_36 = _e110;
             }
-            let _e112 = local_35;
+            let _e112 = local_36;
             other = _e112;
             let _e115 = whole;
-            period_9.x = length((_e115 * pixel.period));
-            let _e125 = period_9;
-            period_9.y = ((pixel.period.x * pixel.period.y) / _e125.x);
-            let _e128 = period_9;
+            period_10.x = length((_e115 * pixel.period));
+            let _e125 = period_10;
+            period_10.y = ((pixel.period.x * pixel.period.y) / _e125.x);
+            let _e128 = period_10;
             let _e130 = other;
             let _e132 = other;
             x_14 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / pixel.period);
-            let _e139 = period_9;
+            let _e139 = period_10;
             let _e141 = whole;
             let _e144 = whole;
             y_9 = ((_e139.y * vec2<f32>(-(_e141.y), _e144.x)) / pixel.period);
@@ -1696,7 +1696,7 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     let _e160 = y_9;
     let _e164 = x_14;
     let _e167 = y_9;
-    let _e172 = period_9;
+    let _e172 = period_10;
     return GaborPixel(vec2<f32>(dot(_e150, pixel.p), dot(_e153, pixel.p)), vec2<f32>(dot(_e157, pixel.dx), dot(_e160, pixel.dx)), vec2<f32>(dot(_e164, pixel.dy), dot(_e167, pixel.dy)), pixel.filtered, _e172);
 }
 

@@ -269,6 +269,11 @@ int gabor_impl_wrap(int index, int period) {
     return within < 0 ? within + period : within;
 }
 
+// The next index within a period, without a division.
+int gabor_impl_next_node(int index, int period) {
+    return period == 0 || index + 1 < period ? index + 1 : 0;
+}
+
 // The nodes along an axis that reach a point.
 struct GaborAxis {
     float offset; // of the point from node 0, in node spacings
@@ -284,11 +289,13 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     // The clamp matters only if a compiler fuses the product in `local` with the difference.
     axis.offset = clamp(local - zero, GABOR_RADIUS - 2.0, GABOR_RADIUS - 1.0);
     axis.turns = wave / radius;
-    int first = cell + int(zero) - 1;
-    axis.word[0] = gabor_impl_line_word(gabor_impl_wrap(first, period), salt);
-    axis.word[1] = gabor_impl_line_word(gabor_impl_wrap(first + 1, period), salt);
-    axis.word[2] = gabor_impl_line_word(gabor_impl_wrap(first + 2, period), salt);
-    axis.word[3] = gabor_impl_line_word(gabor_impl_wrap(first + 3, period), salt);
+    int index = gabor_impl_wrap(cell + int(zero) - 1, period);
+    axis.word[0] = gabor_impl_line_word(index, salt);
+    index = gabor_impl_next_node(index, period);
+    axis.word[1] = gabor_impl_line_word(index, salt);
+    index = gabor_impl_next_node(index, period);
+    axis.word[2] = gabor_impl_line_word(index, salt);
+    axis.word[3] = gabor_impl_line_word(gabor_impl_next_node(index, period), salt);
     vec4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
     vec2 turn = gabor_impl_wave(axis.turns);
@@ -564,10 +571,11 @@ void gabor_impl_splines(float t, out vec4 value, out vec4 slope) {
 }
 
 uvec4 gabor_impl_four_line_words(int index, int period, uint salt) {
-    return uvec4(gabor_impl_line_word(gabor_impl_wrap(index - 1, period), salt),
-                 gabor_impl_line_word(gabor_impl_wrap(index, period), salt),
-                 gabor_impl_line_word(gabor_impl_wrap(index + 1, period), salt),
-                 gabor_impl_line_word(gabor_impl_wrap(index + 2, period), salt));
+    int first = gabor_impl_wrap(index - 1, period);
+    int second = gabor_impl_next_node(first, period);
+    int third = gabor_impl_next_node(second, period);
+    return uvec4(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt), gabor_impl_line_word(third, salt),
+                 gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
 // Adds a row of nodes to two noises; their amplitudes are uniform between -2^31 and 2^31.
