@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -20,6 +21,7 @@ from program import ProgramTest
 from textures import colour_noise, photograph, welch, without_trend, write_png
 
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
+GOLDEN = HERE / "fits.txt"
 DIALECTS = ("450", "330 core", "300 es")
 
 
@@ -67,6 +69,20 @@ class FitTest(ProgramTest):
             self.assertLess(apart(found), 0.0005)
             self.assertLess(abs(radius - 1), 0.03)
             self.assertLess(abs(power - 1), 0.1)
+
+    def test_fits_match_this_version(self):
+        """Every number of two presets and of their reports. GABOR_GOLDEN=write writes them, and fails."""
+        grey = colour_noise(600)[:400, :, 0]
+        found = []
+        for picture, lobes in ((colour_noise(192)[:144], "3"), (0.2 + 0.3 * np.exp(4 * (grey - grey.mean())), "4")):
+            write_png(self.folder / "picture.png", picture, bits=16)
+            self.fit("picture.png", "--lobes", lobes)
+            found.append(re.findall(r"-?\d+(?:\.\d+)?(?:e-\d+)?", self.said + (self.folder / "fit.json").read_text()))
+        if os.environ.get("GABOR_GOLDEN") == "write":
+            GOLDEN.write_text("".join(" ".join(f"{float(number):.6g}" for number in numbers) + "\n" for numbers in found))
+            self.fail(f"{GOLDEN} is written: look at what changed, and run the test without GABOR_GOLDEN")
+        for numbers, expected in zip(found, GOLDEN.read_text().splitlines(), strict=True):
+            np.testing.assert_allclose(np.array(numbers, float), np.array(expected.split(), float), rtol=1e-3, atol=1e-3)
 
     def test_an_enlargement_gives_the_same_lobes_enlarged(self):
         known = [dict(frequency=4, orientation=30, radius=0.5, power=1),
