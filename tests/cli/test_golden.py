@@ -29,8 +29,8 @@ REQUESTS = [("--quadrature", "--gradient"), ("--tileable", "--time=0.3"), ("--ph
 PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileable --scale=4 --light-azimuth=80",
             "--view=landscape --scale=6", "--view=landscape --preset=alps --pitch=4 --yaw=30 --zoom=2 --scale=6",
             "--view=horizon --filter --scale=8", "--view=slice --depth=1.3 --scale=6 --orientation-spread=40",
-            "--view=slice --depth=1.3 --scale=6 --filter --values=3 --gradient", "--view=sphere --scale=6 --quadrature",
-            "--view=torus --solid --scale=6 --yaw=20 --gradient", "--preset=figure6 --filter --scale=8",
+            "--view=slice --depth=1.3 --scale=6 --filter --values=3 --gradient", "--view=sphere --scale=6",
+            "--view=torus --solid --scale=6 --yaw=20 --quadrature", "--preset=figure6 --filter --scale=8",
             "--material=ripples --scale=8 --tileable --light-elevation=20", "--material=ripples --view=horizon --scale=12",
             "--material=brushed-metal --view=sphere --scale=6", "--material=ripples --view=torus --scale=6 --pitch=60"]
 TOLERANCES = {"gradient": 2 * np.pi * FREQUENCY * 4e-5, "phase": 1e-3, "all": 2e-4}

@@ -70,7 +70,7 @@ class FitTest(ProgramTest):
             self.assertLess(abs(radius - 1), 0.03)
             self.assertLess(abs(power - 1), 0.1)
 
-    def test_fits_match_this_version(self):
+    def test_a_fit_is_that_of_this_version(self):
         """Every number of two presets and of their reports. GABOR_GOLDEN=write writes them, and fails."""
         grey = colour_noise(600)[:400, :, 0]
         found = []
