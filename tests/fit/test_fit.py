@@ -72,7 +72,7 @@ class FitTest(ProgramTest):
 
     def test_a_fit_is_that_of_this_version(self):
         """Every number of two presets and of their reports. GABOR_GOLDEN=write writes them, and fails."""
-        grey = colour_noise(600)[:400, :, 0]
+        grey = colour_noise(840)[:800, :, 0]
         found = []
         for picture, lobes in ((colour_noise(192)[:144], "3"), (0.2 + 0.3 * np.exp(4 * (grey - grey.mean())), "4")):
             write_png(self.folder / "picture.png", picture, bits=16)
