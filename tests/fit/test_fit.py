@@ -71,13 +71,18 @@ class FitTest(ProgramTest):
             self.assertLess(abs(power - 1), 0.1)
 
     def test_a_fit_is_that_of_this_version(self):
-        """Every number of two presets and of their reports. GABOR_GOLDEN=write writes them, and fails."""
+        """Every number of two presets, their GLSL and their reports. GABOR_GOLDEN=write writes them, and fails."""
+        colour = np.exp(3 * (colour_noise(300)[:224] - 1))  # one component is weak, and a part transparent
+        colour[..., 2] = 0.5 * colour[..., 0] + 0.4 * colour[..., 1] + 0.1 * colour[..., 2]
+        alpha = np.hypot(*np.ogrid[-60:164, -200:100]) > 30
         grey = colour_noise(840)[:800, :, 0]
+        grey = (0.2 + 0.3 * np.exp(4 * (grey - grey.mean()))) * np.linspace(0.4, 1.2, 840)  # unevenly lit
         found = []
-        for picture, lobes in ((colour_noise(192)[:144], "3"), (0.2 + 0.3 * np.exp(4 * (grey - grey.mean())), "4")):
-            write_png(self.folder / "picture.png", picture, bits=16)
-            self.fit("picture.png", "--lobes", lobes)
-            found.append(re.findall(r"-?\d+(?:\.\d+)?(?:e-\d+)?", self.said + (self.folder / "fit.json").read_text()))
+        for values, lobes in ((np.dstack([colour, alpha]), "3"), (grey, "4")):
+            write_png(self.folder / "picture.png", values, bits=16)
+            self.fit("picture.png", "--lobes", lobes, "--glsl", "sea.glsl")
+            text = self.said + (self.folder / "fit.json").read_text() + (self.folder / "sea.glsl").read_text()
+            found.append(re.findall(r"-?\d+(?:\.\d+)?(?:e-\d+)?", text))
         if os.environ.get("GABOR_GOLDEN") == "write":
             GOLDEN.write_text("".join(" ".join(f"{float(number):.6g}" for number in numbers) + "\n" for numbers in found))
             self.fail(f"{GOLDEN} is written: look at what changed, and run the test without GABOR_GOLDEN")
