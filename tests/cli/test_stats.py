@@ -1,6 +1,7 @@
 """`gabor stats`: against numpy on the same pixels, and against what was rendered."""
 
 import json
+import pathlib
 import unittest
 
 import numpy as np
@@ -254,6 +255,18 @@ class Foreign(StatsTest):
 
     def normal(self, height=120, width=150):
         return self.random.normal(3, 2, (height, width)).astype("f4")
+
+    def test_reports_are_those_of_this_version(self):
+        """Of pixels that correlate over 2, in 16 x 16 blocks, and over 10, in 8 x 8 blocks, with a law that is known."""
+        white = self.random.normal(size=(200, 240))
+        wave = np.sin(np.arange(240) * 0.9 + np.arange(200)[:, None] * 0.4)
+        radius = np.hypot(np.fft.fftfreq(240), np.fft.fftfreq(200)[:, None])
+        smooth = np.fft.ifft2(np.fft.fft2(white) * np.exp(-2 * (np.pi * 2.8 * radius) ** 2)).real
+        texts = []
+        for pixels, parameters in ((white + np.roll(white, 1, 0) + 0.5 * wave, None), (smooth / smooth.std(), '{"scale": 9}')):
+            self.write(parameters, Y=pixels.astype("f4"))
+            texts.append(self.succeed("stats", "in.exr") + self.succeed("stats", "in.exr", "--json=-"))
+        self.assert_numbers(pathlib.Path(__file__).with_name("stats.txt"), texts)
 
     def test_moments_far_from_zero(self):
         pixels = (1e4 + self.normal()).astype("f4")
