@@ -3,9 +3,12 @@
 import glob
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
+
+import numpy as np
 
 from exr import Exr
 
@@ -76,6 +79,16 @@ class ProgramTest(unittest.TestCase):
         furthest at 1.18 times its half-width."""
         middle, half = (interval["low"] + interval["high"]) / 2, (interval["high"] - interval["low"]) / 2
         self.assertLess(abs(truth - middle), 1.5 * half, f"{name}: {truth}, {interval}")
+
+    def assert_numbers(self, path, texts):
+        """Each number of each text is the one in a line of the file, within 0.1 %. GABOR_GOLDEN=write writes the file, and
+        fails."""
+        found = [re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text) for text in texts]
+        if os.environ.get("GABOR_GOLDEN") == "write":
+            path.write_text("".join(" ".join(f"{float(number):.6g}" for number in numbers) + "\n" for numbers in found))
+            self.fail(f"{path} is written: look at what changed, and run the test without GABOR_GOLDEN")
+        for numbers, line in zip(found, path.read_text().splitlines(), strict=True):
+            np.testing.assert_allclose(np.array(numbers, float), np.array(line.split(), float), rtol=1e-3, atol=1e-3)
 
 
 class RenderTest(ProgramTest):

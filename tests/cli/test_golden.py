@@ -1,7 +1,8 @@
 """The pixels of this version: 8 x 8 for each recipe, drawn in blocks and pixel by pixel, in the first and the last
-corner of the largest picture. On lavapipe from Mesa 22.3 (Debian 12), their hashes must match tests/golden/pixels.txt;
-on other drivers, the sums of rows must agree within the tolerance in render/request.hpp. Changing pixels requires a new
-version. After an intended change, regenerate the file with this command and review the diff:
+corner of the largest picture, and small pictures of other kinds with all channels. On lavapipe from Mesa 22.3 (Debian 12),
+their hashes must match tests/golden/pixels.txt; on other drivers, the sums of rows must agree within the tolerance in
+render/request.hpp, or 2e-4 for terrain, materials and bodies. Changing pixels requires a new version. After an intended change, regenerate the
+file with this command and review the diff:
 
     GABOR_PROGRAM=$PWD/build/dev/gabor GABOR_GOLDEN=write python3 tests/cli/test_golden.py
 """
@@ -25,43 +26,61 @@ COMMON = ("--size=65536x65536", "--scale=3", f"--frequency={FREQUENCY}", "--orie
 CORNERS = {"first": 0, "last": 65536 - SIDE}
 REQUESTS = [("--quadrature", "--gradient"), ("--tileable", "--time=0.3"), ("--phasor",),
             ("--phasor", "--gradient", "--tileable", "--time=0.3")]
+LOBES = """[{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5},
+            {"frequency": 1, "orientation": -50, "orientation_spread": 70, "radius": 1.7, "stretch": 0.7}]"""
+PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileable --scale=4 --light-azimuth=80",
+            "--view=landscape --scale=6", "--view=landscape --preset=alps --pitch=4 --yaw=30 --zoom=2 --scale=6",
+            "--view=horizon --filter --scale=8", "--view=slice --depth=1.3 --scale=6 --lobes=lobes.json",
+            "--view=slice --depth=1.3 --scale=6 --filter --values=3 --gradient", "--view=sphere --scale=6",
+            "--view=torus --solid --scale=6 --yaw=20 --quadrature", "--preset=figure6 --filter --scale=8",
+            "--lobes=lobes.json --scale=9 --quadrature", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
+            "--material=ripples --scale=8 --tileable --light-elevation=20", "--material=ripples --view=horizon --scale=12",
+            "--material=brushed-metal --view=sphere --scale=6", "--material=ripples --view=torus --scale=6 --pitch=60"]
+TOLERANCES = {"gradient": 2 * np.pi * FREQUENCY * 4e-5, "phase": 1e-3, "all": 2e-4}
 
 
 class Golden(ProgramTest):
+    def draw(self, *options):
+        self.succeed("render", "-o", "out.exr", *options)
+        return Exr(self.folder / "out.exr").channels
+
     def rendered(self):
-        blocks = {}
         for recipe in ("one", "pure", "paper", "lattice", "lattice-2", "lattice-4"):
             for request in REQUESTS:
                 for corner, at in CORNERS.items():
-                    self.succeed("render", "-o", "out.exr", f"--recipe={recipe}", f"--region={at},{at},{SIDE},{SIDE}",
-                                 *COMMON, *request)
-                    for name, values in Exr(self.folder / "out.exr").channels.items():
-                        blocks[f"{recipe} {' '.join(request)}, {corner} corner: {name}"] = values
-        return blocks
+                    region = f"--region={at},{at},{SIDE},{SIDE}"
+                    for name, values in self.draw(f"--recipe={recipe}", region, *COMMON, *request).items():
+                        yield f"{recipe} {' '.join(request)}, {corner} corner: {name}", values
+        (self.folder / "lobes.json").write_text(LOBES)
+        for options in PICTURES:
+            yield f"{options}: all", np.hstack([*self.draw("--size=24x16", "--seed=7", *options.split()).values()])
 
     def test_pixels_match_this_version(self):
-        blocks = self.rendered()
-        lines = [f"{name}: {hashlib.sha256(values.tobytes()).hexdigest()[:16]} " + " ".join(f"{v:.6f}" for v in sums(name, values))
-                 for name, values in blocks.items()]
         if os.environ.get("GABOR_GOLDEN") == "write":
-            GOLDEN.write_text("\n".join([f"version {VERSION}", *lines]) + "\n")
+            GOLDEN.write_text("\n".join([f"version {VERSION}", *(line(*each) for each in self.rendered())]) + "\n")
             self.fail(f"{GOLDEN} is written: look at what changed, and run the test without GABOR_GOLDEN")
-        version, *expected = GOLDEN.read_text().splitlines()
+        version, *lines = GOLDEN.read_text().splitlines()
         self.assertEqual(version, f"version {VERSION}", "these are the pixels of another version")
-        if "Mesa 22.3" in self.succeed("devices").split("\n1 ")[0]:
-            self.assertEqual(lines, expected)
-            return
-        self.assertEqual(list(blocks), [line.rpartition(": ")[0] for line in expected])
-        for (name, values), line in zip(blocks.items(), expected):
-            wanted = np.array(line.rpartition(": ")[2].split()[1:], dtype=float)
-            tolerance = 2 * np.pi * FREQUENCY * 4e-5 if "gradient." in name else 1e-3 if name.endswith("phase") else 4e-5
+        same_driver = "Mesa 22.3" in self.succeed("devices").split("\n1 ")[0]
+        for (name, values), expected in zip(self.rendered(), lines, strict=True):
+            if same_driver:
+                self.assertEqual(line(name, values), expected)
+                continue
+            of, _, numbers = expected.rpartition(": ")
+            self.assertEqual(name, of)
+            wanted = np.array(numbers.split()[1:], dtype=float)
+            tolerance = next((t for kind, t in TOLERANCES.items() if kind in name.rpartition(": ")[2]), 4e-5)
             self.assertLessEqual(np.abs(sums(name, values) - wanted).max(), tolerance, name)
+
+
+def line(name, values):
+    return f"{name}: {hashlib.sha256(values.tobytes()).hexdigest()[:16]} " + " ".join(f"{v:.6f}" for v in sums(name, values))
 
 
 def sums(name, values):
     """The sum of each row with a different weight per column, and with the sine of phases."""
     values = np.sin(2 * np.pi * values.astype(float)) if name.endswith("phase") else values.astype(float)
-    return values @ [1, -0.9, 0.8, -0.7, 0.6, -0.5, 0.4, -0.3]
+    return values @ np.resize([1, -0.9, 0.8, -0.7, 0.6, -0.5, 0.4, -0.3], values.shape[1])
 
 
 if __name__ == "__main__":

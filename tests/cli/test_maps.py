@@ -14,7 +14,7 @@ from program import RenderTest
 
 FILES = {"base_color.png", "normal.png", "height.png", "roughness.png", "metalness.png", "occlusion.png", "orm.png", "maps.exr",
          "material.mtlx", "material.gltf"}
-SIZE = 96
+WIDTH, HEIGHT = 96, 64
 
 
 def read_deep_png(path):
@@ -39,7 +39,7 @@ def encoded(light):
 
 class Maps(RenderTest):
     def maps(self, *options, material="bark"):
-        self.succeed("render", "--material", material, "--size", f"{SIZE}x{SIZE}", "--maps", "set", *options)
+        self.succeed("render", "--material", material, f"--size={WIDTH}x{HEIGHT}", "--maps", "set", *options)
         folder = self.folder / "set"
         channels = Exr(folder / "maps.exr").channels
         return folder, {name: values.astype(float) for name, values in channels.items()}
@@ -95,10 +95,14 @@ class Maps(RenderTest):
         self.assertEqual({image["uri"] for image in scene["images"]}, {"base_color.png", "normal.png", "orm.png"})
         height = scene["materials"][0]["extras"]["height"]
         np.testing.assert_allclose((height["low"], height["high"]), (maps["height"].min(), maps["height"].max()), rtol=1e-6)
-        document = ElementTree.parse(folder / "material.mtlx")
+        parameters = Exr(folder / "maps.exr").parameters
+        self.assertEqual(parameters["bark.depth"], 0.2)
+        np.testing.assert_allclose(scene["nodes"][0]["scale"], (1, HEIGHT / WIDTH, 1), rtol=1e-8)
+        text = (folder / "material.mtlx").read_text()
+        self.assertIn(f"{height['low']:.9g} to {height['high']:.9g}, for a picture {WIDTH / parameters['scale']:g} wide", text)
+        document = ElementTree.fromstring(text)
         files = {each.get("value") for each in document.iterfind(".//input[@name='file']")}
         self.assertEqual(files, {"base_color.png", "roughness.png", "metalness.png", "normal.png"})
-        self.assertEqual(Exr(folder / "maps.exr").parameters["bark.depth"], 0.2)
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
 
     def test_levels_reflect_a_light_as_their_pixels_do(self):

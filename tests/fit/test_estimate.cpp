@@ -450,10 +450,10 @@ TEST_CASE("only a quadratic trend is removed") {
 
 TEST_CASE("structure tells edges and ridges from waves and from normal noise") {
     constexpr int side = 128;
-    const auto structure = [&](auto value) {
+    const auto structure = [&](auto value, int rows = 128) {
         Structure result(side);
         std::vector<float> row(side);
-        for (int y = 0; y < side; ++y) {
+        for (int y = 0; y < rows; ++y) {
             for (int x = 0; x < side; ++x)
                 row[static_cast<std::size_t>(x)] = static_cast<float>(value(x, y));
             result.add_row(row);
@@ -464,6 +464,9 @@ TEST_CASE("structure tells edges and ridges from waves and from normal noise") {
     std::normal_distribution<double> normal;
     CHECK(structure([&](int, int) { return normal(generator); }) < 0.5);
     CHECK(structure([](int x, int y) { return (x / 8 + y / 16) % 2; }) > Structure::limit);
+    const auto edge = [](int x, int) { return x / 64; };
+    CHECK(structure(edge, 4) > Structure::limit); // the fewest rows with derivatives
+    CHECK(structure(edge, 3) == 0);
     // Four waves, and their creases, which kurtosis cannot tell apart.
     const auto waves = [](int x, int y) {
         const double w = 2 * pi / 24;

@@ -68,6 +68,20 @@ class FitTest(ProgramTest):
             self.assertLess(abs(radius - 1), 0.03)
             self.assertLess(abs(power - 1), 0.1)
 
+    def test_a_fit_is_that_of_this_version(self):
+        """Every number of two presets, their GLSL and their reports."""
+        colour = np.exp(3 * (colour_noise(300)[:224] - 1))  # one component is weak, and a part transparent
+        colour[..., 2] = 0.5 * colour[..., 0] + 0.4 * colour[..., 1] + 0.1 * colour[..., 2]
+        alpha = np.hypot(*np.ogrid[-60:164, -200:100]) > 30
+        grey = colour_noise(840)[:800, :, 0]
+        grey = (0.2 + 0.3 * np.exp(4 * (grey - grey.mean()))) * np.linspace(0.4, 1.2, 840)  # unevenly lit
+        texts = []
+        for values, lobes in ((np.dstack([colour, alpha]), "3"), (grey, "4")):
+            write_png(self.folder / "picture.png", values, bits=16)
+            self.fit("picture.png", "--lobes", lobes, "--glsl", "sea.glsl")
+            texts.append(self.said + (self.folder / "fit.json").read_text() + (self.folder / "sea.glsl").read_text())
+        self.assert_numbers(HERE / "fits.txt", texts)
+
     def test_an_enlargement_gives_the_same_lobes_enlarged(self):
         known = [dict(frequency=4, orientation=30, radius=0.5, power=1),
                  dict(frequency=2.2, orientation=-60, radius=0.8, stretch=2, power=0.6),
@@ -222,6 +236,8 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertIn("colour", self.fit("rgba.png", "--lobes", "2"))
         self.assertNotIn("transparent", self.said)
         sixteen = self.fit("deep.png", "--lobes", "2")["colour"]
+        write_png(self.folder / "deep.png", exemplar, bits=16, interlaced=True)
+        self.assertEqual(self.fit("deep.png", "--lobes", "2")["colour"], sixteen)
         self.fit("grey.png", "--lobes", "2")
         self.assertIn("grey", self.said)
         # At a hundredth of the contrast, rounding 16 bits to 8 would show.

@@ -29,7 +29,10 @@ def photograph(name):
     return path
 
 
-def write_png(path, values, bits=8, alpha=False):
+ADAM7 = (0, 0, 8, 8), (0, 4, 8, 8), (4, 0, 8, 4), (0, 2, 4, 4), (2, 0, 4, 2), (0, 1, 2, 2), (1, 0, 2, 1) # y, x, and their steps
+
+
+def write_png(path, values, bits=8, alpha=False, interlaced=False):
     """Grey of height x width, or colour of height x width x 3, from 0 to 1."""
     values = values[..., None] if values.ndim == 2 else values
     if alpha:
@@ -37,12 +40,13 @@ def write_png(path, values, bits=8, alpha=False):
     height, width, channels = values.shape
     kind = {1: 0, 2: 4, 3: 2, 4: 6}[channels]
     numbers = np.rint(np.clip(values, 0, 1) * (2**bits - 1)).astype(">u2" if bits == 16 else "u1")
-    rows = b"".join(b"\0" + row.tobytes() for row in numbers)
+    passes = [numbers[y::down, x::right] for y, x, down, right in (ADAM7 if interlaced else [(0, 0, 1, 1)])]
+    rows = b"".join(b"\0" + row.tobytes() for part in passes for row in part)
 
     def chunk(name, body):
         return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
 
-    header = struct.pack(">IIBBBBB", width, height, bits, kind, 0, 0, 0)
+    header = struct.pack(">IIBBBBB", width, height, bits, kind, 0, 0, interlaced)
     pathlib.Path(path).write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 1))
                                    + chunk(b"IEND", b""))
 

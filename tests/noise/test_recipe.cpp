@@ -16,10 +16,16 @@ TEST_CASE("custom recipes can be spelled out") {
     CHECK(noise::to_string(own) == "N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
     for (const noise::Recipe& recipe : noise::recipes())
         CHECK(noise::to_string(recipe) == recipe.name);
+    for (const char* extreme :
+         {"N=16,R=3,A=1,phases=256,window=99:-0.5:0.5", "N=1,R=1,A=0,phases=2,window=0:0.02:0"})
+        CHECK(noise::to_string(noise::find_recipe(extreme)) == extreme);
     for (const char* wrong :
-         {"N=0,R=1,A=0.5,phases=64,window=1:0:0", "N=1,R=0.9,A=0.5,phases=64,window=1:0:0",
-          "N=1,R=1,A=2,phases=64,window=1:0:0", "N=1,R=1,A=0.5,phases=3,window=1:0:0",
-          "N=1,R=1,A=0.5,phases=64,window=0:0:0", "N=1,R=1,A=0.5,phases=64,window=1:0:0,",
-          "N=1,R=nan,A=0.5,phases=64,window=1:0:0"})
+         {"N=0,R=1,A=0.5,phases=64,window=1:0:0", "N=17,R=1,A=0.5,phases=64,window=1:0:0",
+          "N=1,R=0.9,A=0.5,phases=64,window=1:0:0", "N=1,R=3.1,A=0.5,phases=64,window=1:0:0",
+          "N=1,R=1,A=1.1,phases=64,window=1:0:0", "N=1,R=1,A=-0.1,phases=64,window=1:0:0",
+          "N=1,R=1,A=0.5,phases=3,window=1:0:0", "N=1,R=1,A=0.5,phases=1,window=1:0:0",
+          "N=1,R=1,A=0.5,phases=512,window=1:0:0", "N=1,R=1,A=0.5,phases=64,window=0.005:0:0",
+          "N=1,R=1,A=0.5,phases=64,window=99:-1:0.5", "N=1,R=1,A=0.5,phases=64,window=1:0:0,",
+          "N=1,R=1,A=0.5,phases=64,window=1:0", "N=1,R=nan,A=0.5,phases=64,window=1:0:0"})
         CHECK_THROWS_AS(noise::find_recipe(wrong), RequestError);
 }
