@@ -20,9 +20,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -249,6 +251,27 @@ TEST_CASE("cords of filtered fabric equal their mean over a pixel", "[material]"
     compare(materials[1], numbers_of(request));
 }
 
+// The first wave of the profile 1 - cos(pi x)^4 is half as high as the cords.
+TEST_CASE("corduroy has five cords per unit", "[material]") {
+    constexpr int side = 256;
+    constexpr int units = 4;
+    const Request request = render::preset("corduroy");
+    const auto number = [&](const char* name) {
+        return std::get<double>(*render::parameter(fmt::format("fabric.{}", name)).get(request));
+    };
+    REQUIRE(number("cords") == 5);
+    const std::vector<float> picture = drawn(materials[1], numbers_of(request), true, false, side, units, 1);
+    double amplitude = 0;
+    for (std::size_t y = 0; y < side; ++y) {
+        std::complex<double> wave;
+        for (std::size_t x = 0; x < side; ++x)
+            wave += std::polar(2.0 / side, 2 * std::numbers::pi * 5 * units * static_cast<double>(x) / side) *
+                    static_cast<double>(picture[(y * side + x) * channels + height_channel]);
+        amplitude += std::abs(wave) / side;
+    }
+    CHECK(amplitude == Approx(0.5 * 0.3 * number("relief") / 5).epsilon(0.1));
+}
+
 TEST_CASE("a huge pixel has the mean colour, whatever the parameters", "[material]") {
     const char* given = std::getenv("GABOR_MATERIAL_SETTINGS"); // 100 took six minutes
     const int settings = given ? std::atoi(given) : 2;
@@ -376,7 +399,8 @@ TEST_CASE("a picture of a material is its function at each pixel", "[material]")
         }
 }
 
-TEST_CASE("each material has at least three presets, one of them named after it with the default look", "[material]") {
+TEST_CASE("each material has at least three presets, one of them named after it with the default look",
+          "[material]") {
     std::map<std::string, int> counts;
     for (const std::string_view name : render::preset_names()) {
         const Request request = render::preset(name);
