@@ -74,14 +74,15 @@ struct GaborWood {
 // GaborMaterial gabor_wood(vec2 p, uint seed)
 // GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
-// Linen: a plain weave of uneven threads [5 noises; period 3 x 3].
+// Linen: a plain weave of uneven threads, or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
     gabor_vec3 warp;        // colour of the threads along y
     gabor_vec3 weft;        // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
     float unevenness; // of the threads' thickness, shade and course, 0 to 2
-    float relief;     // height of the weave, 0 to 3
+    float relief;     // height of the weave and of the cords, 0 to 3
     float roughness;  // 0 to 1
+    float cords;      // cords per unit, 0 to 20
 };
 // GaborFabric gabor_fabric_default()
 // GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed)
@@ -429,6 +430,14 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09f * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12f);
     top = gabor_cpp_mix(0.1352f + uneven * (0.0045f + 0.0062f * uneven), top, kept);
     float height = fabric.relief / fabric.threads * (0.3f * top + 0.035f * fibre.y);
+    if (fabric.cords > 0.0f) { // with wide crests and narrow furrows: 1 - cos(pi x)^4, a sum of two waves, which a filter damps
+        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0f).x;
+        float damped = gabor_cpp_exp(-gabor_cpp_min(4.9348022f * cords * cords * (cloth.dx.x * cloth.dx.x + cloth.dy.x * cloth.dy.x), 20.0f));
+        float turn = 6.2831853f * gabor_cpp_fract(cords * cloth.p.x);
+        float cord = 0.625f - damped * (0.5f * gabor_cpp_cos(turn) + 0.125f * damped * damped * damped * gabor_cpp_cos(2.0f * turn));
+        colour *= gabor_cpp_mix(0.3f, 1.0f, cord);
+        height += 0.3f * fabric.relief / cords * cord;
+    }
     return gabor_impl_material(colour, height, fabric.roughness, 0.0f);
 }
 
@@ -672,7 +681,7 @@ GABOR_INLINE GaborWood gabor_wood_default() {
 }
 
 GABOR_INLINE GaborFabric gabor_fabric_default() {
-    return GaborFabric{gabor_vec3(0.50f, 0.43f, 0.33f), gabor_vec3(0.60f, 0.53f, 0.42f), 12.0f, 1.0f, 1.0f, 0.85f};
+    return GaborFabric{gabor_vec3(0.50f, 0.43f, 0.33f), gabor_vec3(0.60f, 0.53f, 0.42f), 12.0f, 1.0f, 1.0f, 0.85f, 0.0f};
 }
 
 GABOR_INLINE GaborLeather gabor_leather_default() {

@@ -77,14 +77,15 @@ struct GaborWood {
 // GaborMaterial gabor_wood(float2 p, uint seed)
 // GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed)
 
-// Linen: a plain weave of uneven threads [5 noises; period 3 x 3].
+// Linen: a plain weave of uneven threads, or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
     float3 warp;        // colour of the threads along y
     float3 weft;        // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
     float unevenness; // of the threads' thickness, shade and course, 0 to 2
-    float relief;     // height of the weave, 0 to 3
+    float relief;     // height of the weave and of the cords, 0 to 3
     float roughness;  // 0 to 1
+    float cords;      // cords per unit, 0 to 20
 };
 // GaborFabric gabor_fabric_default()
 // GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed)
@@ -432,6 +433,14 @@ inline GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint 
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09 * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12);
     top = mix(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top, kept);
     float height = fabric.relief / fabric.threads * (0.3 * top + 0.035 * fibre.y);
+    if (fabric.cords > 0.0) { // with wide crests and narrow furrows: 1 - cos(pi x)^4, a sum of two waves, which a filter damps
+        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
+        float damped = exp(-min(4.9348022 * cords * cords * (cloth.dx.x * cloth.dx.x + cloth.dy.x * cloth.dy.x), 20.0));
+        float turn = 6.2831853 * fract(cords * cloth.p.x);
+        float cord = 0.625 - damped * (0.5 * cos(turn) + 0.125 * damped * damped * damped * cos(2.0 * turn));
+        colour *= mix(0.3, 1.0, cord);
+        height += 0.3 * fabric.relief / cords * cord;
+    }
     return gabor_impl_material(colour, height, fabric.roughness, 0.0);
 }
 
@@ -675,7 +684,7 @@ inline GaborWood gabor_wood_default() {
 }
 
 inline GaborFabric gabor_fabric_default() {
-    return GaborFabric{float3(0.50, 0.43, 0.33), float3(0.60, 0.53, 0.42), 12.0, 1.0, 1.0, 0.85};
+    return GaborFabric{float3(0.50, 0.43, 0.33), float3(0.60, 0.53, 0.42), 12.0, 1.0, 1.0, 0.85, 0.0};
 }
 
 inline GaborLeather gabor_leather_default() {

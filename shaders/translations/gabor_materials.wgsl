@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 6120a1008ab04380
+// Digest of the GLSL and of this file: c4a8a6716345ff0a
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -173,7 +173,7 @@ fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) ->
     return _e6;
 }
 
-// Linen: a plain weave of uneven threads [5 noises; period 3 x 3].
+// Linen: a plain weave of uneven threads, or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
     warp: vec3<f32>,
     weft: vec3<f32>,
@@ -181,10 +181,11 @@ struct GaborFabric {
     unevenness: f32,
     relief: f32,
     roughness: f32,
+    cords: f32,
 }
 
 fn gabor_fabric_default() -> GaborFabric {
-    return GaborFabric(vec3<f32>(0.5f, 0.43f, 0.33f), vec3<f32>(0.6f, 0.53f, 0.42f), 12f, 1f, 1f, 0.85f);
+    return GaborFabric(vec3<f32>(0.5f, 0.43f, 0.33f), vec3<f32>(0.6f, 0.53f, 0.42f), 12f, 1f, 1f, 0.85f, 0f);
 }
 
 fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMaterial {
@@ -216,6 +217,10 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var share: f32;
     var colour_2: vec3<f32>;
     var height_2: f32;
+    var cords: f32;
+    var damped: f32;
+    var turn_11: f32;
+    var cord: f32;
 
     let _e5 = gabor_impl_repeated(pixel, fabric.threads, 2f);
     count_2 = _e5;
@@ -345,10 +350,40 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e289 = top;
     let _e292 = fibre_1;
     height_2 = ((fabric.relief / fabric.threads) * ((0.3f * _e289) + (0.035f * _e292.y)));
-    let _e298 = colour_2;
-    let _e299 = height_2;
-    let _e302 = gabor_impl_material(_e298, _e299, fabric.roughness, 0f);
-    return _e302;
+    if (fabric.cords > 0f) {
+        {
+            let _e303 = gabor_impl_repeated(pixel, fabric.cords, 1f);
+            cords = _e303.x;
+            let _e307 = cords;
+            let _e309 = cords;
+            let _e311 = cloth;
+            let _e314 = cloth;
+            let _e318 = cloth;
+            let _e321 = cloth;
+            damped = exp(-(min((((4.934802f * _e307) * _e309) * ((_e311.dx.x * _e314.dx.x) + (_e318.dy.x * _e321.dy.x))), 20f)));
+            let _e333 = cords;
+            let _e334 = cloth;
+            turn_11 = (6.2831855f * fract((_e333 * _e334.p.x)));
+            let _e342 = damped;
+            let _e344 = turn_11;
+            let _e348 = damped;
+            let _e350 = damped;
+            let _e352 = damped;
+            let _e355 = turn_11;
+            cord = (0.625f - (_e342 * ((0.5f * cos(_e344)) + ((((0.125f * _e348) * _e350) * _e352) * cos((2f * _e355))))));
+            let _e363 = colour_2;
+            let _e366 = cord;
+            colour_2 = (_e363 * mix(0.3f, 1f, _e366));
+            let _e369 = height_2;
+            let _e373 = cords;
+            let _e375 = cord;
+            height_2 = (_e369 + (((0.3f * fabric.relief) / _e373) * _e375));
+        }
+    }
+    let _e378 = colour_2;
+    let _e379 = height_2;
+    let _e382 = gabor_impl_material(_e378, _e379, fabric.roughness, 0f);
+    return _e382;
 }
 
 fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -905,7 +940,7 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
     var whole_2: f32 = 1f;
     var height_7: f32 = 0f;
     var size_1: f32 = 1f;
-    var turn_11: f32 = 0.0955f;
+    var turn_12: f32 = 0.0955f;
     var threshold_2: f32;
     var i_10: i32 = 0i;
     var turned_2: GaborPixel;
@@ -920,7 +955,7 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
             break;
         }
         {
-            let _e30 = turn_11;
+            let _e30 = turn_12;
             let _e35 = gabor_impl_turned(pixel, (scratches.direction + (scratches.spread * (_e30 - 0.5f))));
             turned_2 = _e35;
             let _e37 = turned_2;
@@ -956,8 +991,8 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
             height_7 = (_e96 - ((scratches.depth * _e98) * _e100));
             let _e103 = size_1;
             size_1 = (_e103 * 0.9138315f);
-            let _e106 = turn_11;
-            turn_11 = fract((_e106 + 0.763932f));
+            let _e106 = turn_12;
+            turn_12 = fract((_e106 + 0.763932f));
         }
         continuing {
             let _e25 = i_10;
@@ -1212,7 +1247,7 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
-    var turn_12: f32;
+    var turn_13: f32;
     var first_4: bool;
     var local_41: vec3<f32>;
     var fibre_2: vec3<f32>;
@@ -1251,8 +1286,8 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     within_2 = ((_e41 * _e42.p) - _e45);
     let _e50 = tow;
     let _e52 = tow;
-    turn_12 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
-    let _e63 = turn_12;
+    turn_13 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
+    let _e63 = turn_13;
     first_4 = (_e63 < 1.5f);
     let _e67 = first_4;
     if _e67 {
@@ -1275,7 +1310,7 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     let _e78 = local_42;
     along_across = _e78;
     let _e81 = along_across;
-    let _e84 = turn_12;
+    let _e84 = turn_13;
     if (fract(((0.5f * _e84) + 0.25f)) < 0.5f) {
         local_43 = 0f;
     } else {
