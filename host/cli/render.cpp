@@ -60,6 +60,7 @@ struct RenderOptions {
 struct Work {
     render::Request request;
     image::Rect region;
+    bool scaled = false; ///< by an option, a preset or another file
 };
 
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted) {
@@ -139,9 +140,9 @@ Work make_work(const RenderOptions& options) {
         render::set(work.request, "view", "terrain");
     const render::Values given = given_values(options);
     render::set(work.request, given);
-    const bool scaled =
-        std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
-    if (options.terrain && !scaled && !options.preset && !options.like) // two hills
+    work.scaled = options.preset || options.like ||
+                  std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
+    if (options.terrain && !work.scaled) // two hills
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     work.request.filter |= options.texture || options.level; // mip levels are filtered
     render::check(work.request);
@@ -208,11 +209,6 @@ bool is_png(const std::string& path) {
     return std::filesystem::path(path).extension() == ".png";
 }
 
-void check_half(const RenderOptions& options) {
-    if (options.half && !options.texture)
-        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
-}
-
 // The output files of -o and --png.
 render::Files files_of(const RenderOptions& options) {
     render::Files files{.exr = {}, .png = {}, .compression = options.compression};
@@ -244,7 +240,6 @@ render::Files files_of(const RenderOptions& options) {
             refuse("--png", *options.png, "the name of a file that ends in .png");
         files.png = *options.png;
     }
-    check_half(options);
     if (options.texture && options.level)
         throw RequestError("--texture and --level exclude each other: a level is a picture");
     if (options.texture && (files.png || files.heightmap))
@@ -267,14 +262,9 @@ void render_map_set(const RenderOptions& options) {
         throw RequestError(
             "--maps writes whole sets alone: give it without -o, --png, --region, --frames and "
             "--level");
-    check_half(options);
     Work work = make_work(options);
     const bool terrain = render::has_terrain(work.request);
-    const bool scaled =
-        options.preset || options.like || std::ranges::any_of(options.parameters, [](const auto& given) {
-            return given.first->name == "scale" && given.second->count() > 0;
-        });
-    if (!scaled)
+    if (!work.scaled)
         work.request.scale =
             std::max(2.0, std::min(work.request.width, work.request.height) / (terrain ? 8.0 : 4.0));
     work.request.filter = !terrain;
@@ -293,6 +283,8 @@ void render_map_set(const RenderOptions& options) {
 
 void render_pictures(const RenderOptions& options, Clock::time_point start) {
     note_interrupts();
+    if (options.half && !options.texture)
+        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
     if (options.maps)
         return render_map_set(options);
     if (!options.output && !options.png && !options.heightmap)
