@@ -661,7 +661,7 @@ GaborMatrix gabor_impl_adjugate(GaborMatrix m, out float determinant) {
     return a;
 }
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // salts the slices, like GABOR_IMPL_ROWS the rows
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;

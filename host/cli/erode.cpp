@@ -64,7 +64,7 @@ void GullyOptions::add_to(CLI::App& command) {
 render::Erosion GullyOptions::erosion(double hill) const {
     const std::vector<std::string_view> names = terrain_presets();
     if (std::ranges::find(names, preset) == names.end())
-        throw RequestError(fmt::format("--preset '{}': it takes {}", preset, fmt::join(names, ", ")));
+        throw RequestError(fmt::format("--preset '{}': expected {}", preset, fmt::join(names, ", ")));
     render::Request request = render::preset(preset);
     std::get<render::Terrain>(request.view).erosion.frequency *= preset_hill / hill;
     const auto parameters = render::erosion_parameters();
@@ -107,7 +107,7 @@ render::HeightMap map_of(const ErodeOptions& options) {
         throw RequestError(
             fmt::format("'{}' has colours: a heightmap has one channel", options.map.string()));
     if (std::max(format.width, format.height) > most_side)
-        throw RequestError(fmt::format("'{}' has {} x {} pixels: accepted are up to {} a side",
+        throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} a side are supported",
                                        options.map.string(), format.width, format.height, most_side));
     map.width = format.width;
     map.height = format.height;
@@ -118,15 +118,15 @@ render::HeightMap map_of(const ErodeOptions& options) {
 
 void erode(const ErodeOptions& options) {
     if (!(options.extent > 0 && options.extent < 1e9))
-        throw RequestError(fmt::format("--extent {}: it takes the map's width, more than 0", options.extent));
+        throw RequestError(fmt::format("--extent {}: expected the map's width, more than 0", options.extent));
     const bool to_exr = has_extension(options.output, ".exr");
     if (!to_exr && !has_extension(options.output, ".png") && !has_extension(options.output, ".r16"))
-        throw RequestError(fmt::format("-o '{}': it takes the name of a file that ends in .exr, .png or .r16",
+        throw RequestError(fmt::format("-o '{}': expected the name of a file that ends in .exr, .png or .r16",
                                        options.output.string()));
     std::error_code ignored;
     if (std::filesystem::equivalent(options.map, options.output, ignored))
         throw RequestError(
-            fmt::format("-o '{}' is the map itself: it takes another file", options.output.string()));
+            fmt::format("-o '{}' is the map itself; give another file", options.output.string()));
     const render::Erosion erosion = options.gullies.erosion(options.extent / 2);
     render::HeightMap map = map_of(options);
     image::Rect region{0, 0, map.width, map.height};

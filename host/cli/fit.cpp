@@ -50,7 +50,7 @@ int lobes_of(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), lobes);
     if (error != std::errc() || end != text.data() + text.size() || lobes < 1 || lobes > fit::most_lobes)
         throw RequestError(
-            fmt::format("--lobes '{}': it takes a whole number from 1 to {}", text, fit::most_lobes));
+            fmt::format("--lobes '{}': expected a whole number from 1 to {}", text, fit::most_lobes));
     return lobes;
 }
 
@@ -76,7 +76,7 @@ void fit_picture(const FitOptions& options) {
         options.glsl ? std::optional(fit::function_name(*options.glsl)) : std::nullopt;
     if (std::filesystem::path(options.output).extension() != ".json")
         throw RequestError(
-            fmt::format("-o '{}': it takes the name of a file that ends in .json", options.output));
+            fmt::format("-o '{}': expected the name of a file that ends in .json", options.output));
     image::OutputFile output(options.output);
     std::optional<image::OutputFile> glsl;
     if (options.glsl)

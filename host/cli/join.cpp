@@ -29,7 +29,7 @@ void join(const JoinOptions& options) {
     const std::filesystem::path extension = std::filesystem::path(options.output).extension();
     if (!extension.empty() && extension != ".exr")
         throw RequestError(
-            fmt::format("-o '{}': it takes the name of a file that ends in .exr", options.output));
+            fmt::format("-o '{}': expected the name of a file that ends in .exr", options.output));
     std::uint64_t pixels = 0;
     for (const std::filesystem::path& region : options.regions) {
         std::error_code ignored;

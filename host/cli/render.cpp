@@ -64,7 +64,7 @@ struct Work {
 };
 
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted) {
-    throw RequestError(fmt::format("{} '{}': it takes {}", option, text, accepted));
+    throw RequestError(fmt::format("{} '{}': expected {}", option, text, accepted));
 }
 
 // Parses `count` whole numbers with separators, such as 1024x768 or 0,0,64,64.
@@ -127,7 +127,8 @@ Work make_work(const RenderOptions& options) {
     Work work;
     std::optional<image::Rect> region;
     if (options.preset && options.like)
-        throw RequestError("--preset and --like exclude each other: both set the options that are not given");
+        throw RequestError(
+            "--preset and --like cannot be combined: each sets the options that are not given");
     if (options.preset)
         work.request = render::preset(*options.preset);
     if (options.like) {
@@ -241,9 +242,9 @@ render::Files files_of(const RenderOptions& options) {
         files.png = *options.png;
     }
     if (options.texture && options.level)
-        throw RequestError("--texture and --level exclude each other: a level is a picture");
+        throw RequestError("--texture and --level cannot be combined: a level is a picture");
     if (options.texture && (files.png || files.heightmap))
-        throw RequestError("--texture and a PNG or a heightmap exclude each other: a texture is an EXR");
+        throw RequestError("--texture cannot be combined with a PNG or a heightmap: a texture is an EXR");
     return files;
 }
 

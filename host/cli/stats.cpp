@@ -297,7 +297,7 @@ void report_statistics(const StatsOptions& options) {
     for (const fs::path& file : options.files)
         if (options.json && fs::equivalent(*options.json, file, ignored))
             throw RequestError(
-                fmt::format("--json '{}' is the picture itself: it takes another file", *options.json));
+                fmt::format("--json '{}' is the picture itself; give another file", *options.json));
     if (options.json && *options.json != "-")
         output.emplace(*options.json);
 

@@ -50,7 +50,7 @@ class Rows {
             const auto pixel = std::span(row_).subspan(x * channels, channels);
             const bool transparent = !alpha.empty() && !(alpha[x] > 0.5f);
             if (!transparent && !std::ranges::all_of(pixel, [](float value) { return std::isfinite(value); }))
-                refuse(path_, "has a value that is not finite: it takes a picture of numbers");
+                refuse(path_, "has a value that is not finite");
             const bool firefly = !transparent && std::ranges::max(pixel) > limit_;
             transparent_ += transparent ? 1 : 0;
             fireflies_ += firefly ? 1 : 0;
@@ -115,8 +115,8 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
     Rows rows(path, false, limit);
     const auto& format = rows.format();
     if (std::min(format.width, format.height) < least_side)
-        refuse(path, fmt::format("has {} x {} pixels: it takes at least {} x {}, to tell waves from chance",
-                                 format.width, format.height, least_side, least_side));
+        refuse(path, fmt::format("has {} x {} pixels; a fit needs at least {} x {}", format.width,
+                                 format.height, least_side, least_side));
     PixelSums sums(format.width, format.height, format.channels);
     Brightness brightness;
     float brightest = -std::numeric_limits<float>::infinity();
@@ -137,7 +137,7 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
     }
     const double pixels = static_cast<double>(format.width) * format.height;
     if (static_cast<double>(rows.transparent()) == pixels)
-        refuse(path, "is transparent everywhere: it takes a picture of a texture");
+        refuse(path, "is transparent everywhere");
     if (limit == std::numeric_limits<float>::infinity() && brightest > brightness.limit()) {
         limit = brightness.limit();
         return {};
@@ -158,7 +158,7 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
         found.covariance.topLeftCorner(exemplar.channels, exemplar.channels));
     const Eigen::VectorXd deviations = solver.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
     if (!(deviations[0] > least_deviation))
-        refuse(path, "is constant, but for a trend: it takes a picture of a texture");
+        refuse(path, "has no texture: all pixels are equal, or differ only by a trend");
     const auto kept = (deviations.array() > least_share * deviations[0]).count();
     exemplar.components = solver.eigenvectors().rowwise().reverse().leftCols(kept);
     for (Eigen::Index c = 0; c < kept; ++c) {

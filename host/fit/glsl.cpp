@@ -77,7 +77,7 @@ std::string function_name(const std::filesystem::path& file) {
         name.find("__") != std::string::npos || name.starts_with("gl_") ||
         std::ranges::find(reserved, name) != reserved.end())
         throw RequestError(
-            fmt::format("--glsl '{}': it takes NAME.glsl, where NAME can be a GLSL function: letters, "
+            fmt::format("--glsl '{}': expected NAME.glsl, where NAME can be a GLSL function: letters, "
                         "digits and _, not a reserved word",
                         file.string()));
     return name;

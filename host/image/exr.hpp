@@ -40,7 +40,7 @@ class ExrWriter {
         std::vector<std::string> channels; ///< one float channel each
         std::string_view compression = "none";
         std::string parameters = {}; ///< stored as the string attribute `gabor`
-        std::string software = {};   ///< stored as `software` unless empty: the program and driver
+        std::string software = {};   ///< the program and driver; stored as `software` unless empty
         std::string colour_space =
             {}; ///< of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty
         std::optional<Texture> texture = {}; ///< of a whole picture at 0, 0

@@ -22,8 +22,7 @@ void refuse_exr(const std::filesystem::path& path, std::string_view what) {
 void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how) {
     if (const auto named = how.rfind("\". "); named != how.npos) // OpenEXR names the file first
         how.remove_prefix(named + 3);
-    refuse_exr(path,
-               fmt::format("it is truncated or damaged ({}); accepted is a complete OpenEXR file", how));
+    refuse_exr(path, fmt::format("it is truncated or damaged ({}); expected a complete OpenEXR file", how));
 }
 
 namespace {
@@ -94,14 +93,14 @@ std::uint64_t inspect(const ExrContext& file) {
     exr_storage_t storage;
     file.require(exr_get_storage(file, 0, &storage));
     if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-        refuse_exr(file.path(), "it holds deep data; accepted are flat scanlines and tiles");
+        refuse_exr(file.path(), "it holds deep data; only flat scanlines and tiles are supported");
     exr_attr_box2i_t window;
     file.require(exr_get_data_window(file, 0, &window));
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width > widest || height > widest)
         refuse_exr(file.path(),
-                   fmt::format("its data window has {} x {} pixels; accepted are at most {} x {}", width,
+                   fmt::format("its data window has {} x {} pixels; at most {} x {} are supported", width,
                                height, widest, widest));
 
     std::uint64_t block = 0;
@@ -110,7 +109,7 @@ std::uint64_t inspect(const ExrContext& file) {
         block = std::max(block, row_of_tiles(file, width));
     if (block > largest_block)
         refuse_exr(file.path(),
-                   fmt::format("one block or row of tiles takes {} MiB; accepted are at most {} MiB",
+                   fmt::format("one block or row of tiles takes {} MiB; at most {} MiB are supported",
                                block >> 20, largest_block >> 20));
 
     if (storage == EXR_STORAGE_TILED)

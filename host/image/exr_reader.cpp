@@ -69,14 +69,14 @@ std::map<std::string, std::string> common_attributes(const Imf::Header& header) 
 
 void check_region(const fs::path& path, const Imf::Header& header) {
     if (!header.findTypedAttribute<Imf::StringAttribute>("gabor"))
-        refuse_join(fmt::format("'{}' has no 'gabor' attribute; accepted are regions that gabor rendered",
+        refuse_join(fmt::format("'{}' has no 'gabor' attribute; expected regions that gabor rendered",
                                 path.string()));
     bool floats = !header.hasTileDescription() && !exr_compression_name(header.compression()).empty();
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
         floats &= i.channel() == Imf::Channel(Imf::FLOAT);
     if (!floats)
         refuse_join(fmt::format("'{}' has tiles, a lossy compression, or values other than 32-bit floats; "
-                                "accepted are regions of flat "
+                                "expected regions of flat "
                                 "pictures",
                                 path.string()));
     const Imath::Box2i& picture = header.displayWindow();
@@ -101,12 +101,11 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
         return found == attributes.end() ? std::string("nothing") : found->second;
     };
     if (name == "software")
-        refuse_join(
-            fmt::format("'{}' was rendered by {}, '{}' by {}; accepted are regions from one version and "
-                        "driver, whose pixels agree",
-                        path.string(), text(own), first_path.string(), text(first)));
-    refuse_join(fmt::format("'{}' differs from '{}' in {}; accepted are regions of one picture",
-                            path.string(), first_path.string(),
+        refuse_join(fmt::format("'{}' was rendered by {}, '{}' by {}; expected regions from one version and "
+                                "driver, whose pixels agree",
+                                path.string(), text(own), first_path.string(), text(first)));
+    refuse_join(fmt::format("'{}' differs from '{}' in {}; expected regions of one picture", path.string(),
+                            first_path.string(),
                             name == "gabor"           ? "its parameters"
                             : name == "displayWindow" ? "the size of its picture"
                                                       : "its " + name));
@@ -120,7 +119,7 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
     for (std::size_t i = 0; i < regions.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j)
             if (regions[i].window.intersects(regions[j].window))
-                refuse_join(fmt::format("{} and {} overlap; accepted is one region for each pixel",
+                refuse_join(fmt::format("{} and {} overlap; each pixel must be in exactly one region",
                                         described(regions[j].path, regions[j].window),
                                         described(regions[i].path, regions[i].window)));
         rows.insert(regions[i].window.max.y + 1);
@@ -136,7 +135,7 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
             x = ends[x];
         if (x <= picture.max.x)
             refuse_join(fmt::format(
-                "no region has the pixel {},{}; accepted are regions that cover the picture", x, *y));
+                "no region contains the pixel {},{}; together, the regions must cover the picture", x, *y));
     }
 }
 
@@ -222,13 +221,17 @@ void ExrReader::State::choose(std::vector<std::string> names) {
     for (const std::string& name : channels) {
         const Imf::Channel* found = all.findChannel(name);
         if (!found)
-            refuse_exr(path, fmt::format("there is no channel '{}': it has {}", name,
+            refuse_exr(path, fmt::format("there is no channel '{}'; the file has {}", name,
                                          fmt::join(names_of(all), ", ")));
         if (found->type == Imf::UINT)
-            refuse_exr(path, fmt::format("channel '{}' holds integers; accepted are half and float", name));
-        if (found->xSampling != 1 || found->ySampling != 1)
             refuse_exr(path,
-                       fmt::format("channel '{}' is subsampled; accepted is a value for every pixel", name));
+                       fmt::format("channel '{}' holds integers; only half and float are supported", name));
+        if (found->xSampling != 1 || found->ySampling != 1)
+            refuse_exr(
+                path,
+                fmt::format(
+                    "channel '{}' is subsampled; only channels with a value for every pixel are supported",
+                    name));
     }
 }
 

@@ -31,7 +31,7 @@ Imf::Compression compression_method(std::string_view name) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end())
         throw RequestError(
-            fmt::format("unknown compression '{}'; accepted are {}", name, fmt::join(names, ", ")));
+            fmt::format("unknown compression '{}'; expected {}", name, fmt::join(names, ", ")));
     return methods[static_cast<std::size_t>(found - names.begin())];
 }
 

@@ -118,14 +118,14 @@ void sync_folder(const fs::path& folder) {
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
     if (!path_.has_filename())
-        refuse(path_, path_.empty() ? "the name is empty; accepted is the path of a file"
-                                    : "it is a folder; accepted is the path of a file");
+        refuse(path_, path_.empty() ? "the name is empty; expected the path of a file"
+                                    : "it is a folder; expected the path of a file");
     std::error_code error;
     const fs::file_status status = fs::status(path_, error);
     if (status.type() == fs::file_type::none)
-        refuse(path_, error.message() + "; accepted is a file in an existing folder");
+        refuse(path_, error.message() + "; expected a file in an existing folder");
     if (fs::is_directory(status))
-        refuse(path_, "it is a folder; accepted is the path of a file");
+        refuse(path_, "it is a folder; expected the path of a file");
 
     if (!fs::exists(status) || fs::is_regular_file(status))
         target_ = resolve(path_);
@@ -148,9 +148,8 @@ void OutputFile::open() {
     }
     auto [name, descriptor] = claim_name(target_, open_locked);
     if (descriptor < 0)
-        refuse(path_,
-               fmt::format("folder {}: {}; accepted is a file in an existing folder that can be written",
-                           folder.string(), reason(errno)));
+        refuse(path_, fmt::format("folder {}: {}; expected a file in an existing folder that can be written",
+                                  folder.string(), reason(errno)));
     temporary_ = std::move(name);
     descriptor_ = descriptor;
 }
@@ -227,7 +226,7 @@ const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
     std::error_code ignored;
     if (std::filesystem::is_fifo(path, ignored))
         throw RequestError(
-            fmt::format("cannot write {}: it is a pipe; accepted is the path of a file", path.string()));
+            fmt::format("cannot write {}: it is a pipe; expected the path of a file", path.string()));
     return path;
 }
 

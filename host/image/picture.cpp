@@ -72,8 +72,8 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, c
         return std::make_unique<ExrPicture>(path, channel);
     if (auto tga = open_tga(path)) // which starts with no signature
         return tga;
-    throw RequestError(fmt::format("'{}' is no picture that can be read: it takes PNG, JPEG, TGA or OpenEXR",
-                                   path.string()));
+    throw RequestError(
+        fmt::format("'{}' is not a readable picture: expected PNG, JPEG, TGA or OpenEXR", path.string()));
 }
 
 } // namespace gabor::image

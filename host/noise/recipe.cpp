@@ -67,7 +67,7 @@ Recipe find_recipe(std::string_view text) {
         const auto same = std::ranges::find(sparse_recipes(), fields(own), fields);
         return same == sparse_recipes().end() ? own : *same;
     }
-    throw RequestError(fmt::format("'{}': it takes {}", text, accepted_recipes()));
+    throw RequestError(fmt::format("'{}': expected {}", text, accepted_recipes()));
 }
 
 std::string accepted_recipes() {

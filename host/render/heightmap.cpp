@@ -16,9 +16,9 @@ namespace {
 void check(const std::filesystem::path& path, const Elevation& elevation) {
     if (!has_extension(path, ".png") && !has_extension(path, ".r16"))
         throw RequestError(fmt::format(
-            "heightmap '{}': it takes the name of a file that ends in .png or .r16", path.string()));
+            "heightmap '{}': expected the name of a file that ends in .png or .r16", path.string()));
     if (!(elevation.low < elevation.high && std::isfinite(elevation.high - elevation.low)))
-        throw RequestError("elevation: it takes LOW,HIGH, the lower height first");
+        throw RequestError("elevation: expected LOW,HIGH, the lower height first");
 }
 
 } // namespace

@@ -24,12 +24,12 @@ std::string read_text(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file.is_open())
         throw RequestError(
-            fmt::format("cannot read '{}': {}; it takes a JSON file", path, std::strerror(errno)));
+            fmt::format("cannot read '{}': {}; expected a JSON file", path, std::strerror(errno)));
     std::string text(most + 1, '\0');
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     text.resize(static_cast<std::size_t>(file.gcount()));
     if (file.bad() || text.empty() || text.size() > most)
-        throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of at most 1 MiB", path));
+        throw RequestError(fmt::format("cannot read '{}': expected a JSON file of at most 1 MiB", path));
     return text;
 }
 
@@ -45,7 +45,7 @@ Paint load_directions(const std::string& path) {
     const auto [width, height, channels, alpha, linear] = file->format();
     check_paint_size(path, width, height);
     if (channels != 3)
-        throw RequestError(fmt::format("paint '{}' is grey: it takes a picture whose red and green are "
+        throw RequestError(fmt::format("paint '{}' is grey: expected a picture whose red and green are "
                                        "directions, or an EXR with channels frequency and orientation",
                                        path));
     Paint paint{width, height, {}, true};
@@ -70,7 +70,7 @@ Loaded load_request(const std::string& path) {
     const image::ExrReader file(path);
     if (file.parameters().empty())
         throw RequestError(fmt::format(
-            "'{}' has no 'gabor' attribute: it takes an EXR that gabor rendered, or its JSON", path));
+            "'{}' has no 'gabor' attribute: expected an EXR that gabor rendered, or its JSON", path));
     return {with_prefix(fmt::format("'{}': ", path), [&] { return from_json(file.parameters()); }),
             file.window(), file.parameters()};
 }

@@ -24,7 +24,7 @@ Loaded load_request(const std::string& path);
 /// file.
 std::vector<noise::Lobe> load_lobes(const std::string& path);
 
-/// A preset that comes with the program: a file of host/render/presets.
+/// A preset shipped with the program: a file in host/render/presets.
 struct Preset {
     std::string_view name;
     std::string_view json;

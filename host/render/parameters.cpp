@@ -106,7 +106,7 @@ auto in_view(T OneView::*member) {
     };
 }
 
-// Finds a camera's value: of bodies and landscapes.
+// Finds a value of the camera of a body or landscape.
 auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
     return [=](auto& request) {
         auto* body = std::get_if<Body>(&request.view);
@@ -334,7 +334,7 @@ const std::array exclusions{
               "paint replaces the frequency and orientation of a single lobe"},
     Exclusion{"paint", "view",
               [](const Request& r) { return !r.paint.empty() && !std::holds_alternative<Plane>(r.view); },
-              "paint requires the view flat"},
+              "paint requires --view flat"},
     Exclusion{"values", "recipe",
               [](const Request& r) { return r.values > 1 && !in_space(r) && !r.recipe.is_lattice(); },
               "several values require a lattice recipe"},
@@ -345,13 +345,13 @@ const std::array exclusions{
               },
               "stretched kernels require a lattice recipe"},
     Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
-              "in a plane the filter requires the recipe lattice"},
+              "in a plane, the filter requires the lattice recipe"},
     Exclusion{"view", "recipe",
               [](const Request& r) {
                   return in_space(r) && r.recipe != noise::recipes().front() &&
                          r.recipe != noise::sparse_recipes().front();
               },
-              "noise in space always has the recipe lattice"},
+              "noise in space always uses the lattice recipe"},
 };
 
 // Parameters that materials and terrain use.
@@ -431,7 +431,7 @@ bool has_range(Kind kind) {
 }
 
 [[noreturn]] void refuse(std::string_view text, std::string_view what_is_accepted) {
-    throw RequestError(fmt::format("'{}': it takes {}", text, what_is_accepted));
+    throw RequestError(fmt::format("'{}': expected {}", text, what_is_accepted));
 }
 
 bool within(double value, const Range& range) {
@@ -446,7 +446,7 @@ void check_lobes(const std::vector<Lobe>& lobes) {
     for (const Lobe& lobe : lobes)
         for (const LobeParameter& p : of_lobe)
             if (!within(lobe.*p.member, p.range))
-                throw RequestError(fmt::format("{} of a lobe {}: it takes {}", p.name, lobe.*p.member,
+                throw RequestError(fmt::format("{} of a lobe {}: expected {}", p.name, lobe.*p.member,
                                                accepted_number(p.kind, p.range, p.unit)));
     if (std::ranges::none_of(lobes, [](const Lobe& lobe) { return lobe.power > 0; }))
         throw RequestError("no lobe has power: at least one must");

@@ -70,7 +70,7 @@ std::vector<std::string_view> choices(const Parameter& parameter);
 std::string accepted(const Parameter& parameter);
 
 /// Reads a value: "12", "45deg", "0.7854rad", "true", "horizon", "#c08040", "0.5,0.3,0.1" or a JSON list of
-/// lobes. Throws RequestError, "'text': it takes ...". `to_text` is its inverse.
+/// lobes. Throws RequestError, "'text': expected ...". `to_text` is its inverse.
 Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 

@@ -100,7 +100,7 @@ struct Request {
 
     // Additional channels.
     bool quadrature = false; ///< the noise with cosines instead of sines
-    bool gradient = false;   ///< derivatives per kernel radius, to the picture's right and down
+    bool gradient = false;   ///< derivatives to the right and down, per kernel radius
     bool phasor = false;     ///< phase, in turns, and intensity
     int values = 1;          ///< independent noises, 1 to 4
 

@@ -63,7 +63,7 @@ ordered_json json_of(const std::vector<Lobe>& lobes) {
 Value value_of(const Parameter& p, const json& value) {
     const auto must = [&](bool holds) {
         if (!holds)
-            throw RequestError(fmt::format("{} '{}': it takes {}", p.name, dumped(value), accepted(p)));
+            throw RequestError(fmt::format("{} '{}': expected {}", p.name, dumped(value), accepted(p)));
     };
     switch (p.kind) {
     case Kind::flag:

@@ -131,7 +131,7 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
                          bool half, const std::function<void(std::uint64_t)>& advance) {
     constexpr std::string_view accepted =
-        "accepted are regions of one picture's levels, from gabor render --level";
+        "expected regions of one picture's levels, from gabor render --level";
     // The files of each level, largest level first.
     std::map<std::pair<int, int>, std::vector<std::filesystem::path>, std::greater<>> levels;
     for (const std::filesystem::path& path : regions) {
@@ -155,20 +155,20 @@ image::Rect join_texture(std::span<const std::filesystem::path> regions, const s
         const Request here = texture_level(request, level);
         const auto found = levels.find({here.width, here.height});
         if (found == levels.end())
-            throw RequestError(fmt::format("cannot join: no region is of level {}, {} x {} pixels; {}", level,
-                                           here.width, here.height, accepted));
+            throw RequestError(fmt::format("cannot join: there is no region of level {} ({} x {} pixels); {}",
+                                           level, here.width, here.height, accepted));
         image::ExrReader reader(std::span(found->second), names);
         if (reader.parameters() != to_json(here) || reader.software() != whole.software())
-            throw RequestError(
-                fmt::format("cannot join: '{}' is not level {} of '{}', or by another version or driver; {}",
-                            found->second.front().string(), level, first.string(), accepted));
+            throw RequestError(fmt::format(
+                "cannot join: '{}' is not level {} of '{}', or was rendered by another version or driver; {}",
+                found->second.front().string(), level, first.string(), accepted));
         const int rows = std::max(1, (1 << 20) / here.width);
         for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows))
             take(band);
         levels.erase(found);
     });
     if (!levels.empty())
-        throw RequestError(fmt::format("cannot join: '{}' is no level of '{}'; {}",
+        throw RequestError(fmt::format("cannot join: '{}' is not a level of '{}'; {}",
                                        levels.begin()->second.front().string(), first.string(), accepted));
     writer.commit();
     return whole.picture();

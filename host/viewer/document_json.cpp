@@ -27,7 +27,7 @@ std::size_t index_of(const json& object, const char* key, const Names& names) {
     const json& value = object.at(key);
     const auto found = value.is_string() ? std::ranges::find(names, value.get<std::string>()) : names.end();
     if (found == names.end())
-        throw RequestError(fmt::format("{} {}: it takes {}", key, value.dump(), fmt::join(names, ", ")));
+        throw RequestError(fmt::format("{} {}: expected {}", key, value.dump(), fmt::join(names, ", ")));
     return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -56,12 +56,12 @@ std::vector<ColourStop> ramp_of(const json& stops) {
         if (text.size() != 7 || std::sscanf(text.c_str(), "#%6x", &code) != 1 ||
             !(read.at >= 0 && read.at <= 1))
             throw RequestError(fmt::format(
-                "ramp {}: it takes places from 0 to 1 with colours such as #8a5c34", stop.dump()));
+                "ramp {}: expected places from 0 to 1 with colours such as #8a5c34", stop.dump()));
         for (std::size_t i = 0; i < 3; ++i)
             read.colour.at(i) = static_cast<float>(code >> (16 - 8 * i) & 255) / 255;
     }
     if (ramp.size() < 2 || ramp.size() > most_stops)
-        throw RequestError(fmt::format("ramp: it takes 2 to {} colours", most_stops));
+        throw RequestError(fmt::format("ramp: expected 2 to {} colours", most_stops));
     std::ranges::stable_sort(ramp, {}, &ColourStop::at);
     return ramp;
 }

@@ -33,7 +33,7 @@ Extent parse_size(const std::string& text) {
         static_cast<std::size_t>(length) != text.size() || width < 480 || height < 320 || width > 16384 ||
         height > 16384)
         throw RequestError(
-            fmt::format("--window '{}': it takes WIDTHxHEIGHT, from 480x320 to 16384x16384", text));
+            fmt::format("--window '{}': expected WIDTHxHEIGHT, from 480x320 to 16384x16384", text));
     return {width, height};
 }
 

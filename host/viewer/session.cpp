@@ -121,7 +121,7 @@ Document load_document(const std::string& path, const Document& defaults) {
         return document_from_json(named->json, defaults);
     std::error_code unknown;
     if (!std::filesystem::exists(path, unknown))
-        throw RequestError(fmt::format("cannot read '{}': it takes a JSON file of parameters, an EXR that "
+        throw RequestError(fmt::format("cannot read '{}': expected a JSON file of parameters, an EXR that "
                                        "gabor rendered, or a preset's name",
                                        path));
     Document document = document_from_json(render::load_request(path).json, defaults);

@@ -75,7 +75,7 @@ Pass& Pass::operator=(Pass&&) noexcept = default;
 
 std::map<std::string, std::uint64_t> Pass::statistics(const Device& device) const {
     if (!device.state().executable_properties)
-        throw RequestError(fmt::format("{} does not tell what it compiles to: it takes a driver with "
+        throw RequestError(fmt::format("{} does not tell what it compiles to: use a driver with "
                                        "VK_KHR_pipeline_executable_properties, such as RADV",
                                        device.info().name));
     std::map<std::string, std::uint64_t> result;

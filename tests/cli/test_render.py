@@ -139,7 +139,7 @@ class Like(RenderTest):
             self.assertEqual(again.attributes, made.attributes)
 
     def test_it_takes_every_parameter(self):
-        """Sets all parameters that do not exclude each other to values other than the defaults."""
+        """Sets all parameters that can be combined to values other than the defaults."""
         write_exr(self.folder / "paint.exr", {"frequency": np.full((2, 2), 3, "<f4"),
                                               "orientation": np.full((2, 2), 40, "<f4")})
         every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],

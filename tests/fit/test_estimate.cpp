@@ -306,7 +306,7 @@ TEST_CASE("phases between channels are found from cross-spectra") {
     for (const double variance : fitted.variances)
         CHECK(variance == Approx(1).epsilon(0.03));
 
-    // Colours as drawn have the identity as covariance, whatever the fit.
+    // The covariance of the drawn colours is the identity, whatever the fit.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (const auto& w : fitted.colour.weights)
         for (std::size_t c = 0; c < 3; ++c)

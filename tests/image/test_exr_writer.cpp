@@ -145,7 +145,7 @@ TEST_CASE("An unknown compression is refused with a list of the known ones", "[e
     const ScratchFolder folder;
     CHECK_THROWS_AS(ExrWriter(folder / "out.exr", {small, small, {"Y"}, "dwaa", {}}), RequestError);
     CHECK_THROWS_WITH(ExrWriter(folder / "out.exr", {small, small, {"Y"}, "dwaa", {}}),
-                      "unknown compression 'dwaa'; accepted are none, rle, zips, zip, piz");
+                      "unknown compression 'dwaa'; expected none, rle, zips, zip, piz");
     CHECK_THROWS_AS(ExrWriter(folder / "missing/out.exr", {small, small, {"Y"}, "zip", {}}), RequestError);
     CHECK(folder.count() == 0);
 }

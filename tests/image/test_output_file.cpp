@@ -169,8 +169,8 @@ TEST_CASE("A name that cannot be a file is refused with one line", "[output_file
     CHECK_THAT(refusal(folder.path()), Contains("it is a folder"));
     CHECK_THAT(refusal(folder / "file2/"), Contains("it is a folder"));
     CHECK_THAT(refusal(folder / "missing/out"),
-               Contains("missing/out: folder ") && Contains("No such file or directory; accepted is"));
-    CHECK_THAT(refusal(folder / "file/out"), Contains("Not a directory; accepted is"));
+               Contains("missing/out: folder ") && Contains("No such file or directory; expected"));
+    CHECK_THAT(refusal(folder / "file/out"), Contains("Not a directory; expected"));
     CHECK_THAT(refusal(folder / std::string(300, 'x')), Contains("File name too long"));
     CHECK_THAT(refusal("/proc/out"), Contains("folder /proc: ") && Contains("that can be written"));
     CHECK(folder.count() == 1);

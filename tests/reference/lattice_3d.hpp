@@ -20,7 +20,7 @@ class Lattice3d {
         std::array<float, 3> local{};
         std::array<float, 3> radius{1.5f, 1.5f, 1.5f}; ///< nodes per kernel radius
         std::array<std::int32_t, 3> period{};          ///< in nodes, 0 for none
-        float time = 0;                                ///< in periods of time, for animated noise
+        float time = 0;                                ///< in periods of the animation
     };
 
     /// The noise as a complex number, whose imaginary part is the noise itself, and its gradient per kernel
@@ -77,7 +77,7 @@ class Isotropic3d {
     Isotropic3d(double frequency, std::uint32_t seed, bool animated = false);
     Isotropic3d(double frequency, const Tangents& tangents, std::uint32_t seed, bool animated = false);
 
-    /// The same as of Lattice3d.
+    /// As in Lattice3d.
     Lattice3d::Field field(const Lattice3d::Place& place) const;
     Lattice3d::Field filtered(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const;
     double removed(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const;

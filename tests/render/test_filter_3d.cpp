@@ -165,7 +165,7 @@ TEST_CASE("the filter in space errs by 1 % at most up to a third of a radius, by
     constexpr std::size_t count = 16;
     LatticeSampler3d sampler(device, count, Entry3d::field, true);
     test::Draw draw(41);
-    fmt::print("  RMSE and largest error in 1 % of the deviation, RMSE of the gradient\n");
+    fmt::print("  RMSE and largest error in percent of the deviation, RMSE of the gradient\n");
     for (const double deviation : {0.02, 0.08, 0.1, 1.0 / 6, 0.25, 0.354, 0.5}) {
         for (const double ratio : {0.0, 0.4, 1.0}) {
             for (const Vector& normal : normals()) {
@@ -300,8 +300,9 @@ TEST_CASE("isotropic noise in space and on surfaces is filtered within 2 % up to
     constexpr std::size_t count = 11;
     LatticeSampler3d space(device, count, Entry3d::isotropic, true);
     LatticeSampler3d surface(device, count, Entry3d::surface_isotropic, true);
-    fmt::print("  RMSE and largest error in 1 % of the deviation, RMSE of the gradient, error of the removed "
-               "variance in 1 %\n");
+    fmt::print(
+        "  RMSE and largest error in percent of the deviation, RMSE of the gradient, error of the removed "
+        "variance in 1 %\n");
     for (LatticeSampler3d* sampler : {&space, &surface}) {
         test::Draw draw(47);
         for (const double deviation : {0.03, 0.15}) {

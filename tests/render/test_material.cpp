@@ -420,7 +420,7 @@ TEST_CASE("a material excludes the noise's own parameters", "[material]") {
     const auto refused = [](Request request, const char* words) {
         CHECK_THROWS_WITH(render::check(request), Catch::Contains(words));
     };
-    refused({.material = "plastic"}, "material 'plastic': it takes none, wood, fabric");
+    refused({.material = "plastic"}, "material 'plastic': expected none, wood, fabric");
     refused({.lobes = {{.frequency = 3}}, .material = "wood"}, "frequency conflicts with material wood");
     refused({.material = "wood", .gradient = true}, "gradient conflicts with material wood");
     refused({.view = render::Slice{}, .material = "wood"}, "materials lie on planes and bodies");

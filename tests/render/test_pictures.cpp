@@ -305,7 +305,7 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
 TEST_CASE("colour pictures of space mix the values of grey ones", "[render]") {
     const vulkan::Device device;
     const image::Rect region{0, 0, 90, 60};
-    const double share = std::sqrt(2 / 3.0); // of the first lobe in the deviation
+    const double share = std::sqrt(2 / 3.0); // weight of the first lobe, which has two thirds of the variance
     const double rest = std::sqrt(1 / 3.0);
     const noise::Colour colour{.weights = {{{{0, share}, {share, 0}, {0.6 * share, 0.8 * share}}},
                                            {{{0, rest}, {rest, 0}, {0.6 * rest, 0.8 * rest}}}},

@@ -240,7 +240,7 @@ void Script::set(const Command& command, Session& session) {
 
 bool Script::expect(const Command& command, const Session& session) const {
     if (command.words[0] != "message")
-        throw RequestError(fmt::format("line {}: it takes expect message TEXT", command.line));
+        throw RequestError(fmt::format("line {}: expected expect message TEXT", command.line));
     const std::string& found = session.message.text;
     if (!found.empty() && found.find(command.rest(1)) != std::string::npos)
         return true;

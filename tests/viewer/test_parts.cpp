@@ -116,7 +116,7 @@ TEST_CASE("documents survive a round trip through JSON") {
     CHECK(render::from_json(to_json(document)) == request); // gabor render takes it too
     CHECK(document_from_json(R"({"seed": 9})", document).colours == 3);
     CHECK_THROWS_WITH(document_from_json(R"({"viewer": {"output": "slope"}})"),
-                      Catch::Contains("output \"slope\": it takes value, gradient"));
+                      Catch::Contains("output \"slope\": expected value, gradient"));
     for (const char* wrong : {R"({"viewer": {"camera": 7}})", R"({"viewer": {"contrast": "high"}})"})
         CHECK_THROWS_AS(document_from_json(wrong), RequestError);
     // Versions before 2.0 also stored a comparison, which is ignored.
