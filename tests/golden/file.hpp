@@ -1,16 +1,47 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace gabor::test {
+
+/// The calls that a file lists.
+inline std::vector<std::string> calls(const std::string& path) {
+    std::vector<std::string> calls;
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line); // the version
+    while (std::getline(file, line))
+        calls.push_back(line.substr(0, line.rfind(": ")));
+    return calls;
+}
+
+/// Whether a call's result at a point is as small as the documentation promises for any arguments.
+inline bool is_in_range(const std::string& call, int point, float value) {
+    const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
+    const int kind = std::abs(point) % 5;                       // of functions.glsl
+    const bool is_sine = has("noise_complex(s.p, s.frequency"); // its quadrature grows as the frequency falls
+    if (kind == 0 && has("isotropic_filtered"))                 // beyond frequency 10^6
+        return true;
+    if (has("gabor_footprint(s.dx, s.dy).") ||
+        (kind == 2 && (has("place") || has("stretched")))) // of tiny periods
+        return true;
+    const bool unlimited = has("gradient") || has("field") || has("3d(") || has("node_position") ||
+                           has("gabor_er") || has("gabor_terrain") || (kind == 0 && is_sine);
+    // As integers, since compilers may assume that there is no NaN, whose bits are larger than any number's.
+    return (std::bit_cast<std::uint32_t>(value) & 0x7fffffffu) <=
+           std::bit_cast<std::uint32_t>(unlimited ? std::numeric_limits<float>::max() : 200.0f);
+}
 
 /// The results of calls at 64 points, and the file with this version's results.
 class Rows {

@@ -1,5 +1,6 @@
 // Compares the results of the drop-ins' C++ translations with a file in this folder, or writes it if
-// GABOR_GOLDEN=write: functions FILE. A line of it is a call and 16 numbers, each a sum over 4 points.
+// GABOR_GOLDEN=write, and checks that results for any arguments are finite: functions FILE. A line of it is a
+// call and 16 numbers, each a sum over 4 points.
 
 #include "file.hpp"
 
@@ -39,6 +40,12 @@ namespace {
 [[maybe_unused]] float exp2(float x) {
     return std::exp2(x);
 }
+[[maybe_unused]] int abs(int x) {
+    return std::abs(x);
+}
+[[maybe_unused]] float min(float a, float b) {
+    return a < b ? a : b;
+}
 [[maybe_unused]] float abs(float x) {
     return std::abs(x);
 }
@@ -48,18 +55,27 @@ namespace {
 [[maybe_unused]] float floor(float x) {
     return std::floor(x);
 }
+[[maybe_unused]] float uintBitsToFloat(std::uint32_t bits) {
+    return std::bit_cast<float>(bits);
+}
 [[maybe_unused]] float dot(vec2 a, vec2 b) {
     return gabor_cpp_dot(a, b);
 }
 
 gabor::test::Rows rows;
-bool only_hash = false;
 std::uint32_t hash = 2166136261u; // the hash of Fowler, Noll and Vo, applied to words
+int out_of_range = 0;
+
+enum class What { rows, hash, range } what = What::rows;
+int point = 0;
 
 void see(const char* call, float value) {
-    hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 16777619u;
-    if (!only_hash)
+    if (what == What::rows)
         rows.see(call, value);
+    else if (what == What::hash)
+        hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 16777619u;
+    else if (!gabor::test::is_in_range(call, point, value) && ++out_of_range < 20)
+        std::printf("%s is %g at point %d\n", call, static_cast<double>(value), point);
 }
 #define SEE(call) see(#call, call);
 #define precise volatile
@@ -68,20 +84,26 @@ void see(const char* call, float value) {
 } // namespace
 
 int main(int count, char** arguments) {
-    only_hash = count == 3;
-    if (only_hash) {
-        for (int point = 0; point < std::atoi(arguments[2]); ++point)
+    if (count == 3) {
+        what = What::hash;
+        for (point = 0; point < std::atoi(arguments[2]); ++point)
             see_all(point);
         std::printf("%08x\n", hash);
         return 0;
     }
-    for (int point = 0; point < gabor::test::Rows::points; ++point) {
+    for (point = 0; point < gabor::test::Rows::points; ++point) {
         rows.begin(point);
         see_all(point);
     }
 #if defined GABOR_ROUNDING // unrounded products move places far away
-    return rows.compare(arguments[1], 1e-4, 0.2) ? 0 : 1;
+    const bool same = rows.compare(arguments[1], 1e-4, 0.2);
 #else
-    return rows.compare(arguments[1], 2e-6, 2e-6) ? 0 : 1;
+    const bool same = rows.compare(arguments[1], 2e-6, 2e-6);
 #endif
+    what = What::range;
+#if !defined GOLDEN_MATERIALS
+    for (point = -1; point > -4096; --point)
+        see_all(point);
+#endif
+    return same && out_of_range == 0 ? 0 : 1;
 }

@@ -1,7 +1,8 @@
 // Every public function of the drop-ins at 64 points: in C++ and GLSL, which both compile this text. Before it stand the
 // drop-ins, GOLDEN_... of the set to see, and SEE(call), which keeps what a call gives.
 //
-// One point in four is on nodes and where windows end, one in four far away.
+// One point in four is on nodes and where windows end, one in four far away. Points below 0 have any floats as
+// arguments, as far as docs/gallery.md promises finite results for them.
 
 struct Point {
     vec2 p;
@@ -24,13 +25,36 @@ struct Point {
     uint seed;
 };
 
-// A number from low to high, another for each point and k.
-float drawn(int point, int k, float low, float high) {
+// Another word for each point and k.
+uint random_word(int point, int k) {
     uint word = (uint(point) * 0x9e3779b1u + uint(k)) * 0x85ebca6bu;
     word = (word ^ (word >> 15u)) * 0x2c1b3c6du;
     word = (word ^ (word >> 12u)) * 0x297a2d39u;
-    precise float above = (high - low) * (float((word ^ (word >> 15u)) >> 8u) / 16777216.0f); // the same however it rounds
+    return word ^ (word >> 15u);
+}
+
+// A number from low to high.
+float drawn(int point, int k, float low, float high) {
+    precise float above = (high - low) * (float(random_word(point, k) >> 8u) / 16777216.0f); // the same however it rounds
     return low + above;
+}
+
+// Any float: half random bits, half powers of two, their neighbours, zeros, infinities and NaN.
+float any(int point, int k) {
+    uint word = random_word(point, k);
+    uint edge = (word & 0xff800000u) + (word >> 8u) % 3u - 1u;
+    uint bits = word % 2u == 0u ? random_word(point, k + 1000) : edge;
+#if defined GABOR_ROUNDING // compilers may assume that numbers are finite
+    if ((bits & 0x7f800000u) == 0x7f800000u)
+        bits &= 0xbfffffffu;
+#endif
+    return uintBitsToFloat(bits);
+}
+
+// Any float within [-most, most].
+float any_within(int point, int k, float most) {
+    float value = any(point, k);
+    return abs(value) <= most ? value : min(most, 1.0e30f) * drawn(point, k + 500, -1.0f, 1.0f);
 }
 
 // At integers there are nodes, and for three taps at odd ones window ends.
@@ -41,7 +65,65 @@ float coordinate(int point, int k) {
     return kind == 0 ? floor(near) : kind == 1 && k % 2 == 1 ? floor(near) : kind == 3 ? far : near;
 }
 
-Point point_of(int i) {
+#if defined GABOR_ROUNDING
+const float MOST = 3.4e38f;
+#else
+const float MOST = 1.0f / 0.0f;
+#endif
+const float WORLD = 2.6e8f; // an eighth of 2^31, for lobes have more nodes per unit
+
+// A point with some arguments of any size.
+Point any_of(Point s, int i) {
+    s.p = vec2(0.3f, 0.8f);
+    s.q = vec3(0.3f, 0.8f, 3.1f);
+    s.period = vec2(4.0f, 4.0f);
+    s.period_3d = vec3(4.0f, 4.0f, 4.0f);
+    int kind = i % 5; // file.hpp knows it
+    if (kind == 0) {
+        s.frequency = any_within(i, 100, MOST);
+        s.orientation = any_within(i, 101, 3.4e38f);
+    }
+    if (kind == 1) {
+        s.p = vec2(any_within(i, 102, WORLD), any_within(i, 103, WORLD));
+        s.q = vec3(s.p.x, s.p.y, any_within(i, 104, WORLD));
+        s.cell = ivec2(int(random_word(i, 105)), int(random_word(i, 106)));
+        s.local = vec2(any_within(i, 107, 64.0f), any_within(i, 108, 64.0f));
+        s.time = any_within(i, 109, 1.0e38f);
+    }
+    if (kind == 2) { // as long as positions in nodes, or in cells, do not overflow
+#if defined GOLDEN_NOISE
+        const float longest = 1.0e9f;
+#else
+        const float longest = MOST;
+#endif
+        s.p = vec2(any_within(i, 110, 7.0e5f), any_within(i, 111, 7.0e5f));
+        s.q = vec3(s.p.x, s.p.y, any_within(i, 112, 7.0e5f));
+        s.period = vec2(any_within(i, 113, longest), any_within(i, 114, longest));
+        s.period_3d = vec3(s.period.x, s.period.y, any_within(i, 115, longest));
+    }
+    if (kind == 3) { // pixels of any size
+#if defined GOLDEN_EROSION
+        s.dx_3d = vec3(any_within(i, 116, 1.0e15f), any_within(i, 117, 1.0e15f), 0.0f);
+        s.dy_3d = vec3(any_within(i, 119, 1.0e15f), any_within(i, 120, 1.0e15f), 0.0f);
+#else
+        s.dx_3d = vec3(any(i, 116), any(i, 117), any(i, 118));
+        s.dy_3d = vec3(any(i, 119), any(i, 120), any(i, 121));
+#endif
+        s.dx = vec2(s.dx_3d.x, s.dx_3d.y);
+        s.dy = vec2(s.dy_3d.x, s.dy_3d.y);
+    }
+#if !defined GOLDEN_SPECTRUM // whose profiles take it for stripes
+    if (kind == 4) {
+        s.direction = vec3(any_within(i, 122, 1.0e15f), any_within(i, 123, 1.0e15f), any_within(i, 124, 1.0e15f));
+        s.normal = vec3(any_within(i, 125, 1.0e15f), any_within(i, 126, 1.0e15f), any_within(i, 127, 1.0e15f));
+    }
+#endif
+    return s;
+}
+
+Point point_of(int point) {
+    bool of_any = point < 0;
+    int i = abs(point);
     Point s;
     s.p = vec2(coordinate(i, 0), coordinate(i, 1));
     s.q = vec3(coordinate(i, 2), coordinate(i, 3), coordinate(i, 4));
@@ -83,7 +165,7 @@ Point point_of(int i) {
     s.cell = ivec2(int(drawn(i, 26, -2.0e9f, 2.0e9f)), int(drawn(i, 27, -2.0e9f, 2.0e9f)));
     s.local = vec2(drawn(i, 28, -2.0f, 2.0f), drawn(i, 29, -2.0f, 2.0f));
     s.seed = uint(i) * 0x9e3779b1u;
-    return s;
+    return of_any ? any_of(s, i) : s;
 }
 
 // What is kept of a value: a sum of its parts, derivatives brought near to 1.
@@ -132,6 +214,7 @@ float kept_gradient(vec3 v) {
 
 void see_all(int i) {
     Point s = point_of(i);
+    i = abs(i);
 #if defined GOLDEN_LATTICE || defined GOLDEN_NOISE
     SEE(gabor_noise(s.p, s.frequency, s.orientation, s.seed))
     SEE(gabor_unorm(gabor_noise(s.p, s.frequency, s.orientation, s.seed)))

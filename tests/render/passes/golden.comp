@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The functions of golden/functions.glsl, GABOR_OF_SET: call k at point i becomes values[64 k + i].
+// The functions of golden/functions.glsl, GABOR_OF_SET: call k at point i of n becomes values[n k + i].
 
 #include "../../golden/sets.h"
 #if defined GOLDEN_NOISE
@@ -9,18 +9,27 @@
 #else
 #include "gabor_lattice.glsl"
 #endif
-#if defined GOLDEN_SPECTRUM
+#if defined GOLDEN_EROSION
+#include "gabor_erosion.glsl"
+#elif defined GOLDEN_DIRECTION
+#define GABOR_DIRECTION(p) (0.3 * (p))
+#include "gabor_direction.glsl"
+#elif !defined GOLDEN_NOISE && !defined GOLDEN_LATTICE
 #include "gabor_spectrum.glsl"
+#endif
+#if defined GOLDEN_LATTICE_3D
+#include "gabor_lattice_3d.glsl"
 #endif
 
 layout(local_size_x = 64) in;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };
 
-int next = int(gl_LocalInvocationID.x);
-#define SEE(call) values[next] = call; next += 64;
+uint next = gl_GlobalInvocationID.x;
+#define SEE(call) values[next] = call; next += 64u * gl_NumWorkGroups.x;
 #include "../../golden/functions.glsl"
 
 void main() {
-    see_all(int(gl_LocalInvocationID.x));
+    int point = int(gl_GlobalInvocationID.x);
+    see_all(point < 64 ? point : -point);
 }

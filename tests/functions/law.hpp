@@ -15,11 +15,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <initializer_list>
 #include <span>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace gabor::test {
@@ -31,8 +28,7 @@ inline double law_samples() {
     return text ? std::strtod(text, nullptr) : 1 << 21;
 }
 
-/// A number computed from one instance's answers; by theory it is normal with mean 0. Answers are rows of
-/// floats, one after another.
+/// A number computed from one instance's numbers; by theory it is normal with mean 0.
 struct Statistic {
     std::string name;
     double deviation;
@@ -53,40 +49,22 @@ inline Statistic sum_of(std::string name, double deviation, std::vector<Term> te
             }};
 }
 
-/// Evaluates batches of instances: `instance()` returns an array of samples, and `see` receives their
-/// answers.
-template <typename Sampler, typename Wanted, typename Instance, typename See>
-void for_instances(Sampler& sampler, double count, Wanted wanted, const Instance& instance, const See& see) {
-    const auto samples = sampler.samples();
-    constexpr std::size_t size = std::tuple_size_v<std::invoke_result_t<Instance>>;
-    const std::size_t per_batch = samples.size() / size * size;
-    for (double left = count; left > 0; left -= static_cast<double>(per_batch / size)) {
-        for (std::size_t i = 0; i < per_batch; i += size)
-            std::ranges::copy(instance(), samples.begin() + static_cast<std::ptrdiff_t>(i));
-        const auto answers = sampler.answers(per_batch, wanted);
-        const std::span all(reinterpret_cast<const float*>(answers.data()),
-                            answers.size_bytes() / sizeof(float));
-        const std::size_t numbers = all.size() / per_batch * size;
-        for (std::size_t first = 0; first < all.size(); first += numbers)
-            see(all.subspan(first, numbers));
-    }
-}
-
-/// Compares statistics over this share of the samples with the normal law.
-template <typename Sampler, typename Wanted, typename Instance>
-void check_laws(Sampler& sampler, double share, Wanted wanted, const Instance& instance,
-                const std::vector<Statistic>& statistics) {
+/// Compares statistics over this share of the samples with the normal law; `instance()` gives the numbers of
+/// another instance as an array.
+template <typename Instance>
+void check_laws(double share, const Instance& instance, const std::vector<Statistic>& statistics) {
     std::vector<statistics::Moments> moments(statistics.size());
     std::vector<statistics::Gaussianity> laws;
     for (const Statistic& statistic : statistics)
         laws.emplace_back(statistic.deviation);
-    for_instances(sampler, share * law_samples(), wanted, instance, [&](std::span<const float> numbers) {
+    for (double i = 0; i < share * law_samples(); ++i) {
+        const auto numbers = instance();
         for (std::size_t k = 0; k < statistics.size(); ++k) {
             const double value = statistics[k].of(numbers);
             moments[k].add(value);
             laws[k].add(value);
         }
-    });
+    }
     for (std::size_t k = 0; k < statistics.size(); ++k) {
         const statistics::Estimate cvm = laws[k].index();
         const double n = static_cast<double>(laws[k].count());
@@ -102,15 +80,16 @@ void check_laws(Sampler& sampler, double share, Wanted wanted, const Instance& i
     }
 }
 
-/// Compares the covariance of both parts (numbers 0 and 1) at two places of an instance with theory.
-template <typename Sampler, typename Wanted, typename Pair>
-void check_covariance(Largest& largest, Sampler& sampler, Wanted wanted, const Pair& pair, double expected,
-                      const std::string& name) {
+/// Compares with theory the covariance of both parts of complex noise at two places, the numbers 0, 1 and 2,
+/// 3 of an instance.
+template <typename Instance>
+void check_covariance(Largest& largest, const Instance& instance, double expected, const std::string& name) {
     statistics::Moments products;
-    for_instances(sampler, law_samples() / 16, wanted, pair, [&](std::span<const float> numbers) {
-        for (const std::size_t part : {0u, 1u})
-            products.add(double{numbers[part]} * numbers[numbers.size() / 2 + part]);
-    });
+    for (double i = 0; i < law_samples() / 32; ++i) {
+        const std::array<float, 4> numbers = instance();
+        products.add(double{numbers[0]} * numbers[2]);
+        products.add(double{numbers[1]} * numbers[3]);
+    }
     const double error = std::sqrt(products.variance() / static_cast<double>(products.count()));
     largest.see(products.mean(), expected, 4.5 * error, name);
     CHECK(error < 0.01);
@@ -143,21 +122,16 @@ class Laws {
             names_.push_back(fmt::format("{}", one));
     }
 
-    /// Adds some numbers of the answers to batches of samples; `sample(k)` draws one for the k-th place or
-    /// normal.
-    template <typename Sampler, typename Wanted, typename Sample>
-    void add(Sampler& sampler, Wanted wanted, double count, const Sample& sample,
-             std::initializer_list<std::size_t> numbers) {
-        std::size_t asked = 0, answered = 0;
-        for_instances(
-            sampler, count, wanted, [&] { return std::array{sample(asked++ % laws_.size())}; },
-            [&](std::span<const float> all) {
-                const std::size_t index = answered++ % laws_.size();
-                for (const std::size_t number : numbers) {
-                    moments_[index].add(all[number]);
-                    laws_[index].add(all[number]);
-                }
-            });
+    /// Adds numbers; `instance(k)` gives an array of those of an instance at the k-th place or normal.
+    template <typename Instance>
+    void add(double count, const Instance& instance) {
+        for (std::size_t i = 0; static_cast<double>(i) < count; ++i) {
+            const std::size_t k = i % laws_.size();
+            for (const float number : instance(k)) {
+                moments_[k].add(number);
+                laws_[k].add(number);
+            }
+        }
     }
 
     void merge(const Laws& other) {

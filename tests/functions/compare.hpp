@@ -1,0 +1,106 @@
+#pragma once
+
+// How tests of functions draw arguments, and compare what comes out with the double-precision reference.
+
+#include "largest.hpp"
+#include "reference/field.hpp"
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <numbers>
+#include <random>
+
+namespace gabor::test {
+
+/// 1e-5 up to frequency 4, proportional to it above: single precision limits the phase.
+inline double tolerance(double frequency) {
+    return 1e-5 * std::max(1.0, frequency / 4);
+}
+
+/// Derivatives scale with the frequency.
+inline double slope_tolerance(double frequency) {
+    return tolerance(frequency) * (2 * std::numbers::pi * frequency + 2);
+}
+
+class Draw {
+  public:
+    explicit Draw(unsigned seed) : random_(seed) {}
+
+    std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
+    std::int32_t cell() { return static_cast<std::int32_t>(random_()); }
+    bool one_in(unsigned n) { return word() % n == 0; }
+    float uniform(double low, double high) {
+        return static_cast<float>(std::uniform_real_distribution<>(low, high)(random_));
+    }
+
+    /// `Vector(x, y)` or `Vector(x, y, z)` of uniform numbers.
+    template <typename Vector>
+    Vector uniform(double low, double high) {
+        Vector v;
+        for (std::size_t axis = 0; axis < sizeof(Vector) / sizeof(float); ++axis)
+            v[static_cast<int>(axis)] = uniform(low, high);
+        return v;
+    }
+
+    /// On or next to a multiple of `step`, where windows and cells may end.
+    float edge(float x, float step = 1) {
+        return std::nextafter(step * std::round(x / step), word() % 2 ? 1e9f : -1e9f);
+    }
+
+  private:
+    std::mt19937 random_;
+};
+
+// ---- Comparisons of a drop-in's vectors, whose types differ from class to class
+
+/// A complex number, as (real part, noise).
+template <typename Place>
+void see(Largest& largest, const auto& value, std::complex<double> expected, double tolerance,
+         const Place& place) {
+    largest.see(value.x, expected.real(), tolerance, place);
+    largest.see(value.y, expected.imag(), tolerance, place);
+}
+
+/// A GaborField.
+template <typename Place>
+void see(Largest& values, Largest& slopes, const auto& field, const noise::Field& expected, double tolerance,
+         double slope_tolerance, const Place& place) {
+    see(values, field.value, expected.value, tolerance, place);
+    see(slopes, field.slope_x, expected.slope_x, slope_tolerance, place);
+    see(slopes, field.slope_y, expected.slope_y, slope_tolerance, place);
+}
+
+/// (noise, d/dx, d/dy).
+template <typename Place>
+void see_gradient(Largest& values, Largest& slopes, const auto& gradient, const noise::Field& expected,
+                  double tolerance, double slope_tolerance, const Place& place) {
+    values.see(gradient.x, expected.value.imag(), tolerance, place);
+    slopes.see(gradient.y, expected.slope_x.imag(), slope_tolerance, place);
+    slopes.see(gradient.z, expected.slope_y.imag(), slope_tolerance, place);
+}
+
+/// Numbers of a vector.
+template <std::size_t count, typename Place>
+void see(Largest& largest, const auto& vector, const std::array<double, count>& expected, double tolerance,
+         const Place& place) {
+    for (std::size_t c = 0; c < count; ++c)
+        largest.see(vector[static_cast<int>(c)], expected[c], tolerance, place);
+}
+
+/// Checks that a function has no jump along one of the paths in place, in size and in rotation of a pixel: on
+/// each side its slope predicts the next value of a smooth path to second order.
+template <typename Value>
+void check_path(Differences& of, int path, int steps, const Value& value) {
+    Largest& largest = of[path % 3 == 0 ? "in place" : path % 3 == 1 ? "in size" : "in rotation"];
+    std::array<double, 4> last{};
+    for (int i = 0; i < steps; ++i) {
+        last = {last[1], last[2], last[3], double{value(static_cast<double>(i) / steps)}};
+        if (i > 2)
+            largest.see(last[2], last[1] + 0.5 * ((last[1] - last[0]) + (last[3] - last[2])), 1e-4,
+                        [&] { return fmt::format("step {} of path {}", i, path); });
+    }
+}
+
+} // namespace gabor::test

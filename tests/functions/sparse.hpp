@@ -1,0 +1,78 @@
+#pragma once
+
+// gabor_noise.glsl translated to C++: for each choice of its macros a class whose members are its functions.
+
+#include "compare.hpp"
+#include "reference/reference.hpp"
+
+#include "gabor_noise.hpp" // the vectors
+
+namespace gabor::test {
+
+namespace {
+
+#undef GABOR_NOISE_HPP
+struct One {
+    const noise::Recipe recipe = noise::find_recipe("one");
+#include "gabor_noise.hpp"
+};
+
+#undef GABOR_NOISE_HPP
+#undef GABOR_RADIUS
+#undef GABOR_WEIGHT_FLOOR
+#undef GABOR_WINDOW
+#define GABOR_RADIUS 1.5f
+#define GABOR_WEIGHT_FLOOR 0.5f
+#define GABOR_WINDOW gabor_vec3(1, -1, 1)
+struct Pure {
+    const noise::Recipe recipe = noise::find_recipe("pure");
+#include "gabor_noise.hpp"
+};
+
+#undef GABOR_NOISE_HPP
+#undef GABOR_IMPULSES
+#undef GABOR_RADIUS
+#undef GABOR_WEIGHT_FLOOR
+#undef GABOR_PHASES
+#undef GABOR_WINDOW
+#define GABOR_IMPULSES 2
+#define GABOR_WEIGHT_FLOOR 1.0f
+#define GABOR_PHASES 2
+#define GABOR_WINDOW gabor_vec3(1, 0, 0)
+struct Paper {
+    const noise::Recipe recipe = noise::find_recipe("paper");
+#include "gabor_noise.hpp"
+};
+
+#undef GABOR_NOISE_HPP
+#undef GABOR_IMPULSES
+#undef GABOR_RADIUS
+#undef GABOR_WEIGHT_FLOOR
+#undef GABOR_WINDOW
+#define GABOR_IMPULSES 3
+#define GABOR_RADIUS 1.5f
+#define GABOR_WEIGHT_FLOOR 0.2f
+#define GABOR_WINDOW gabor_vec3(0.5f, 1.5f, -1)
+struct Sines {
+    const noise::Recipe recipe{"sines", 3, 1.5f, 0.2f, 2, {0.5f, 1.5f, -1.0f}, ""};
+#include "gabor_noise.hpp"
+};
+
+#undef GABOR_NOISE_HPP
+#undef GABOR_IMPULSES
+#undef GABOR_RADIUS
+#undef GABOR_WEIGHT_FLOOR
+#undef GABOR_PHASES
+#undef GABOR_WINDOW
+#define GABOR_RADIUS 1.06f
+#define GABOR_WEIGHT_FLOOR 0.5f
+#define GABOR_PHASES 4
+#define GABOR_WINDOW gabor_vec3(1, 0, 0)
+struct Uneven {
+    const noise::Recipe recipe{"uneven", 1, 1.06f, 0.5f, 4, {1, 0, 0}, ""};
+#include "gabor_noise.hpp"
+};
+
+} // namespace
+
+} // namespace gabor::test

@@ -1,0 +1,143 @@
+// Compares gabor_direction.glsl with the double-precision reference.
+
+#include "lattice.hpp"
+
+using namespace gabor;
+using test::Differences;
+using test::Draw;
+using test::place_of;
+
+namespace {
+
+test::Lattice3 n;
+
+struct Sample {
+    noise::LatticePlace place;
+    gabor_vec2 p, tile;
+    std::uint32_t seed;
+    float sharpness;
+};
+
+std::string to_string(const Sample& s) {
+    return fmt::format("{}, p ({}, {}), tile ({}, {}), seed {}, sharpness {}", test::to_string(s.place),
+                       s.p.x, s.p.y, s.tile.x, s.tile.y, s.seed, s.sharpness);
+}
+
+double wrapped(double index, double period) {
+    return period > 0 ? index - std::floor(index / period) * period : index;
+}
+
+// The positions of the nine nodes around a place, row by row.
+noise::Lattice::Waves nodes_around(const noise::LatticePlace& place) {
+    noise::Lattice::Waves nodes{};
+    for (int k = 0; k < 9; ++k) {
+        const double i = place.cell_x + std::floor(place.local_x + 0.5) + k % 3 - 1;
+        const double j = place.cell_y + std::floor(place.local_y + 0.5) + k / 3 - 1;
+        nodes.at(static_cast<std::size_t>(k)) = {wrapped(i, place.period_x) / place.radius_x,
+                                                 wrapped(j, place.period_y) / place.radius_y};
+    }
+    return nodes;
+}
+
+// Lattice3::map_at in double precision.
+std::array<double, 2> map_at(double x, double y) {
+    return x + y > 1 ? std::array<double, 2>{1.5, 0.25 * y} : std::array<double, 2>{-0.5 * x, 2};
+}
+
+noise::Field along_map(const noise::LatticePlace& place, std::uint32_t seed) {
+    noise::Lattice::Waves waves = nodes_around(place);
+    for (auto& wave : waves)
+        wave = map_at(wave[0], wave[1]);
+    return noise::Lattice::field(place, waves, seed);
+}
+
+// Whether rounding can choose other nodes around the place.
+bool is_between_nodes(const noise::LatticePlace& place) {
+    const auto near_edge = [](double local) {
+        return std::abs(local + 0.5 - std::round(local + 0.5)) < 1e-4;
+    };
+    return near_edge(place.local_x) || near_edge(place.local_y);
+}
+
+// Whether it can also choose the other side of the map's jump at a node.
+bool is_ambiguous(const noise::LatticePlace& place) {
+    return is_between_nodes(place) || std::ranges::any_of(nodes_around(place), [](const auto& node) {
+               return std::abs(node[0] + node[1] - 1) < 1e-4;
+           });
+}
+
+} // namespace
+
+TEST_CASE("noise along a map agrees with the reference in any cell, with any period, at any time",
+          "[direction][oracle]") {
+    constexpr int count = 1 << 15;
+    Draw draw(71);
+    Differences of;
+    // Waves of up to 6 cycles, at offsets rounded to 1e-7 of 8 kernel radii.
+    constexpr double tight = 3e-5, loose = 5e-4;
+    int left_out = 0;
+    for (int i = 0; i < count; ++i) {
+        Sample s{test::any_lattice_place(draw, 3), draw.uniform<gabor_vec2>(-8, 8),
+                 draw.uniform<gabor_vec2>(1.5, 9), draw.word(), draw.uniform(0, 4)};
+        const auto see_stripes = [&](const char* name, gabor_vec3 stripes, const noise::Field& expected) {
+            see(of[name], stripes, noise::lattice_stripes(expected.value, s.sharpness),
+                tight * std::max(1.0f, s.sharpness), s);
+        };
+        test::Lattice3::GaborWaves given;
+        noise::Lattice::Waves waves;
+        const auto around = nodes_around(s.place);
+        for (std::size_t k = 0; k < 9; ++k) {
+            const int index = static_cast<int>(k);
+            given.wave[index] = draw.uniform<gabor_vec2>(-4, 4);
+            if (draw.one_in(8))
+                given.wave[index].x = 0;
+            waves.at(k) = {given.wave[index].x, given.wave[index].y};
+            const gabor_vec2 node = n.gabor_node_position(place_of(n, s.place), index);
+            if (!is_between_nodes(s.place) && s.place.period_x && s.place.period_y)
+                see(of["gabor_node_position"], node, around.at(k), 1e-5, s);
+        }
+        if (!is_between_nodes(s.place))
+            see(of["gabor_field_waves"], of["gabor_field_waves, slopes"],
+                n.gabor_field_waves(place_of(n, s.place), given, s.seed),
+                noise::Lattice::field(s.place, waves, s.seed), 2e-5, 6e-4, s);
+
+        s.place.cell_x = s.place.cell_y = 0; // the map is bounded only near the origin
+        if (is_ambiguous(s.place))
+            ++left_out;
+        else {
+            const auto expected = along_map(s.place, s.seed);
+            see(of["gabor_field_direction"], of["gabor_field_direction, slopes"],
+                n.gabor_field_direction(place_of(n, s.place), s.seed), expected, tight, loose, s);
+            see_stripes("gabor_stripes_direction_at",
+                        n.gabor_stripes_direction_at(place_of(n, s.place), s.sharpness, s.seed), expected);
+        }
+
+        const noise::LatticePlace here = test::lattice_place(3, s.p.x * 1.5f, s.p.y * 1.5f);
+        if (is_ambiguous(here))
+            ++left_out;
+        else {
+            const auto expected = along_map(here, s.seed);
+            of["gabor_noise_direction"].see(n.gabor_noise_direction(s.p, s.seed), expected.value.imag(),
+                                            tight, s);
+            see(of["gabor_noise_direction_complex"], n.gabor_noise_direction_complex(s.p, s.seed),
+                expected.value, tight, s);
+            see_gradient(of["gabor_noise_direction_gradient"], of["gabor_noise_direction_gradient"],
+                         n.gabor_noise_direction_gradient(s.p, s.seed), expected, tight, loose, s);
+            see_stripes("gabor_stripes_direction", n.gabor_stripes_direction(s.p, s.sharpness, s.seed),
+                        expected);
+        }
+
+        const noise::LatticePlace tile = test::lattice_tile(3, s.p, s.tile);
+        if (is_ambiguous(tile))
+            ++left_out;
+        else {
+            const auto expected = along_map(tile, s.seed);
+            of["gabor_noise_direction_tiled"].see(n.gabor_noise_direction_tiled(s.p, s.tile, s.seed),
+                                                  expected.value.imag(), tight, s);
+            see_stripes("gabor_stripes_direction_tiled",
+                        n.gabor_stripes_direction_tiled(s.p, s.tile, s.sharpness, s.seed), expected);
+        }
+    }
+    test::check(of, 12);
+    CHECK(left_out < count / 2);
+}

@@ -1,0 +1,450 @@
+// Hills and erosion: against the double-precision reference, and the properties of a good terrain.
+
+#include "lattice.hpp"
+#include "reference/erosion.hpp"
+
+#include <optional>
+#include <vector>
+
+using namespace gabor;
+using noise::Terrain;
+using test::Draw;
+using test::Largest;
+
+namespace {
+
+struct Sample {
+    std::int32_t column = 0, row = 0;
+    gabor_vec2 local{0, 0}, period{0, 0}, dx{0, 0}, dy{0, 0};
+    std::optional<Terrain> base; // instead of the hills; in single precision
+    std::uint32_t seed = 7;
+    noise::Erosion erosion; // in single precision
+
+    noise::Ground ground() const { return {{column, row}, {local.x, local.y}, {period.x, period.y}}; }
+    Sample beside(float x, float y) const {
+        Sample moved = *this;
+        moved.local = local + gabor_vec2(x, y);
+        return moved;
+    }
+};
+
+std::string to_string(const Sample& s) {
+    const auto& e = s.erosion;
+    const Terrain base = s.base.value_or(Terrain());
+    return fmt::format("cell ({}, {}) + ({}, {}), period ({}, {}), pixel ({}, {}) ({}, {}), base {} {} ({}, "
+                       "{}) {}, seed {}, erosion {} {} {} {} {} {} {} {} {} {} {} {}",
+                       s.column, s.row, s.local.x, s.local.y, s.period.x, s.period.y, s.dx.x, s.dx.y, s.dy.x,
+                       s.dy.y, s.base.has_value(), base.height, base.slope[0], base.slope[1], base.ridge,
+                       s.seed, e.octaves, e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail,
+                       e.sharpness, e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching);
+}
+
+// The drop-in's terrain as the reference's types.
+template <typename Functions>
+struct Terrains {
+    using GaborTerrain = typename Functions::GaborTerrain;
+    Functions n;
+
+    static Terrain wide(const GaborTerrain& t) { return {t.height, {t.slope.x, t.slope.y}, t.ridge}; }
+    static auto erosion(const Sample& s) {
+        const noise::Erosion& e = s.erosion;
+        const auto narrow = [](double number) { return static_cast<float>(number); };
+        return typename Functions::GaborErosion{e.octaves,
+                                                e.frequency,
+                                                narrow(e.strength),
+                                                e.lacunarity,
+                                                narrow(e.gain),
+                                                narrow(e.onset),
+                                                narrow(e.detail),
+                                                narrow(e.sharpness),
+                                                narrow(e.ridge_rounding),
+                                                narrow(e.crease_rounding),
+                                                narrow(e.gully_weight),
+                                                narrow(e.branching)};
+    }
+    static auto ground(const Sample& s) {
+        return typename Functions::GaborGround{{s.column, s.row}, s.local, s.period};
+    }
+
+    GaborTerrain base(const Sample& s) {
+        if (!s.base)
+            return n.gabor_terrain_at(ground(s), s.dx, s.dy, s.seed);
+        const auto& [height, slope, ridge] = *s.base;
+        return {static_cast<float>(height),
+                {static_cast<float>(slope[0]), static_cast<float>(slope[1])},
+                static_cast<float>(ridge)};
+    }
+    Terrain hills(const Sample& s) { return wide(n.gabor_terrain_at(ground(s), s.dx, s.dy, s.seed)); }
+    Terrain eroded(const Sample& s) {
+        return wide(n.gabor_eroded_at(ground(s), s.dx, s.dy, base(s), erosion(s), s.seed));
+    }
+};
+
+Sample drawn(Draw& draw) {
+    Sample s;
+    const bool far = draw.word() % 2, tiled = draw.one_in(4);
+    const auto cell = [&] {
+        return tiled ? 0 : far ? draw.cell() : static_cast<std::int32_t>(draw.uniform(-5, 5));
+    };
+    s.column = cell();
+    s.row = cell();
+    for (int axis = 0; axis < 2; ++axis) {
+        s.local[axis] = draw.one_in(8) ? std::round(draw.uniform(-2, 2)) : draw.uniform(0, 1);
+        s.period[axis] = tiled && !draw.one_in(4) ? std::round(draw.uniform(4, 9)) : 0;
+        if (draw.word() % 2) {
+            s.dx[axis] = draw.uniform(-0.2, 0.2);
+            s.dy[axis] = draw.uniform(-0.2, 0.2);
+        }
+    }
+    if (draw.word() % 2)
+        s.base = {draw.uniform(-1, 1), {draw.uniform(-1, 1), draw.uniform(-1, 1)}, draw.uniform(-1, 1)};
+    s.seed = draw.word();
+    s.erosion = {static_cast<int>(draw.word() % 7),
+                 std::exp2(draw.uniform(-2, 4)),
+                 draw.uniform(0, 0.3),
+                 draw.word() % 2 ? 2 : draw.uniform(1.5, 2.5),
+                 draw.uniform(0.3, 0.7),
+                 draw.uniform(0.2, 2),
+                 draw.uniform(1, 3),
+                 draw.uniform(1, 4),
+                 draw.one_in(4) ? 0 : draw.uniform(0, 0.5),
+                 draw.one_in(4) ? 0 : draw.uniform(0, 0.5),
+                 draw.uniform(0, 1),
+                 draw.uniform(0, 1.5)};
+    return s;
+}
+
+// Samples in terrains of their own.
+std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
+    Draw draw(seed);
+    std::vector<Sample> samples(count);
+    for (Sample& sample : samples) {
+        sample.local = draw.uniform<gabor_vec2>(0, 8);
+        sample.seed = draw.word();
+    }
+    return samples;
+}
+
+// One octave of gullies on a plane that falls towards any side.
+std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
+    std::vector<Sample> samples = anywhere(count, seed);
+    Draw draw(seed + 1);
+    for (Sample& sample : samples) {
+        const double turn = draw.uniform(0, 6.2831853);
+        sample.base = {0, {std::cos(turn), std::sin(turn)}, 0};
+        sample.erosion.octaves = 1;
+    }
+    return samples;
+}
+
+// ---- Measures of a terrain: docs/performance.md has their values
+
+// The largest step of the height over 1/64, after halving this distance 12 times, always to the half with the
+// larger step: a jump keeps its size.
+double largest_step(auto terrains) {
+    double largest = 0;
+    for (Sample left : anywhere(1 << 14, 1)) {
+        Sample right = left.beside(1.0f / 64, 0);
+        double low = terrains.eroded(left).height, high = terrains.eroded(right).height;
+        for (int halvings = 0; halvings < 12; ++halvings) {
+            const Sample middle = left.beside(0.5f * (right.local.x - left.local.x), 0);
+            const double here = terrains.eroded(middle).height;
+            const bool lower = std::abs(here - low) > std::abs(high - here);
+            (lower ? right : left) = middle;
+            (lower ? high : low) = here;
+        }
+        largest = std::max(largest, std::abs(high - low));
+    }
+    return largest;
+}
+
+// Mean angle in degrees between the gullies of one octave and the slope of the hills, weighted by the square
+// of the gullies' own slope.
+double gully_angle(auto terrains) {
+    constexpr float step = 1.0f / 256;
+    double sum = 0, weight = 0;
+    for (Sample s : anywhere(1 << 14, 2)) {
+        s.erosion.octaves = 1;
+        const auto gully = [&](float x, float y) { return terrains.eroded(s.beside(x, y)).ridge; };
+        const double x = gully(step, 0) - gully(-step, 0), y = gully(0, step) - gully(0, -step);
+        const auto [fall_x, fall_y] = terrains.hills(s).slope;
+        const double power = x * x + y * y, fall = std::hypot(fall_x, fall_y);
+        if (fall < 0.3 || power == 0)
+            continue;
+        sum += power * std::asin(std::abs(x * fall_x + y * fall_y) / (std::sqrt(power) * fall));
+        weight += power;
+    }
+    return sum / weight * 180 / std::numbers::pi;
+}
+
+// Local minima per unit area (lower than all eight neighbours, 1/64 away): those of the terrain minus those
+// of the hills.
+double pits(auto terrains) {
+    constexpr int side = 128;
+    int count = 0;
+    for (std::uint32_t seed = 0; seed < 8; ++seed) {
+        std::vector<double> eroded, hills;
+        for (int i = 0; i < side * side; ++i) {
+            Sample s = Sample().beside(static_cast<float>(i % side) / 64, static_cast<float>(i / side) / 64);
+            s.seed = seed;
+            eroded.push_back(terrains.eroded(s).height);
+            hills.push_back(terrains.hills(s).height);
+        }
+        const auto is_lowest = [](const std::vector<double>& heights, int i) {
+            const auto at = [&](int k) { return heights[static_cast<std::size_t>(k)]; };
+            for (const int k : {-1, 1, -side, side, -side - 1, -side + 1, side - 1, side + 1})
+                if (at(i + k) <= at(i))
+                    return 0;
+            return 1;
+        };
+        for (int y = 1; y + 1 < side; ++y)
+            for (int x = 1; x + 1 < side; ++x)
+                count += is_lowest(eroded, y * side + x) - is_lowest(hills, y * side + x);
+    }
+    return count / (8 * std::pow((side - 2) / 64.0, 2));
+}
+
+// The largest curvature of gullies on planes over its root mean square: spikes could appear where waves
+// cancel.
+double spikes(auto terrains) {
+    constexpr float step = 1.0f / 64;
+    double largest = 0, square = 0;
+    const std::vector<Sample> samples = on_planes(1 << 17, 3);
+    for (const Sample& s : samples) {
+        const auto height = [&](float x, float y) { return terrains.eroded(s.beside(x, y)).height; };
+        const double curvature =
+            height(-step, 0) + height(step, 0) + height(0, -step) + height(0, step) - 4 * height(0, 0);
+        largest = std::max(largest, std::abs(curvature));
+        square += curvature * curvature;
+    }
+    return largest / std::sqrt(square / static_cast<double>(samples.size()));
+}
+
+// How much more of the slopes' power lies along the axes than along the diagonals.
+double axes(auto terrains) {
+    double fourfold = 0, power = 0;
+    for (const Sample& s : anywhere(1 << 18, 5)) {
+        const auto [x, y] = terrains.eroded(s).slope;
+        const double square = x * x + y * y;
+        fourfold += square * std::cos(4 * std::atan2(y, x));
+        power += square;
+    }
+    return fourfold / power;
+}
+
+// By how much the mean square of gullies on planes depends on where in a cell of their lattice, `cell` wide,
+// they are: (largest - least) / mean over 4 x 4 places.
+double cells(auto terrains, double cell) {
+    std::array<double, 16> square{}, count{};
+    for (const Sample& s : on_planes(1 << 18, 7)) {
+        const auto part = [&](double p) {
+            return static_cast<std::size_t>(4 * (p / cell - std::floor(p / cell))) % 4;
+        };
+        const std::size_t place = 4 * part(s.local.y) + part(s.local.x);
+        square.at(place) += std::pow(terrains.eroded(s).ridge, 2);
+        ++count.at(place);
+    }
+    double mean = 0, least = 1e9, most = 0;
+    for (std::size_t i = 0; i < square.size(); ++i) {
+        const double value = square.at(i) / count.at(i);
+        mean += value / 16;
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    return (most - least) / mean;
+}
+
+// RMS of the slope minus finite differences of the height, relative to the RMS of the latter.
+double slope_error(auto terrains) {
+    constexpr float step = 1.0f / 2048;
+    double error = 0, power = 0;
+    for (const Sample& s : anywhere(1 << 15, 9)) {
+        const double slope =
+            1024 * (terrains.eroded(s.beside(step, 0)).height - terrains.eroded(s.beside(-step, 0)).height);
+        error += std::pow(terrains.eroded(s).slope[0] - slope, 2);
+        power += slope * slope;
+    }
+    return std::sqrt(error / power);
+}
+
+template <typename Functions>
+void compare(Terrains<Functions> terrains) {
+    constexpr int taps = Functions::taps;
+    auto& n = terrains.n;
+    Draw draw(taps);
+    test::Differences of;
+    for (int i = 0; i < 1 << 15; ++i) {
+        const Sample s = drawn(draw);
+        const noise::Vector dx{s.dx.x, s.dx.y}, dy{s.dy.x, s.dy.y};
+        const Terrain hills = terrains.hills(s), wanted = noise::terrain(s.ground(), dx, dy, s.seed);
+        of["gabor_terrain_at"].see(hills.height, wanted.height, 5e-7, s);
+        of["gabor_terrain_at"].see(hills.ridge, wanted.ridge, 1e-6, s);
+        const Terrain found = terrains.eroded(s);
+        const Terrain eroded =
+            noise::eroded(taps, s.ground(), dx, dy, s.base.value_or(hills), s.erosion, s.seed);
+        const double finest = s.erosion.frequency * std::pow(s.erosion.lacunarity, s.erosion.octaves - 1);
+        of["gabor_eroded_at"].see(found.height, eroded.height, 5e-6, s);
+        of["  its ridge"].see(found.ridge, eroded.ridge, 2e-4, s);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            of["gabor_terrain_at"].see(hills.slope[axis], wanted.slope[axis], 2e-6, s);
+            of["  its slope"].see(found.slope[axis], eroded.slope[axis], 1.5e-5 + 2e-6 * finest, s);
+        }
+        if (s.column == 0 && s.row == 0 && !s.base && (s.period.x > 0) == (s.period.y > 0)) {
+            const bool tiled = s.period.x > 0, filtered = s.dx.x != 0 || s.dy.x != 0 || s.dx.y != 0;
+            const auto erosion = terrains.erosion(s);
+            if (tiled && !filtered)
+                of["gabor_eroded_tiled"].see(
+                    n.gabor_eroded_tiled(s.local, s.period, n.gabor_terrain_tiled(s.local, s.period, s.seed),
+                                         erosion, s.seed)
+                        .height,
+                    found.height, 1e-5, s);
+            else if (!tiled)
+                of["gabor_eroded_filtered"].see(
+                    n.gabor_eroded_filtered(s.local, s.dx, s.dy,
+                                            n.gabor_terrain_filtered(s.local, s.dx, s.dy, s.seed), erosion,
+                                            s.seed)
+                        .height,
+                    found.height, 1e-5, s);
+            if (!tiled && !filtered)
+                of["gabor_eroded"].see(
+                    n.gabor_eroded(s.local, n.gabor_terrain(s.local, s.seed), erosion, s.seed).height,
+                    found.height, 1e-5, s);
+        }
+    }
+    fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
+    test::check(of, 7);
+}
+
+template <typename Functions>
+void check_properties(Terrains<Functions> terrains) {
+    constexpr int taps = Functions::taps;
+    const auto at_most = [&](const char* name, double value, double limit) {
+        fmt::print("{} taps, {}: {:.3g} of {:.3g}\n", taps, name, value, limit);
+        CHECK(value <= limit);
+    };
+    at_most("step over 1/262144", largest_step(terrains), 2e-4);
+    at_most("degrees between gullies and slope", gully_angle(terrains), 22);
+    at_most("pits per unit of area", pits(terrains), 6);
+    at_most("spikes", spikes(terrains), 9);
+    at_most("axes", std::abs(axes(terrains)), 0.015);
+    at_most("cells", cells(terrains, 2 / (0.8 * taps * 1.5)), 0.05);
+    at_most("error of the slope", slope_error(terrains), 0.64);
+}
+
+template <typename Functions>
+void check_tiles(Terrains<Functions> terrains) {
+    Draw draw(13);
+    int equal = 0;
+    for (Sample s : anywhere(1 << 14, 15)) {
+        const double endless = terrains.eroded(s).height;
+        Sample moved = s;
+        for (int axis = 0; axis < 2; ++axis) { // numbers with few bits, so that sums and products are exact
+            s.local[axis] = std::round(64 * s.local[axis]) / 64;
+            s.period[axis] = static_cast<float>(4 << draw.word() % 3);
+            moved.period[axis] = s.period[axis];
+            moved.local[axis] = s.local[axis] + s.period[axis] * std::round(draw.uniform(-3, 3));
+        }
+        INFO(to_string(s));
+        const Terrain here = terrains.eroded(s), there = terrains.eroded(moved);
+        REQUIRE(terrains.hills(s).height == terrains.hills(moved).height);
+        REQUIRE(here.height == there.height);
+        REQUIRE(here.slope[1] == there.slope[1]);
+        equal += here.height == endless;
+    }
+    CHECK(equal < 160); // a period changes the terrain
+}
+
+} // namespace
+
+// An octave's rounding turns the gullies of the next.
+TEST_CASE("hills and erosion agree with the reference", "[erosion][oracle]") {
+    compare(Terrains<test::Lattice2>());
+    compare(Terrains<test::Lattice3>());
+}
+
+TEST_CASE("eroded heights are continuous, and their gullies run down the slope without spikes or traces of a "
+          "lattice",
+          "[erosion]") {
+    check_properties(Terrains<test::Lattice2>());
+    check_properties(Terrains<test::Lattice3>());
+}
+
+TEST_CASE("eroded tiles have no seam", "[erosion]") {
+    check_tiles(Terrains<test::Lattice2>());
+    check_tiles(Terrains<test::Lattice3>());
+}
+
+TEST_CASE("filtering gullies keeps the mean height", "[erosion]") {
+    Terrains<test::Lattice3> terrains;
+    std::vector<Sample> samples = anywhere(1 << 17, 11);
+    std::vector<double> sharp;
+    double relief = 0;
+    for (Sample& s : samples) {
+        sharp.push_back(terrains.eroded(s).height);
+        relief += std::pow(sharp.back(), 2) / static_cast<double>(samples.size());
+        s.base = terrains.hills(s); // too smooth for the filter to change
+    }
+    relief = std::sqrt(relief);
+    for (const float pixel : {1 / 64.0f, 1 / 24.0f, 1 / 8.0f, 1 / 3.0f, 1.0f, 100.0f}) {
+        struct {
+            double sum = 0, square = 0, count = 0;
+        } differences[3]; // in valleys, on slopes, on peaks
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            samples[i].dx.x = samples[i].dy.y = pixel;
+            auto& here = differences[samples[i].base->ridge < -0.5  ? 0
+                                     : samples[i].base->ridge < 0.5 ? 1
+                                                                    : 2];
+            const double difference = terrains.eroded(samples[i]).height - sharp[i];
+            here.sum += difference;
+            here.square += difference * difference;
+            ++here.count;
+        }
+        for (const auto& [sum, square, count] : differences) {
+            const double mean = sum / count,
+                         error = std::sqrt(square / count - mean * mean) / std::sqrt(count);
+            fmt::print("pixel {:.3f}: {:.2f} +- {:.2f} % of the relief {:.3f}\n", pixel, 100 * mean / relief,
+                       100 * error / relief, relief);
+            CHECK(std::abs(mean) + 2 * error < 0.01 * relief);
+        }
+    }
+}
+
+// The pixel's filter is normal with a deviation of half its side; the last one shows only the mean.
+TEST_CASE("filtered hills are close to the mean over each pixel, and keep the overall mean", "[erosion]") {
+    Terrains<test::Lattice3> terrains;
+    constexpr int places = 1 << 14, points = 64;
+    const std::vector<Sample> middles = anywhere(places, 17);
+    struct {
+        float pixel;
+        double error; // root mean square, of the hills' deviation
+    } constexpr wanted[]{{1 / 16.0f, 0.02}, {1 / 4.0f, 0.1}, {1, 0.4}, {100, 0.13}};
+    for (const auto& [pixel, limit] : wanted) {
+        std::mt19937 generator(19);
+        std::normal_distribution<float> spread(0, pixel / 2);
+        double error = 0, power = 0, mean = 0, relief = 0;
+        for (Sample s : middles) {
+            double hills = 0;
+            for (int k = 0; k < points; ++k) {
+                const Sample around = s.beside(spread(generator), spread(generator));
+                const double height = terrains.hills(around).height;
+                hills += height / points;
+                power += std::pow(height, 2) / (places * points);
+                if (k % 4)
+                    continue;
+                const double eroded = terrains.eroded(around).height;
+                mean += eroded / (places * points / 4);
+                relief += std::pow(eroded, 2) / (places * points / 4);
+            }
+            s.dx.x = s.dy.y = pixel;
+            error += std::pow(terrains.hills(s).height - hills, 2) / places;
+            mean -= terrains.eroded(s).height / places;
+        }
+        error = std::sqrt(error / power);
+        mean = std::abs(mean) / std::sqrt(relief);
+        fmt::print(
+            "pixel {:.3f}: {:.4f} of the hills' deviation off; mean height {:.2f} % of the relief off\n",
+            pixel, error, 100 * mean);
+        CHECK(error < limit);
+        CHECK(mean < 0.01);
+    }
+}

@@ -1,0 +1,128 @@
+// Compares isotropic noise of gabor_spectrum.glsl with the double-precision reference.
+
+#include "lattice.hpp"
+
+#include <array>
+
+using namespace gabor;
+using test::Differences;
+using test::Draw;
+using test::Largest;
+using test::place_of;
+
+namespace {
+
+test::Lattice3 n;
+
+struct Sample {
+    noise::LatticePlace place;
+    gabor_vec2 p, tile;
+    float frequency;
+    std::uint32_t seed;
+};
+
+std::string to_string(const Sample& s) {
+    return fmt::format("{}, p ({}, {}), tile ({}, {}), frequency {}, seed {}", test::to_string(s.place),
+                       s.p.x, s.p.y, s.tile.x, s.tile.y, s.frequency, s.seed);
+}
+
+// The reference averaged over a pixel: a sum over a grid of four deviations each way.
+double filtered_reference(gabor_vec2 p, const test::Pixel& pixel, float frequency, std::uint32_t seed) {
+    constexpr int steps = 10;
+    double sum = 0, weights = 0;
+    for (int i = -steps; i <= steps; ++i) {
+        for (int j = -steps; j <= steps; ++j) {
+            const double a = 4.0 * i / steps, b = 4.0 * j / steps;
+            const double weight = std::exp(-(a * a + b * b) / 2);
+            const double x = p.x + (a * pixel.dx.x + b * pixel.dy.x) / 2,
+                         y = p.y + (a * pixel.dx.y + b * pixel.dy.y) / 2;
+            sum +=
+                weight * noise::lattice_isotropic(test::lattice_place(3, 1.5 * x, 1.5 * y), frequency, seed)
+                             .value.imag();
+            weights += weight;
+        }
+    }
+    return sum / weights;
+}
+
+} // namespace
+
+TEST_CASE("isotropic noise agrees with the reference in any cell, with any period, at any time",
+          "[isotropic][oracle]") {
+    Draw draw(61);
+    Differences of;
+    for (int i = 0; i < 1 << 13; ++i) {
+        const Sample s{test::any_lattice_place(draw, 3), draw.uniform<gabor_vec2>(-16, 16),
+                       draw.uniform<gabor_vec2>(2, 7), draw.one_in(16) ? 0 : draw.uniform(-6, 6),
+                       draw.word()};
+        const double few = 3 * test::tolerance(std::abs(s.frequency));
+        // A position near 16 is rounded by 6e-7, which the waves multiply.
+        const double far = few + 2e-5 * (1 + std::abs(s.frequency));
+        const double steep = test::isotropic_slope(s.frequency);
+        const auto field = n.gabor_field_isotropic(place_of(n, s.place), s.frequency, s.seed);
+        see(of["gabor_field_isotropic"], of["gabor_field_isotropic, gradient"], field,
+            noise::lattice_isotropic(s.place, s.frequency, s.seed), few, few * steep, s);
+        float removed;
+        const auto filtered = n.gabor_field_isotropic_filtered(
+            place_of(n, s.place), s.frequency, n.gabor_footprint({0, 0}, {0, 0}), s.seed, removed);
+        of["filtered by a point"].see(filtered.value.y, field.value.y, few, s);
+        const auto here =
+            noise::lattice_isotropic(test::lattice_place(3, s.p.x * 1.5, s.p.y * 1.5), s.frequency, s.seed);
+        of["gabor_noise_isotropic"].see(n.gabor_noise_isotropic(s.p, s.frequency, s.seed), here.value.imag(),
+                                        far, s);
+        see_gradient(of["gabor_noise_isotropic, gradient"], of["gabor_noise_isotropic, gradient"],
+                     n.gabor_noise_isotropic_gradient(s.p, s.frequency, s.seed), here, far, far * steep, s);
+        of["gabor_noise_isotropic, tiled"].see(
+            n.gabor_noise_isotropic_tiled(s.p, s.tile, s.frequency, s.seed),
+            noise::lattice_isotropic(test::lattice_tile(3, s.p, s.tile), s.frequency, s.seed).value.imag(),
+            2 * far, s);
+    }
+    test::check(of, 6);
+}
+
+TEST_CASE("isotropic noise is filtered within 2 % up to 0.3 radii, and within 4 % up to 0.4",
+          "[isotropic][filter]") {
+    constexpr int count = 150;
+    Draw draw(64);
+    for (const auto& [axis, most] : {std::array{0.1, 0.006}, {0.3, 0.02}, {0.4, 0.04}}) {
+        for (const float frequency : {0.0f, 1.0f, 3.0f}) {
+            for (const double ratio : {1.0, 0.3}) {
+                double squares = 0;
+                for (int i = 0; i < count; ++i) {
+                    const auto p = draw.uniform<gabor_vec2>(-20, 20);
+                    const std::uint32_t seed = draw.word();
+                    const test::Pixel pixel(axis / 2, ratio, draw.uniform(0, 3.2));
+                    const float found =
+                        n.gabor_noise_isotropic_filtered(p, pixel.dx, pixel.dy, frequency, seed).x;
+                    squares += std::pow(found - filtered_reference(p, pixel, frequency, seed), 2);
+                }
+                const double error = std::sqrt(squares / count);
+                fmt::print("  pixel of {} radii, ratio {}, frequency {}: rms error {:.4f}\n", axis, ratio,
+                           frequency, error);
+                CHECK(error < most);
+            }
+        }
+    }
+}
+
+TEST_CASE("filtered isotropic noise has the variance that its removed share implies",
+          "[isotropic][filter][law]") {
+    constexpr int count = 1 << 17;
+    Draw draw(65);
+    Largest variances;
+    for (const double deviation : {0.02, 0.1, 0.2, 0.5, 2.0}) {
+        for (const auto& [frequency, ratio] : {std::pair(0.0f, 1.0), {0.5f, 0.4}, {2.0f, 0.0}}) {
+            double squares = 0, kept = 0;
+            for (int i = 0; i < count; ++i) {
+                const test::Pixel pixel(deviation, ratio, draw.uniform(0, 3.2));
+                const auto found = n.gabor_noise_isotropic_filtered(
+                    draw.uniform<gabor_vec2>(-50, 50), pixel.dx, pixel.dy, frequency, draw.word());
+                squares += found.x * found.x;
+                kept = 1 - found.y;
+            }
+            variances.see(squares / count, kept, 0.01 + 4 * kept * std::sqrt(2.0 / count),
+                          [&] { return fmt::format("deviation {}, frequency {}", deviation, frequency); });
+        }
+    }
+    variances.check("variance left");
+}

@@ -1,0 +1,161 @@
+// Compares every function of gabor_lattice.glsl with the double-precision reference.
+
+#include "compare.hpp"
+#include "lattice.hpp"
+
+using namespace gabor;
+using test::Differences;
+using test::Draw;
+using test::Largest;
+using test::place_of;
+
+namespace {
+
+struct Sample {
+    noise::LatticePlace place;
+    gabor_vec2 p, tile, wave;
+    float frequency, orientation, sharpness;
+    std::uint32_t seed;
+
+    float time() const { return static_cast<float>(place.time); }
+};
+
+std::string to_string(const Sample& s) {
+    return fmt::format("{}, p ({}, {}), tile ({}, {}), wave ({}, {}), frequency {}, orientation {}, "
+                       "sharpness {}, seed {}",
+                       test::to_string(s.place), s.p.x, s.p.y, s.tile.x, s.tile.y, s.wave.x, s.wave.y,
+                       s.frequency, s.orientation, s.sharpness, s.seed);
+}
+
+// Draws places near the origin, in all quadrants up to 10^5 nodes, or in any cell up to 2^31. One coordinate
+// in four is on or next to a cell border, where a window ends.
+Sample drawn(Draw& draw, int taps) {
+    Sample s{};
+    s.place = test::any_lattice_place(draw, taps);
+    for (int axis = 0; axis < 2; ++axis) {
+        const float reach = std::exp2(draw.uniform(0, 17));
+        s.p[axis] = draw.uniform(-reach, reach);
+        s.tile[axis] = draw.one_in(4) ? std::round(draw.uniform(1, 20)) : draw.uniform(0.1, 20);
+    }
+    s.frequency = draw.one_in(16) ? 0 : std::exp2(draw.uniform(-5, 6));
+    s.orientation = draw.uniform(-8, 8);
+    for (int axis = 0; axis < 2; ++axis)
+        s.wave[axis] = draw.one_in(16) ? 0 : draw.uniform(-1, 1) * std::max(s.frequency, 1.0f);
+    s.sharpness = draw.one_in(16) ? 0 : draw.uniform(0, 4);
+    s.seed = draw.one_in(16) ? 0 : draw.word();
+    return s;
+}
+
+template <typename Functions>
+void compare(Functions n) {
+    constexpr int taps = Functions::taps;
+    Draw draw(taps);
+    Differences of;
+    int near_tiles = 0;
+    for (int i = 0; i < 60000; ++i) {
+        const Sample s = drawn(draw, taps);
+        // Rounding grows in proportion to frequency and orientation.
+        const double tight =
+            1.5e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
+        const double loose = tight * (2 * std::numbers::pi * s.frequency + 4);
+        const auto kernel = n.gabor_kernel(s.frequency, s.orientation);
+        const noise::Lattice reference(taps, s.frequency, s.orientation, s.seed);
+        const auto field = n.gabor_field(place_of(n, s.place), kernel, s.seed);
+        see(of["gabor_field"], of["gabor_field, gradient"], field, reference.field(s.place), tight, loose, s);
+        of["gabor_unorm"].see(n.gabor_unorm(field.value.y), std::clamp(0.5 + 0.25 * field.value.y, 0.0, 1.0),
+                              1e-6, s);
+        const noise::LatticePlace still =
+            test::lattice_place(taps, s.place.local_x, s.place.local_y, s.place.cell_x, s.place.cell_y);
+        of["gabor_noise_at"].see(
+            n.gabor_noise_at(place_of(n, still).cell, place_of(n, still).local, kernel, s.seed),
+            reference.field(still).value.imag(), tight, s);
+
+        // Functions of a position multiply it by the nodes per radius, in single precision.
+        noise::LatticePlace place = test::lattice_place(taps, s.p.x * (0.5f * taps), s.p.y * (0.5f * taps));
+        const auto here = reference.field(place);
+        of["gabor_noise"].see(n.gabor_noise(s.p, s.frequency, s.orientation, s.seed), here.value.imag(),
+                              tight, s);
+        see(of["gabor_noise_complex"], n.gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed),
+            here.value, tight, s);
+        see_gradient(of["gabor_noise_gradient"], of["gabor_noise_gradient"],
+                     n.gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed), here, tight, loose, s);
+        see(of["gabor_noise_four"], n.gabor_noise_four(s.p, s.frequency, s.orientation, s.seed), here.four,
+            tight, s);
+
+        const noise::Lattice along_wave(taps, {s.wave.x, s.wave.y}, s.seed);
+        const auto there = along_wave.field(place);
+        const double steep = tight * std::max(1.0f, s.sharpness);
+        const auto stripes = [&](const noise::Field& of_field) {
+            return noise::lattice_stripes(of_field.value, s.sharpness);
+        };
+        of["gabor_noise_wave"].see(n.gabor_noise_wave(s.p, s.wave, s.seed), there.value.imag(), tight, s);
+        see(of["gabor_noise_wave_complex"], n.gabor_noise_wave_complex(s.p, s.wave, s.seed), there.value,
+            tight, s);
+        see_gradient(of["gabor_noise_wave_gradient"], of["gabor_noise_wave_gradient"],
+                     n.gabor_noise_wave_gradient(s.p, s.wave, s.seed), there, tight, loose, s);
+        see(of["gabor_stripes"], n.gabor_stripes(s.p, s.wave, s.sharpness, s.seed), stripes(there), steep, s);
+        see(of["gabor_stripes_at"], n.gabor_stripes_at(place_of(n, s.place), s.wave, s.sharpness, s.seed),
+            stripes(along_wave.field(s.place)), steep, s);
+
+        place.animated = true;
+        place.time = s.place.time;
+        of["gabor_noise_animated"].see(
+            n.gabor_noise_animated(s.p, s.time(), s.frequency, s.orientation, s.seed),
+            reference.field(place).value.imag(), tight, s);
+        // Both p in node spacings and the number of nodes per radius are rounded. Tiles are compared only
+        // where that adds little.
+        const noise::LatticePlace tile = test::lattice_tile(taps, s.p, s.tile);
+        const double rounding = 2 * std::numbers::pi *
+                                (s.frequency + std::max(tile.radius_x, tile.radius_y)) *
+                                std::max(std::abs(s.p.x), std::abs(s.p.y)) * std::exp2(-21);
+        if (rounding > 1e-3)
+            continue;
+        ++near_tiles;
+        of["gabor_noise_tiled"].see(n.gabor_noise_tiled(s.p, s.tile, s.frequency, s.orientation, s.seed),
+                                    reference.field(tile).value.imag(), tight + rounding, s);
+        const auto repeated = along_wave.field(tile);
+        of["gabor_noise_wave_tiled"].see(n.gabor_noise_wave_tiled(s.p, s.tile, s.wave, s.seed),
+                                         repeated.value.imag(), tight + rounding, s);
+        see(of["gabor_stripes_tiled"], n.gabor_stripes_tiled(s.p, s.tile, s.wave, s.sharpness, s.seed),
+            stripes(repeated), steep * (1 + rounding / tight), s);
+    }
+    fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
+    test::check(of, 17);
+    CHECK(near_tiles > 10000);
+}
+
+template <typename Functions>
+void check_repeats(Functions n) {
+    Draw draw(6);
+    Largest tiles, times;
+    for (int i = 0; i < 10000; ++i) {
+        Sample s = drawn(draw, Functions::taps);
+        for (int axis = 0; axis < 2; ++axis) { // few bits, so that sums are exact
+            s.tile[axis] = std::round(s.tile[axis] * 16) / 16 + 0.25f;
+            s.p[axis] = std::round(draw.uniform(-40, 40) * 1024) / 1024;
+        }
+        const gabor_vec2 elsewhere(s.p.x + s.tile.x, s.p.y - 3 * s.tile.y);
+        tiles.see(n.gabor_noise_tiled(elsewhere, s.tile, s.frequency, s.orientation, s.seed),
+                  n.gabor_noise_tiled(s.p, s.tile, s.frequency, s.orientation, s.seed),
+                  1e-4 * std::max(1.0f, s.frequency), s);
+        const float time = std::round(s.time() * 1024) / 1024;
+        times.see(n.gabor_noise_animated(s.p, time + 1, s.frequency, s.orientation, s.seed),
+                  n.gabor_noise_animated(s.p, time, s.frequency, s.orientation, s.seed), 1e-9, s);
+    }
+    tiles.check(fmt::format("tiles, {} taps", Functions::taps));
+    times.check("time");
+}
+
+} // namespace
+
+TEST_CASE("every function of the lattice noise agrees with the reference", "[lattice][oracle]") {
+    compare(test::Lattice2());
+    compare(test::Lattice3());
+    compare(test::Lattice4());
+}
+
+TEST_CASE("the lattice noise repeats exactly in tiles and in time", "[lattice][oracle]") {
+    check_repeats(test::Lattice2());
+    check_repeats(test::Lattice3());
+    check_repeats(test::Lattice4());
+}

@@ -1,0 +1,288 @@
+// Compares every function of gabor_lattice_3d.glsl with the double-precision reference.
+
+#include "lattice_3d.hpp"
+#include "statistics/moments.hpp"
+
+#include <fmt/ranges.h>
+
+#include <vector>
+
+using namespace gabor;
+using noise::Isotropic3d;
+using noise::Lattice3d;
+using test::Differences;
+using test::Largest;
+using test::random_unit;
+using test::Sample3d;
+using Vector = Lattice3d::Vector;
+
+namespace {
+
+test::Lattice3 n;
+
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Draws places in all octants up to 10^6, or in any cell. One coordinate in four is on or next to a change of
+// nodes, one in eight next to a node.
+Lattice3d::Place draw_place(test::Draw& draw) {
+    const double reach = std::exp2(draw.uniform(0, 20));
+    Lattice3d::Place place;
+    const bool far = draw.word() % 2;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        float& local = place.local[axis];
+        local = draw.uniform(-reach, reach);
+        if (draw.one_in(4))
+            local = draw.edge(std::round(local) + (draw.one_in(3) ? 0.0f : 0.5f), 0.5f);
+        if (far) {
+            place.cell[axis] = draw.cell();
+            local -= std::floor(local);
+        }
+    }
+    return place;
+}
+
+// Any sample at a frequency, with the place that functions of its position p see: p * 1.5 in single
+// precision.
+struct Anywhere : Sample3d {
+    Lattice3d::Place here;
+
+    Anywhere(test::Draw& draw, float f, bool periodic) {
+        place = draw_place(draw);
+        frequency = f;
+        direction = draw.uniform<gabor_vec3>(-3, 3);
+        normal = draw.uniform<gabor_vec3>(-3, 3);
+        const double reach = std::exp2(draw.uniform(0, 18));
+        p = draw.uniform<gabor_vec3>(-reach, reach);
+        here = test::lattice_place(p);
+        seed = draw.word();
+        place.time = here.time = draw.uniform(-2, 2);
+        if (draw.one_in(4)) // near the limit of the projection to the tangent plane
+            direction = normal + draw.uniform<gabor_vec3>(-0.3, 0.3);
+        for (std::size_t axis = 0; periodic && axis < 3; ++axis) {
+            place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
+            place.radius[axis] = 1.5f * draw.uniform(0.8, 1.25);
+        }
+    }
+};
+
+// Waves turn by up to 2 pi F per radius, in single precision.
+double tolerance(double frequency) {
+    return 2e-5 * std::max(1.0, frequency / 4);
+}
+
+double slope_tolerance(double frequency) {
+    return tolerance(frequency) * (2 * std::numbers::pi * frequency + 4);
+}
+
+void see_field(Largest& largest, const test::Lattice3::GaborField3d& field, const Lattice3d::Field& expected,
+               const Anywhere& s) {
+    const double tight = tolerance(s.frequency);
+    // Where a window ends, the derivative of its slope jumps by pi^2 / 2 within the rounding of `local`.
+    double loose = slope_tolerance(s.frequency);
+    for (const float local : s.place.local)
+        loose = std::max(loose, 5 * 0x1p-23 * std::abs(double{local}));
+    largest.see(field.quadrature, expected.value.real(), tight, s);
+    largest.see(field.noise, expected.value.imag(), tight, s);
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::complex<double> slope = expected.slope[static_cast<std::size_t>(axis)];
+        largest.see(field.quadrature_gradient[axis], slope.real(), loose, s);
+        largest.see(field.gradient[axis], slope.imag(), loose, s);
+    }
+    largest.see(field.removed, 0, tight, s); // without the filter
+}
+
+// (noise, gradient)
+void see_gradient(Largest& largest, gabor_vec4 found, const Lattice3d::Field& expected, const Anywhere& s) {
+    largest.see(found.x, expected.value.imag(), tolerance(s.frequency), s);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        largest.see(found[static_cast<int>(axis) + 1], expected.slope[axis].imag(),
+                    slope_tolerance(s.frequency), s);
+}
+
+// A sum of independent noises.
+template <typename Terms>
+Lattice3d::Field sum_of(const Terms& terms, const Lattice3d::Place& place) {
+    Lattice3d::Field all{};
+    for (const auto& [weight, noise] : terms) {
+        const Lattice3d::Field one = noise.field(place);
+        all.value += weight * one.value;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            all.slope[axis] += weight * one.slope[axis];
+    }
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][oracle]") {
+    test::Draw draw(21);
+    Differences of;
+    for (int i = 0; i < 1 << 13; ++i) {
+        // The frequencies cover 0.1 to 64 evenly in octaves.
+        const int octave = i % 16;
+        const bool animated = i / 16 % 4 == 1, periodic = i / 16 % 4 == 2;
+        const float f = octave == 0 ? 0 : 0.1f * static_cast<float>(std::exp2(octave * 0.62));
+        const Anywhere s(draw, f, periodic);
+        const double tight = tolerance(f);
+        const auto place = test::place_of(n, s, animated);
+        const Lattice3d wave(test::scaled(f, test::unit(s.direction)), s.seed, animated);
+        const Isotropic3d isotropic(f, s.seed, animated);
+        const auto surface_isotropic = noise::surface_isotropic(test::unit(s.normal), f, s.seed, animated);
+        std::vector<std::pair<double, Lattice3d>> surface;
+        for (const noise::WeightedWave& w :
+             noise::surface_waves(test::unit(s.normal), f, test::unit(s.direction), s.seed))
+            surface.emplace_back(w.weight, Lattice3d(w.wave, w.seed, animated));
+
+        see_field(of["gabor_field_3d"], n.gabor_field_3d(place, f, s.direction, s.seed), wave.field(s.place),
+                  s);
+        see_field(of["gabor_isotropic_3d"], n.gabor_isotropic_3d(place, f, s.seed), isotropic.field(s.place),
+                  s);
+        see_field(of["gabor_surface_3d"], n.gabor_surface_3d(place, s.normal, f, s.direction, s.seed),
+                  sum_of(surface, s.place), s);
+        see_field(of["gabor_surface_isotropic_3d"], n.gabor_surface_isotropic_3d(place, s.normal, f, s.seed),
+                  sum_of(surface_isotropic, s.place), s);
+
+        if (animated) {
+            of["gabor_noise_3d_animated"].see(
+                n.gabor_noise_3d_animated(s.p, s.place.time, f, s.direction, s.seed),
+                wave.field(s.here).value.imag(), tight, s);
+            continue;
+        }
+        const Lattice3d::Field here = wave.field(s.here);
+        of["gabor_noise_3d"].see(n.gabor_noise_3d(s.p, f, s.direction, s.seed), here.value.imag(), tight, s);
+        see(of["gabor_noise_3d_complex"], n.gabor_noise_3d_complex(s.p, f, s.direction, s.seed), here.value,
+            tight, s);
+        see_gradient(of["gabor_noise_3d_gradient"], n.gabor_noise_3d_gradient(s.p, f, s.direction, s.seed),
+                     here, s);
+        const gabor_vec4 four = n.gabor_noise_3d_four(s.p, f, s.direction, s.seed);
+        for (int c = 0; c < 4; ++c) {
+            const std::uint32_t seed = c ? noise::lattice_lobe_seed(s.seed, -c) : s.seed;
+            of["gabor_noise_3d_four"].see(
+                four[c], Lattice3d(test::scaled(f, test::unit(s.direction)), seed).field(s.here).value.imag(),
+                tight, s);
+        }
+        const Lattice3d::Field turned = isotropic.field(s.here);
+        of["gabor_noise_3d_isotropic"].see(n.gabor_noise_3d_isotropic(s.p, f, s.seed), turned.value.imag(),
+                                           tight, s);
+        see_gradient(of["gabor_noise_3d_isotropic_gradient"],
+                     n.gabor_noise_3d_isotropic_gradient(s.p, f, s.seed), turned, s);
+        of["gabor_noise_surface"].see(n.gabor_noise_surface(s.p, s.normal, f, s.direction, s.seed),
+                                      sum_of(surface, s.here).value.imag(), tight, s);
+        of["gabor_noise_surface_isotropic"].see(n.gabor_noise_surface_isotropic(s.p, s.normal, f, s.seed),
+                                                sum_of(surface_isotropic, s.here).value.imag(), tight, s);
+        // Tiles where a float resolves them: p rounds by 10^-6, and the wave turns by 2 pi F per radius.
+        const auto p = draw.uniform<gabor_vec3>(-8, 8), tile = draw.uniform<gabor_vec3>(0.5, 9);
+        Lattice3d::Place repeated;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double period = tile[static_cast<int>(axis)];
+            const double nodes = std::max(std::floor(period * 1.5 + 0.5), 3.0);
+            repeated.radius[axis] = static_cast<float>(nodes / period);
+            repeated.local[axis] = static_cast<float>(p[static_cast<int>(axis)] * nodes / period);
+            repeated.period[axis] = static_cast<std::int32_t>(nodes);
+        }
+        of["gabor_noise_3d_tiled"].see(n.gabor_noise_3d_tiled(p, tile, f, s.direction, s.seed),
+                                       wave.field(repeated).value.imag(), 1e-4 * (1 + f), s);
+    }
+    test::check(of, 14);
+}
+
+TEST_CASE("the gradient on the lattice equals differences of the reference", "[space][oracle]") {
+    test::Draw draw(24);
+    for (int i = 0; i < 500; ++i) {
+        const Lattice3d reference(test::wide(draw.uniform<gabor_vec3>(-3, 3)), draw.word());
+        Lattice3d::Place place;
+        for (float& coordinate : place.local) // exact in a float, like their neighbours
+            coordinate = std::floor(draw.uniform(-8, 8) * 256) / 256;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            constexpr float h = 0x1p-12f;
+            Lattice3d::Place before = place;
+            Lattice3d::Place after = place;
+            before.local[axis] -= h;
+            after.local[axis] += h;
+            const double difference =
+                (reference.field(after).value.imag() - reference.field(before).value.imag()) / (2 * h) * 1.5;
+            REQUIRE(reference.field(place).slope[axis].imag() == Approx(difference).margin(5e-3));
+        }
+    }
+}
+
+TEST_CASE("waves of surface noise are tangent, have the requested frequency, and sum to variance 1",
+          "[space][oracle]") {
+    test::Draw draw(33);
+    double longest = 0;
+    double shortest = 1e9;
+    for (int i = 0; i < 20000; ++i) {
+        const Vector normal = random_unit(draw);
+        Vector direction = random_unit(draw);
+        if (i % 4 == 0) { // near and along the normal
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                direction[axis] = normal[axis] + (i % 8 ? 0.3 : 0.01) * direction[axis];
+            const double length = std::sqrt(dot(direction, direction));
+            for (double& coordinate : direction)
+                coordinate /= length;
+        }
+        const double frequency = draw.uniform(0.1f, 6);
+        double power = 0;
+        for (const noise::WeightedWave& w : noise::surface_waves(normal, frequency, direction, 1)) {
+            power += w.weight * w.weight;
+            const double length = std::sqrt(dot(w.wave, w.wave)) / frequency;
+            longest = std::max(longest, length);
+            shortest = std::min(shortest, length);
+            REQUIRE(std::abs(dot(w.wave, normal)) < 1e-9 * frequency);
+        }
+        REQUIRE(power == Approx(1).margin(1e-9));
+    }
+    fmt::print("frequency on the surface: {:.9f} to {:.9f} of that asked for\n", shortest, longest);
+    CHECK(shortest > 1 - 1e-9);
+    CHECK(longest < 1 + 1e-9);
+}
+
+// Each vector of a random frame is uniform on the sphere: (u.v)^2k has the mean 1 / (2k + 1) for every v, and
+// the harmonics up to degree 8 vanish.
+TEST_CASE("the frames of isotropic noise are uniform over all directions", "[space][oracle]") {
+    test::Draw draw(34);
+    std::vector<Vector> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int i = 0; i < 24; ++i)
+        directions.push_back(random_unit(draw));
+    constexpr int count = 1 << 17;
+    std::vector<std::array<statistics::Moments, 4>> powers(directions.size());
+    test::Largest angles;
+    for (int i = 0; i < count; ++i) {
+        const auto frame = noise::isotropic_frame(draw.word() | 1u);
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t b = 0; b < 3; ++b)
+                angles.see(dot(frame.at(a), frame.at(b)), a == b ? 1 : 0, 1e-12,
+                           [&] { return fmt::format("{}, {}", a, b); });
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            std::array<double, 4> sums{};
+            for (const Vector& u : frame)
+                for (std::size_t n = 0; n < 4; ++n)
+                    sums.at(n) += std::pow(dot(u, directions[k]), 2.0 * static_cast<double>(n + 1)) / 3;
+            for (std::size_t n = 0; n < 4; ++n)
+                powers[k].at(n).add(sums.at(n));
+        }
+    }
+    angles.check("frames");
+    test::Largest even; // in standard errors
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        for (std::size_t n = 1; n < 4; ++n) { // the squares of a frame sum to 1
+            const statistics::Moments& power = powers[k].at(n);
+            even.see(power.mean(), 1 / (2.0 * static_cast<double>(n + 1) + 1),
+                     4.5 * std::sqrt(power.variance() / count), [&] {
+                         return fmt::format("power {} along {:.2f}", 2 * (n + 1),
+                                            fmt::join(directions[k], " "));
+                     });
+        }
+    }
+    even.check("powers of cosines, in 4.5 standard errors");
+}
+
+TEST_CASE("only the magnitude of a frequency and the orientation of a direction count in space", "[space]") {
+    const auto noise = [](float frequency, gabor_vec3 direction) {
+        return n.gabor_noise_3d({0.3f, 0.8f, 0.1f}, frequency, direction, 7);
+    };
+    CHECK(noise(-3, {1, 0, 0}) == noise(3, {1, 0, 0}));
+    CHECK(noise(3, {1e20f, 0, 0}) == noise(3, {1, 0, 0}));
+}

@@ -1,0 +1,456 @@
+// The distributions of the noises of the lattice over independent instances, in the plane, in space and on
+// surfaces: normal at each place and jointly. GABOR_LAW_SAMPLES sets the number of samples per statistic.
+
+#include "lattice_3d.hpp"
+#include "law.hpp"
+#include "reference/normal_mean.hpp"
+#include "statistics/estimate.hpp"
+
+#include <fmt/ranges.h>
+
+using namespace gabor;
+using std::numbers::pi;
+using std::numbers::sqrt2;
+using test::Draw;
+using test::Laws;
+using test::place_of;
+using test::Sample3d;
+using test::Statistic;
+using test::sum_of;
+using Vector = noise::Lattice3d::Vector;
+
+namespace {
+
+constexpr double half = 0.5, quarter = 0.25; // of the samples
+
+// ---- In the plane
+
+constexpr float frequency = 1.5;
+constexpr float orientation = 0.4f;
+
+gabor_vec2 anywhere(Draw& draw) {
+    return draw.uniform<gabor_vec2>(0, 1000);
+}
+
+// The sum and the difference of two numbers.
+std::vector<Statistic> sum_and_difference(double covariance) {
+    return {sum_of("sum", std::sqrt(2 + 2 * covariance), {{0}, {1}}),
+            sum_of("difference", std::sqrt(2 - 2 * covariance), {{0}, {1, -1}})};
+}
+
+template <typename Functions>
+void check_cell(Functions n) {
+    struct Waves {
+        float frequency, orientation;
+        bool tiled;
+    };
+    constexpr int taps = Functions::taps;
+    const auto places = test::places_of_cell(16, 2);
+    Draw draw(8);
+    Laws all(places);
+    fmt::print("{} taps\n", taps);
+    for (const auto& [frequency, orientation, tiled] : {Waves{4, 0, false},
+                                                        {4, 0.4f, false},
+                                                        {4, 0.785398f, false},
+                                                        {4, 1.1f, false},
+                                                        {0, 0.4f, false},
+                                                        {0.05f, 0.4f, false},
+                                                        {0.7f, 0.4f, false},
+                                                        {30, 0.4f, false},
+                                                        {1.5f, 0.4f, true}}) {
+        Laws laws(places);
+        laws.add(test::law_samples() / 8, [&, f = frequency, o = orientation, t = tiled](std::size_t k) {
+            const gabor_vec2 local(places[k][0], places[k][1]);
+            if (!t)
+                return std::array{
+                    n.gabor_noise_at({draw.cell(), draw.cell()}, local, n.gabor_kernel(f, o), draw.word())};
+            gabor_vec2 p, tile = draw.uniform<gabor_vec2>(0.3, 4.3);
+            for (int axis = 0; axis < 2; ++axis) {
+                const float nodes = std::max(std::floor(tile[axis] * 0.5f * taps + 0.5f), float{taps});
+                p[axis] = (std::floor(nodes * draw.uniform(0, 1)) + local[axis]) * tile[axis] / nodes;
+            }
+            return std::array{n.gabor_noise_tiled(p, tile, f, o, draw.word())};
+        });
+        laws.check(
+            fmt::format("frequency {}, orientation {}{}", frequency, orientation, tiled ? ", tiles" : ""));
+        all.merge(laws);
+    }
+    all.check("all waves");
+}
+
+template <typename Functions>
+void check_joint(Functions n) {
+    // E[n_x^2] = (2 pi F_x)^2 + sum h'^2 / sum h^2, and the latter is pi^2 / 3.
+    const double x = std::hypot(2 * pi * frequency * std::cos(orientation), pi / std::sqrt(3));
+    const double y = std::hypot(2 * pi * frequency * std::sin(orientation), pi / std::sqrt(3));
+    const auto normal = [](double u) { return statistics::normal_quantile(std::clamp(u, 1e-9, 1 - 1e-9)); };
+    Draw draw(14);
+    test::check_laws(half,
+                     [&] {
+                         const gabor_vec2 p = anywhere(draw);
+                         const std::uint32_t seed = draw.word();
+                         const auto complex = n.gabor_noise_complex(p, frequency, orientation, seed);
+                         const auto phasor = n.gabor_phasor(complex);
+                         const auto gradient = n.gabor_noise_gradient(p, frequency, orientation, seed);
+                         const auto four = n.gabor_noise_four(p, frequency, orientation, seed);
+                         return std::array{complex.x, complex.y, gradient.y, gradient.z, phasor.x,
+                                           phasor.y,  four.x,    four.y,     four.z,     four.w};
+                     },
+                     {sum_of("noise", 1, {{1}}),
+                      sum_of("quadrature", 1, {{0}}),
+                      sum_of("noise + quadrature", sqrt2, {{0}, {1}}),
+                      sum_of("d/dx", x, {{2}}),
+                      sum_of("d/dy", y, {{3}}),
+                      {"phase, made normal", 1, [&](std::span<const float> a) { return normal(a[4]); }},
+                      {"intensity, made normal", 1,
+                       [&](std::span<const float> a) { return -normal(std::exp(-0.5 * a[5] * a[5])); }},
+                      sum_of("four, first + second", sqrt2, {{6}, {7}}),
+                      sum_of("four, third - fourth", sqrt2, {{8}, {9, -1}}),
+                      sum_of("four, the sum", 2, {{6}, {7}, {8}, {9}})});
+    test::check_laws(half,
+                     [&] {
+                         const gabor_vec2 p = anywhere(draw), tile = draw.uniform<gabor_vec2>(0.3, 4.3);
+                         const std::uint32_t seed = draw.word();
+                         return std::array{
+                             n.gabor_noise_tiled(p, tile, frequency, orientation, seed),
+                             n.gabor_noise_animated(p, draw.uniform(0, 1), frequency, orientation, seed)};
+                     },
+                     {sum_of("tiles of any period", 1, {{0}}), sum_of("at any time", 1, {{1}})});
+    for (int lag = 1; lag < 10; lag += 2) {
+        const double angle = 0.7 * lag, length = 0.08 * (lag + 1);
+        const gabor_vec2 step(static_cast<float>(length * std::cos(angle)),
+                              static_cast<float>(length * std::sin(angle)));
+        const double turns = frequency * (step.x * std::cos(orientation) + step.y * std::sin(orientation));
+        fmt::print("lag ({:.2f}, {:.2f})\n", step.x, step.y);
+        test::check_laws(
+            quarter,
+            [&] {
+                const gabor_vec2 p = draw.uniform<gabor_vec2>(0, 100);
+                const std::uint32_t seed = draw.word();
+                return std::array{n.gabor_noise(p, frequency, orientation, seed),
+                                  n.gabor_noise(p + step, frequency, orientation, seed)};
+            },
+            sum_and_difference(noise::hann_correlation(step.x) * noise::hann_correlation(step.y) *
+                               std::cos(2 * pi * turns)));
+    }
+}
+
+// ---- In space
+
+test::Lattice3 n;
+
+// At an offset from the corner of any cell.
+Sample3d solid_sample(Draw& draw, const std::array<float, 3>& local) {
+    Sample3d sample;
+    sample.place.cell = {draw.cell(), draw.cell(), draw.cell()};
+    sample.place.local = local;
+    sample.frequency = 1;
+    sample.direction = {0.6f, 0.48f, 0.64f};
+    sample.seed = draw.word();
+    return sample;
+}
+
+Sample3d moved(Sample3d sample, const std::array<double, 3>& nodes) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        sample.place.local[axis] += static_cast<float>(nodes[axis]);
+    return sample;
+}
+
+auto field_of(const Sample3d& s) {
+    return n.gabor_field_3d(place_of(n, s), s.frequency, s.direction, s.seed);
+}
+
+// Quadrature, noise, and the noise's slopes.
+std::array<float, 5> numbers_of(const test::Lattice3::GaborField3d& field) {
+    return {field.quadrature, field.noise, field.gradient.x, field.gradient.y, field.gradient.z};
+}
+
+// The covariance of two places along the lattice's axes, from the windows of the nodes that reach both.
+double covariance(const Sample3d& sample, const std::array<double, 3>& lag) {
+    double product = 1, turns = 0;
+    const Vector direction = test::unit(sample.direction);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto window = [](double nodes) { return noise::lattice_window(3, nodes / 1.5).value; };
+        double sum = 0;
+        for (double node = -3; node <= 5; ++node)
+            sum +=
+                window(sample.place.local[axis] - node) * window(sample.place.local[axis] + lag[axis] - node);
+        product *= sum / noise::lattice_energy(3);
+        turns += sample.frequency * direction[axis] * lag[axis] / 1.5;
+    }
+    return product * std::cos(2 * pi * turns);
+}
+
+// Both parts of a noise (numbers 1 and 0) and the gradient's components of equal deviation are jointly
+// normal.
+std::vector<Statistic> of_isotropic(double slope, const std::vector<test::Term>& dx, test::Term dy) {
+    std::vector<test::Term> both = dx, mixed = dx;
+    both.push_back(dy);
+    mixed.push_back({1, slope});
+    return {sum_of("noise", 1, {{1}}),
+            sum_of("quadrature", 1, {{0}}),
+            sum_of("their sum", sqrt2, {{0}, {1}}),
+            sum_of("d/dx", slope, dx),
+            sum_of("d/dy", slope, {dy}),
+            sum_of("d/dx + d/dy", sqrt2 * slope, both),
+            sum_of("noise + d/dx", sqrt2 * slope, mixed)};
+}
+
+} // namespace
+
+TEST_CASE("the lattice noise is normal at each of 16 x 16 places of a cell", "[law]") {
+    check_cell(test::Lattice3());
+    check_cell(test::Lattice4());
+}
+
+TEST_CASE(
+    "the lattice noise, its gradient, quadrature, phasor and four, and pairs of places are jointly normal",
+    "[law]") {
+    check_joint(test::Lattice3());
+    check_joint(test::Lattice4());
+}
+
+TEST_CASE("the lattice noise at two times is jointly normal with correlation cos^2(pi lag)", "[law]") {
+    Draw draw(15);
+    for (const float lag : {0.05f, 0.16f, 0.25f, 0.5f}) {
+        fmt::print("time lag {}\n", lag);
+        test::check_laws(
+            quarter,
+            [&] {
+                const gabor_vec2 p = anywhere(draw);
+                const float time = draw.uniform(0, 1);
+                const std::uint32_t seed = draw.word();
+                return std::array{n.gabor_noise_animated(p, time, frequency, orientation, seed),
+                                  n.gabor_noise_animated(p, time + lag, frequency, orientation, seed)};
+            },
+            sum_and_difference(std::pow(std::cos(pi * lag), 2)));
+    }
+}
+
+TEST_CASE("noise on the lattice in space is normal at each of 4 x 4 x 4 places of a cell", "[law]") {
+    Draw draw(30);
+    const auto places = test::places_of_cell(4, 3);
+    Laws all(places);
+    struct Waves {
+        float frequency;
+        bool tiled;
+    };
+    for (const auto& [frequency, tiled] :
+         {Waves{0, false}, {0.7f, false}, {4, false}, {30, false}, {1.5f, true}}) {
+        Laws laws(places);
+        laws.add(test::law_samples() / 8, [&, f = frequency, tiled = tiled](std::size_t k) {
+            Sample3d s = solid_sample(draw, {places[k][0], places[k][1], places[k][2]});
+            s.frequency = f;
+            s.direction = test::narrow(test::random_unit(draw));
+            for (std::size_t axis = 0; tiled && axis < 3; ++axis) {
+                s.place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
+                s.place.radius[axis] = 1.5f * draw.uniform(0.8, 1.25);
+            }
+            return std::array{field_of(s).quadrature, field_of(s).noise};
+        });
+        laws.check(fmt::format("frequency {}{}", frequency, tiled ? ", tiles" : ""));
+        all.merge(laws);
+    }
+    all.check("all waves");
+}
+
+TEST_CASE("surface noise on the lattice is normally distributed for every surface normal", "[law]") {
+    Draw draw(32);
+    std::vector<std::array<float, 3>> normals;
+    for (int i = 0; i < 32; ++i) {
+        const gabor_vec3 normal = test::narrow(test::random_unit(draw));
+        normals.push_back({normal.x, normal.y, normal.z});
+    }
+    for (const bool isotropic : {false, true}) {
+        Laws laws(normals);
+        laws.add(test::law_samples() / 4, [&](std::size_t k) {
+            Sample3d s = solid_sample(draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
+            s.normal = {normals[k][0], normals[k][1], normals[k][2]};
+            s.direction = test::narrow(test::random_unit(draw));
+            if (draw.word() % 2) // near the normal, where another direction takes over
+                s.direction = s.normal + 0.45f * s.direction;
+            const auto field =
+                isotropic ? n.gabor_surface_isotropic_3d(place_of(n, s), s.normal, s.frequency, s.seed)
+                          : n.gabor_surface_3d(place_of(n, s), s.normal, s.frequency, s.direction, s.seed);
+            return std::array{field.quadrature, field.noise};
+        });
+        laws.check(isotropic ? "surface, isotropic" : "surface");
+    }
+}
+
+TEST_CASE("noise on the lattice in space is jointly normal with its gradient and quadrature, pairs of places "
+          "and four noises are",
+          "[law]") {
+    Draw draw(41);
+    for (const auto& place : {std::array{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0.0f}}) {
+        const Vector wave = test::unit(solid_sample(draw, place).direction);
+        // sum h'^2 = pi^2 / 4 * 3/2 and sum h^2 = 9/8 along an axis, so a slope has the variance
+        // pi^2 / 3 + (2 pi F)^2, and two of them covary by 4 pi^2 F_x F_y. d/dx of one part and the other
+        // part itself covary by 2 pi F_x.
+        const auto slope = [&](std::size_t axis) {
+            return std::hypot(pi / std::sqrt(3), 2 * pi * wave[axis]);
+        };
+        const double x = slope(0), y = slope(1), z = slope(2);
+        fmt::print("at {}\n", place);
+        test::check_laws(
+            quarter, [&] { return numbers_of(field_of(solid_sample(draw, place))); },
+            {sum_of("noise", 1, {{1}}), sum_of("quadrature", 1, {{0}}),
+             sum_of("their sum", sqrt2, {{0}, {1}}), sum_of("d/dx", x, {{2}}), sum_of("d/dy", y, {{3}}),
+             sum_of("d/dz", z, {{4}}),
+             sum_of("d/dx + d/dy", std::sqrt(2 + 8 * pi * pi * wave[0] * wave[1] / (x * y)),
+                    {{2, 1 / x}, {3, 1 / y}}),
+             sum_of("quadrature + d/dx", std::sqrt(2 + 4 * pi * wave[0] / x), {{0}, {2, 1 / x}})});
+    }
+    for (const auto& lag : {std::array{0.3, 0.0, 0.0}, {0.0, 0.7, 0.7}, {0.5, -0.5, 1.0}, {1.5, 0.0, 0.4}}) {
+        const std::array local{0.25f, 0.5f, 0.0f};
+        fmt::print("lag {}\n", lag);
+        test::check_laws(
+            quarter,
+            [&] {
+                const Sample3d s = solid_sample(draw, local);
+                return std::array{field_of(s).noise, field_of(moved(s, lag)).noise};
+            },
+            sum_and_difference(covariance(solid_sample(draw, local), lag)));
+    }
+    fmt::print("four at a node\n");
+    test::check_laws(quarter,
+                     [&] {
+                         const gabor_vec3 node(2.0f / 3 * static_cast<float>(draw.word() % 99), 2, 4);
+                         const auto four = n.gabor_noise_3d_four(node, 1, {0.6f, 0.48f, 0.64f}, draw.word());
+                         return std::array{four.x, four.y, four.z, four.w};
+                     },
+                     {sum_of("first + second", sqrt2, {{0}, {1}}),
+                      sum_of("third - fourth", sqrt2, {{2}, {3, -1}}),
+                      sum_of("all four", 2, {{0}, {1}, {2}, {3}})});
+}
+
+TEST_CASE("isotropic noise in the plane and its gradient are normal at fixed places", "[law]") {
+    Draw draw(62);
+    for (const float frequency : {0.0f, 1.0f, 4.0f}) {
+        for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, 0.0f}}) {
+            fmt::print("isotropic, frequency {}, at ({}, {})\n", frequency, x, y);
+            test::check_laws(
+                quarter,
+                [&, x = x, y = y] {
+                    const auto field = n.gabor_field_isotropic(
+                        n.gabor_place({draw.cell(), draw.cell()}, {x, y}), frequency, draw.word());
+                    return std::array{field.value.x, field.value.y, field.slope_x.y, field.slope_y.y};
+                },
+                of_isotropic(test::isotropic_slope(frequency), {{2}}, {3}));
+        }
+    }
+}
+
+TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal at fixed places", "[law]") {
+    constexpr std::array node{0.0f, 0.0f, 0.0f}, middle{0.5f, 0.5f, 0.5f}, other{0.25f, 0.5f, 0.0f};
+    struct Where {
+        const char* name;
+        std::array<float, 3> place;
+        gabor_vec3 normal{0, 0, 0}; // of a surface
+    };
+    for (const auto& [name, place, normal] :
+         {Where{"in space, at a node", node}, Where{"in space, in a middle", middle},
+          Where{"in space, elsewhere", other}, Where{"on a surface", other, {0.8f, 0, 0.6f}},
+          Where{"at a pole", node, {0, 0, 1}}, Where{"between two frames", middle, {0.6f, 0, 0.8f}}}) {
+        Draw draw(42);
+        // Variance of the derivative along any axis, or along a tangent: the waves contribute 4/3 pi^2 F^2 in
+        // space and 2 pi^2 F^2 on a surface, the windows pi^2 / 3. One tangent is x, z; one y.
+        const bool on_surface = normal.z != 0;
+        const double slope = std::sqrt(pi * pi / 3 + pi * pi * (on_surface ? 2 : 4.0 / 3));
+        const double x = on_surface ? normal.z : 1, z = on_surface ? -normal.x : 0;
+        fmt::print("isotropic {}\n", name);
+        test::check_laws(
+            quarter,
+            [&, place = place, normal = normal] {
+                const Sample3d s = solid_sample(draw, place);
+                return numbers_of(on_surface ? n.gabor_surface_isotropic_3d(place_of(n, s), normal, 1, s.seed)
+                                             : n.gabor_isotropic_3d(place_of(n, s), 1, s.seed));
+            },
+            of_isotropic(slope, {{2, x}, {4, z}}, {3}));
+    }
+}
+
+// The covariance is the transform of the spectrum, of an even ring J_0(t), of an even shell sin(t) / t, with
+// t = 2 pi F |lag|, times that of the windows.
+TEST_CASE("the covariance of isotropic noise is that of an even ring or shell of waves, in every direction",
+          "[law]") {
+    Draw draw(35);
+    test::Largest plane, space;
+    const auto check = [&](test::Largest& largest, double frequency, double turns, auto lag, double spectrum,
+                           const auto& pair) {
+        const std::string name =
+            fmt::format("frequency {}, {} turns away, along {:.2f}", frequency, turns, fmt::join(lag, " "));
+        double expected = spectrum;
+        for (double& along : lag) {
+            along *= turns / frequency;
+            expected *= noise::hann_correlation(along);
+            along *= 1.5; // nodes
+        }
+        test::check_covariance(
+            largest, [&] { return pair(lag, static_cast<float>(frequency)); }, expected, name);
+    };
+    for (const double frequency : {0.5, 5.0})
+        for (const double turns : {0.25, 0.6})
+            for (const double degrees : {0.0, 15.0, 45.0})
+                check(plane, frequency, turns,
+                      std::array{std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)},
+                      std::cyl_bessel_j(0.0, 2 * pi * turns), [&](const auto& lag, float f) {
+                          auto place =
+                              n.gabor_place({draw.cell(), draw.cell()}, draw.uniform<gabor_vec2>(0, 1));
+                          const std::uint32_t seed = draw.word();
+                          const auto first = n.gabor_field_isotropic(place, f, seed).value;
+                          place.local = place.local +
+                                        gabor_vec2(static_cast<float>(lag[0]), static_cast<float>(lag[1]));
+                          const auto second = n.gabor_field_isotropic(place, f, seed).value;
+                          return std::array{first.x, first.y, second.x, second.y};
+                      });
+    for (const double frequency : {0.5, 3.0})
+        for (const double turns : {0.25, 0.7})
+            for (const Vector& direction :
+                 {Vector{1, 0, 0}, test::unit(Vector{1, -1, 1}), test::unit(Vector{1, 2, 3})})
+                check(space, frequency, turns, direction, std::sin(2 * pi * turns) / (2 * pi * turns),
+                      [&](const Vector& lag, float f) {
+                          const Sample3d s = solid_sample(
+                              draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
+                          const auto first = n.gabor_isotropic_3d(place_of(n, s), f, s.seed);
+                          const auto second = n.gabor_isotropic_3d(place_of(n, moved(s, lag)), f, s.seed);
+                          return std::array{first.quadrature, first.noise, second.quadrature, second.noise};
+                      });
+    plane.check("in the plane, in 4.5 standard errors");
+    space.check("in space, in 4.5 standard errors");
+}
+
+// Variances 1 of the value and sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2 of the gradient.
+TEST_CASE("noise along a map that is read at the nodes is normal at every place", "[law]") {
+    Draw draw(3);
+    for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, -0.4f}, {-0.5f, 0.1f}}) {
+        test::Lattice3::GaborWaves waves;
+        double xx = 0, yy = 0, xy = 0;
+        for (int k = 0; k < 9; ++k) {
+            waves.wave[k] = draw.uniform<gabor_vec2>(-1.5, 1.5);
+            const double dx = double{x} - std::floor(x + 0.5f) - k % 3 + 1;
+            const double dy = double{y} - std::floor(y + 0.5f) - k / 3 + 1;
+            const auto across = noise::lattice_window(3, dx / 1.5),
+                       along = noise::lattice_window(3, dy / 1.5);
+            const double hx = across.slope * along.value, hy = across.value * along.slope;
+            const double turns = 2 * pi * across.value * along.value;
+            const double fx = turns * waves.wave[k].x, fy = turns * waves.wave[k].y;
+            constexpr double energy = 81.0 / 64; // (sum h^2)^2
+            xx += (hx * hx + fx * fx) / energy;
+            yy += (hy * hy + fy * fy) / energy;
+            xy += (hx * hy + fx * fy) / energy;
+        }
+        const double sx = std::sqrt(xx), sy = std::sqrt(yy);
+        fmt::print("along a map, at ({}, {})\n", x, y);
+        test::check_laws(
+            quarter,
+            [&, x = x, y = y] {
+                const auto field = n.gabor_field_waves(n.gabor_place({12, 12}, {x, y}), waves, draw.word());
+                return std::array{field.value.y, field.slope_x.y, field.slope_y.y};
+            },
+            {sum_of("noise", 1, {{0}}), sum_of("d/dx", sx, {{1}}), sum_of("d/dy", sy, {{2}}),
+             sum_of("d/dx + d/dy", std::sqrt(2 + 2 * xy / (sx * sy)), {{1, 1 / sx}, {2, 1 / sy}}),
+             sum_of("noise + d/dx", sqrt2, {{0}, {1, 1 / sx}}),
+             sum_of("noise + d/dy", sqrt2, {{0}, {2, 1 / sy}})});
+    }
+}

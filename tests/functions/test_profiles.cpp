@@ -1,0 +1,111 @@
+// Stripes drawn as waves of other shapes, and filtered stripes, compared with their definitions.
+
+#include "lattice.hpp"
+#include "reference/spectrum.hpp"
+
+#include <vector>
+
+using namespace gabor;
+using test::Draw;
+using test::Largest;
+using test::place_of;
+using Profiles = std::array<double, 5>;
+
+namespace {
+
+test::Lattice3 n;
+
+// Sine, triangle, sawtooth, pulse and ridges at a phase, sharp, from their definitions.
+Profiles sharp(double phase, double duty) {
+    const double t = phase - std::floor(phase);
+    return {0.5 - 0.5 * std::cos(2 * std::numbers::pi * t), 1 - std::abs(2 * t - 1), t, t < duty ? 1.0 : 0.0,
+            4 * t * (1 - t)};
+}
+
+Profiles averaged(double phase, double duty, double width) {
+    constexpr int steps = 4000;
+    Profiles sum{};
+    for (int i = 0; i < steps; ++i) {
+        const Profiles values = sharp(phase + width * ((i + 0.5) / steps - 0.5), duty);
+        for (std::size_t c = 0; c < 5; ++c)
+            sum[c] += values[c] / steps;
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("profiles are averages over a width, or over the phases that shortened stripes stand for",
+          "[profiles]") {
+    Draw draw(3);
+    Largest by_width, by_stripes;
+    for (int i = 0; i < 2000; ++i) {
+        const float phase = draw.uniform(-3, 3), duty = draw.uniform(0, 1);
+        const float width = draw.one_in(4) ? std::exp2(draw.uniform(-9, 0)) : draw.uniform(0, 1.2);
+        const auto where = [&] { return fmt::format("phase {}, width {}, duty {}", phase, width, duty); };
+        const double used = std::clamp(static_cast<double>(width), 0.001, 1.0);
+        const Profiles expected = averaged(phase, duty, used);
+        const Profiles found{n.gabor_profile_sine(phase, width), n.gabor_profile_triangle(phase, width),
+                             n.gabor_profile_sawtooth(phase, width),
+                             n.gabor_profile_pulse(phase, duty, width), n.gabor_profile_ridges(phase, width)};
+        const double length = std::sin(std::numbers::pi * used) / (std::numbers::pi * used);
+        const double angle = 2 * std::numbers::pi * phase;
+        const gabor_vec2 z(static_cast<float>(length * std::cos(angle)),
+                           static_cast<float>(length * std::sin(angle)));
+        const Profiles stripes{n.gabor_stripes_sine(z), n.gabor_stripes_triangle(z),
+                               n.gabor_stripes_sawtooth(z), n.gabor_stripes_pulse(z, duty),
+                               n.gabor_stripes_ridges(z)};
+        for (std::size_t c = 0; c < 5; ++c) {
+            by_width.see(found[c], expected[c], 5e-4 + 1e-6 / used, where);
+            if (used > 0.02 && used < 0.98) // beyond, a float length is too coarse for width or phase
+                by_stripes.see(stripes[c], expected[c], 0.003 / used, where);
+        }
+    }
+    by_width.check("gabor_profile_...");
+    by_stripes.check("gabor_stripes_sine ...");
+}
+
+// The mean of z min(1 / |z|, sharpness) and of |z|, z = v + sqrt(removed) times normal numbers.
+TEST_CASE("filtered stripes are the mean of stripes over the removed noise", "[profiles]") {
+    Draw draw(3);
+    test::Differences of;
+    std::mt19937 random(5);
+    std::normal_distribution<> normal;
+    std::vector<std::complex<double>> normals(4000);
+    for (std::complex<double>& z : normals)
+        z = {normal(random), normal(random)};
+    for (int i = 0; i < 200; ++i) {
+        const auto p = draw.uniform<gabor_vec2>(-9, 9), wave = draw.uniform<gabor_vec2>(-1.5, 1.5),
+                   dx = draw.uniform<gabor_vec2>(-0.3, 0.3), dy = draw.uniform<gabor_vec2>(-0.3, 0.3);
+        const std::uint32_t seed = draw.word();
+        const float sharpness = draw.uniform(1, 4);
+        const auto where = [&] { return fmt::format("p ({}, {}), wave ({}, {})", p.x, p.y, wave.x, wave.y); };
+        const gabor_vec4 found = n.gabor_stripes_filtered(p, dx, dy, wave, sharpness, seed);
+        const noise::Spectrum reference(
+            {{std::hypot(wave.x, wave.y), std::atan2(wave.y, wave.x), {1, 1}, 1, seed}});
+        const auto value = reference.filtered(p.x, p.y, {dx.x, dx.y}, {dy.x, dy.y}).value;
+        const double share = reference.removed({dx.x, dx.y}, {dy.x, dy.y});
+        std::array<double, 3> sum{};
+        for (const std::complex<double>& z : normals) {
+            const auto stripes = noise::lattice_stripes(value + std::sqrt(share) * z, sharpness);
+            for (std::size_t c = 0; c < 3; ++c)
+                sum[c] += stripes[c] / static_cast<double>(normals.size());
+        }
+        of["gabor_stripes_filtered"].see(found.x, sum[0], 0.1, where);
+        of["gabor_stripes_filtered"].see(found.y, sum[1], 0.1, where);
+        of["its intensity"].see(found.z, sum[2], 0.13, where);
+        of["its removed variance"].see(found.w, share, 0.02, where);
+        const noise::Lattice lattice(3, {wave.x, wave.y}, seed);
+        const auto stripes_at = [&](const noise::LatticePlace& place) {
+            return noise::lattice_stripes(lattice.field(place).value, sharpness);
+        };
+        see(of["of a point"], n.gabor_stripes_filtered(p, {0, 0}, {0, 0}, wave, sharpness, seed),
+            stripes_at(test::lattice_place(3, p.x * 1.5f, p.y * 1.5f)), 2e-4, where);
+        const noise::LatticePlace place = test::any_lattice_place(draw, 3);
+        const gabor_vec4 placed = n.gabor_stripes_filtered_at(
+            place_of(n, place), wave, n.gabor_footprint({0, 0}, {0, 0}), sharpness, seed);
+        see(of["gabor_stripes_filtered_at of a point"], placed, stripes_at(place), 2e-4, where);
+        of["gabor_stripes_filtered_at of a point"].see(placed.w, 0, 1e-6, where);
+    }
+    test::check(of, 5);
+}

@@ -1,0 +1,303 @@
+// Compares every function of gabor_noise.glsl with the double-precision reference, and its distribution, one
+// value at a random place of each of many independent instances, with the normal law.
+
+#include "sparse.hpp"
+#include "statistics/gaussianity.hpp"
+#include "statistics/moments.hpp"
+
+#include <vector>
+
+using namespace gabor;
+using noise::Reference;
+using test::Differences;
+using test::Draw;
+using test::Largest;
+using test::slope_tolerance;
+using test::tolerance;
+
+namespace {
+
+// For each recipe of the product.
+template <typename Check>
+void for_recipes(const Check& check) {
+    check(test::One());
+    check(test::Pure());
+    check(test::Paper());
+}
+
+template <typename Functions>
+auto place_of(Functions&, const noise::Place& p) {
+    return typename Functions::GaborPlace{{p.cell_x, p.cell_y},
+                                          {p.local_x, p.local_y},
+                                          {p.radius_x, p.radius_y},
+                                          {p.period_x, p.period_y},
+                                          p.time};
+}
+
+// Places in all quadrants up to 10^6, or in any cell; one coordinate in four is on or next to a cell's edge.
+noise::Place any_place(Draw& draw, const noise::Recipe& recipe) {
+    const double reach = std::exp2(draw.uniform(0, 20));
+    noise::Place p = noise::place_at(recipe, 0, 0, draw.uniform(-reach, reach), draw.uniform(-reach, reach));
+    if (draw.one_in(4))
+        p.local_x = std::round(p.local_x);
+    if (draw.one_in(4))
+        p.local_y = draw.edge(p.local_y);
+    if (draw.word() % 2) {
+        p.cell_x = draw.cell();
+        p.cell_y = draw.cell();
+        p.local_x -= std::floor(p.local_x);
+        p.local_y -= std::floor(p.local_y);
+    }
+    return p;
+}
+
+struct Sample {
+    noise::Place place;
+    gabor_vec2 p;
+    float frequency, orientation;
+    std::uint32_t seed;
+};
+
+std::string to_string(const Sample& s) {
+    const noise::Place& p = s.place;
+    return fmt::format("cell ({}, {}) + ({}, {}), radius ({}, {}), period ({}, {}), time {}, p ({}, {}), "
+                       "frequency {}, orientation {}, seed {}",
+                       p.cell_x, p.cell_y, p.local_x, p.local_y, p.radius_x, p.radius_y, p.period_x,
+                       p.period_y, p.time, s.p.x, s.p.y, s.frequency, s.orientation, s.seed);
+}
+
+template <typename Functions>
+void compare(Functions n) {
+    constexpr int count = 1 << 11;
+    Draw draw(1);
+    Differences of;
+    for (int batch = 0; batch < 34; ++batch) {
+        // Frequencies from 0.1 to 64, evenly in octaves, with both ends and the end of the series.
+        const float frequency = batch == 0 ? 0.63662f : 0.1f * static_cast<float>(std::exp2(batch * 0.28281));
+        const float orientation =
+            batch % 4 == 0 ? static_cast<float>(batch / 4) * 0.78539816f : draw.uniform(-8, 8);
+        const std::uint32_t seed = batch == 1 ? 0 : draw.word();
+        const Reference reference(n.recipe, frequency, orientation, seed);
+        const auto kernel = n.gabor_kernel(frequency, orientation);
+        const double tight = tolerance(frequency), loose = slope_tolerance(frequency);
+        // At low frequency a sine is small and its quadrature correspondingly large.
+        const double larger = n.recipe.phases == 2 ? std::max(1.0, 2.0 / frequency) : 1;
+        for (int i = 0; i < count; ++i) {
+            Sample s{any_place(draw, n.recipe), {0, 0}, frequency, orientation, seed};
+            s.p = {s.place.local_x / s.place.radius_x, s.place.local_y / s.place.radius_y};
+            const Reference::Field expected = reference.field(s.place);
+            const auto field = n.gabor_field(place_of(n, s.place), kernel, seed);
+            of["gabor_field"].see(field.value.y, expected.value.imag(), tight, s);
+            see(of["gabor_field, complex"], of["gabor_field, gradients"], field, expected, tight * larger,
+                loose * larger, s);
+            of["gabor_field, gradient"].see(field.slope_x.y, expected.slope_x.imag(), loose, s);
+            of["gabor_field, gradient"].see(field.slope_y.y, expected.slope_y.imag(), loose, s);
+            of["gabor_noise_at"].see(n.gabor_noise_at({s.place.cell_x, s.place.cell_y},
+                                                      {s.place.local_x, s.place.local_y}, kernel, seed),
+                                     expected.value.imag(), tight, s);
+            of["gabor_unorm"].see(n.gabor_unorm(field.value.y),
+                                  std::clamp(0.5 + 0.25 * field.value.y, 0.0, 1.0), 1e-6, s);
+            const gabor_vec2 phasor = n.gabor_phasor(field.value); // (phase, intensity)
+            const std::complex<double> turned = std::polar(double{phasor.y}, 2 * std::numbers::pi * phasor.x);
+            see(of["gabor_phasor"], field.value, turned, 2e-5 * std::max(1.0f, phasor.y), s);
+            CHECK((phasor.x >= 0 && phasor.x < 1));
+
+            const Reference::Field here = reference.field(
+                noise::place_at(n.recipe, 0, 0, s.p.x * n.recipe.radius, s.p.y * n.recipe.radius));
+            of["gabor_noise"].see(n.gabor_noise(s.p, frequency, orientation, seed), here.value.imag(), tight,
+                                  s);
+            see(of["gabor_noise_complex"], n.gabor_noise_complex(s.p, frequency, orientation, seed),
+                here.value, tight * larger, s);
+            see_gradient(of["gabor_noise_gradient"], of["gabor_noise_gradient"],
+                         n.gabor_noise_gradient(s.p, frequency, orientation, seed), here, tight, loose, s);
+        }
+    }
+    fmt::print("{}: largest differences in units of the tolerance\n", n.recipe.name);
+    test::check(of, 10);
+}
+
+} // namespace
+
+TEST_CASE("the sparse noise, its quadrature and its gradient agree with the reference", "[sparse][oracle]") {
+    for_recipes([](auto n) { compare(n); });
+    compare(test::Sines());
+    compare(test::Uneven());
+}
+
+TEST_CASE("periods of the sparse noise in space and time agree with the reference", "[sparse][oracle]") {
+    Draw draw(5);
+    for_recipes([&](auto n) {
+        const float radius = n.recipe.radius;
+        Differences of;
+        for (int batch = 0; batch < 8; ++batch) {
+            const float frequency = draw.uniform(1.5, 8), orientation = draw.uniform(-8, 8);
+            const std::uint32_t seed = draw.word();
+            const Reference reference(n.recipe, frequency, orientation, seed);
+            const double tight = 2 * tolerance(frequency); // fewer cells per radius: fewer, larger impulses
+            // A position rounds by 10^-6, and the wave turns by 2 pi F per radius.
+            const double rounded = 3e-5 * (1 + frequency);
+            for (int i = 0; i < 1 << 10; ++i) {
+                Sample s{any_place(draw, n.recipe), draw.uniform<gabor_vec2>(-8, 8), frequency, orientation,
+                         seed};
+                s.place.time = draw.uniform(-2, 2);
+                s.place.period_x = static_cast<std::int32_t>(draw.word() % 100);
+                s.place.period_y = static_cast<std::int32_t>(2 + draw.word() % 5);
+                s.place.radius_x = radius * draw.uniform(0.5, 1);
+                s.place.radius_y = radius * draw.uniform(0.5, 1);
+                const Reference::Field expected = reference.field(s.place);
+                const auto field =
+                    n.gabor_field(place_of(n, s.place), n.gabor_kernel(frequency, orientation), seed);
+                of["gabor_field"].see(field.value.y, expected.value.imag(), tight, s);
+                of["gabor_field, gradient"].see(field.slope_x.y, expected.slope_x.imag(),
+                                                2 * slope_tolerance(frequency), s);
+                of["gabor_field, gradient"].see(field.slope_y.y, expected.slope_y.imag(),
+                                                2 * slope_tolerance(frequency), s);
+
+                noise::Place still = noise::place_at(n.recipe, 0, 0, s.p.x * radius, s.p.y * radius);
+                still.time = s.place.time;
+                of["gabor_noise_animated"].see(
+                    n.gabor_noise_animated(s.p, s.place.time, frequency, orientation, seed), reference(still),
+                    rounded, s);
+                const gabor_vec2 period(draw.uniform(1, 20), draw.uniform(1, 3)); // clamped to 2
+                noise::Place tile;
+                const auto along = [&](float p, float length, float& local, float& per_radius,
+                                       std::int32_t& cells) {
+                    length = std::max(2.0f, length);
+                    cells = static_cast<std::int32_t>(std::floor(length * radius));
+                    per_radius = static_cast<float>(double(cells) / length);
+                    local = static_cast<float>(double{p} * cells / length);
+                };
+                along(s.p.x, period.x, tile.local_x, tile.radius_x, tile.period_x);
+                along(s.p.y, period.y, tile.local_y, tile.radius_y, tile.period_y);
+                of["gabor_noise_tiled"].see(n.gabor_noise_tiled(s.p, period, frequency, orientation, seed),
+                                            reference(tile), rounded, s);
+            }
+        }
+        fmt::print("{}, with periods; largest differences in units of the tolerance\n", n.recipe.name);
+        test::check(of, 4);
+    });
+}
+
+TEST_CASE("the gradient equals differences of the reference", "[sparse][oracle]") {
+    Draw draw(6);
+    for_recipes([&](const auto& n) {
+        const Reference reference(n.recipe, 3, 0.7, 9);
+        for (int i = 0; i < 2000; ++i) {
+            // Places exact in a float, on and across the edges of cells and windows.
+            const auto coordinate = [&] { return std::floor(draw.uniform(-8, 8) * 256) / 256; };
+            const float x = coordinate(), y = coordinate();
+            const auto value = [&](float dx, float dy) {
+                return reference(noise::place_at(n.recipe, 0, 0, x + dx, y + dy));
+            };
+            constexpr float h = 0x1p-12f;
+            const Reference::Field field = reference.field(noise::place_at(n.recipe, 0, 0, x, y));
+            const double along_x = (value(h, 0) - value(-h, 0)) / (2 * h) * n.recipe.radius;
+            const double along_y = (value(0, h) - value(0, -h)) / (2 * h) * n.recipe.radius;
+            // h^2 / 6 times the third derivative, (2 pi F)^3 times a few sigma.
+            REQUIRE(field.slope_x.imag() == Approx(along_x).margin(5e-4));
+            REQUIRE(field.slope_y.imag() == Approx(along_y).margin(5e-4));
+        }
+    });
+}
+
+TEST_CASE("frequencies outside the range are clamped", "[sparse]") {
+    test::One n;
+    const auto noise = [&](float frequency) { return n.gabor_noise({3.3f, 4.8f}, frequency, 0.3f, 5); };
+    for (const float low : {0.0f, -0.0f, 1e-30f})
+        CHECK(noise(low) == noise(1e-6f));
+    CHECK(noise(-3) == noise(3));
+    CHECK(std::isfinite(noise(1e30f)));
+    CHECK(std::isfinite(noise(std::numeric_limits<float>::infinity())));
+}
+
+TEST_CASE("painted frequency and orientation leave no seam", "[sparse]") {
+    for_recipes([](auto n) {
+        constexpr double step = 0x1p-11; // kernel radii; the line crosses eight cells
+        const auto noise = [&](int i) {
+            const double x = i * step;
+            return double{n.gabor_noise({static_cast<float>(x), 0.37f}, static_cast<float>(4 + std::sin(x)),
+                                        static_cast<float>(std::sin(0.7 * x)), 3)};
+        };
+        // The second derivative is at most (2 pi F)^2 times a few sigma; a seam would exceed that by its
+        // height.
+        const double bound = std::pow(2 * std::numbers::pi * 5 * step, 2) * 5;
+        Largest bend;
+        for (int i = 1; i < 1 << 14; ++i)
+            bend.see(noise(i - 1) + noise(i + 1), 2 * noise(i), bound,
+                     [&] { return fmt::format("step {}", i); });
+        bend.check(n.recipe.name);
+    });
+}
+
+namespace {
+
+struct Law {
+    statistics::Moments moments;
+    statistics::Gaussianity gaussianity;
+
+    void add(float value) {
+        moments.add(value);
+        gaussianity.add(value);
+    }
+};
+
+template <typename Functions>
+Law measure(Functions n, float frequency, int count) {
+    std::mt19937 random(3);
+    const auto kernel = n.gabor_kernel(frequency, 0.3f);
+    Law law;
+    for (int i = 0; i < count; ++i) {
+        const auto place = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+        const auto cell = [&] { return static_cast<std::int32_t>(random()); };
+        law.add(n.gabor_noise_at({cell(), cell()}, {place(), place()}, kernel,
+                                 static_cast<std::uint32_t>(random())));
+    }
+    return law;
+}
+
+} // namespace
+
+TEST_CASE("Gaussianity of the sparse noises", "[sparse][law]") {
+    // `one`, `pure`: from the characteristic function by quadrature. `paper`: 2^18 (kurtosis / 24)^2 0.1429
+    // with the exact excess kurtosis -0.0325 (Campbell's theorem with the effect of stratification, by
+    // quadrature).
+    const auto check = [](auto n, int count, double expected) {
+        const Law law = measure(n, 4, count);
+        const statistics::Estimate cvm = law.gaussianity.index();
+        fmt::print("{}: variance {:.5f}, excess kurtosis {:.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n",
+                   n.recipe.name, law.moments.variance(), law.moments.excess_kurtosis(), cvm.value, cvm.low,
+                   cvm.high);
+        CHECK(law.moments.variance() == Approx(1).margin(0.002));
+        CHECK(law.moments.mean() == Approx(0).margin(0.0015));
+        CHECK(std::abs(cvm.value - expected) < cvm.high - cvm.low); // four standard errors
+        CHECK(cvm.high - cvm.low < 0.06);
+    };
+    check(test::One(), 1 << 23, 0.01);
+    check(test::Pure(), 1 << 23, 0.007);
+    check(test::Paper(), 1 << 24, 0.07);
+}
+
+TEST_CASE("the sparse noise has mean 0 and variance 1 with periods, in time, and of the quadrature",
+          "[sparse][law]") {
+    const auto check = [](const std::string& name, const auto& noise) {
+        Draw draw(4);
+        statistics::Moments moments;
+        for (int i = 0; i < 1 << 20; ++i)
+            moments.add(noise(draw, draw.uniform<gabor_vec2>(0, 8)));
+        INFO(name);
+        CHECK(moments.mean() == Approx(0).margin(0.004)); // four standard errors
+        CHECK(moments.variance() == Approx(1).margin(0.006));
+    };
+    for_recipes([&](auto n) {
+        check(fmt::format("{}, tiled", n.recipe.name), [&](Draw& draw, gabor_vec2 p) {
+            return n.gabor_noise_tiled(p, draw.uniform<gabor_vec2>(2, 4), 3, 0.3f, draw.word());
+        });
+    });
+    test::Paper n; // with more phases nothing depends on the time, nor differs for the quadrature
+    for (const float frequency : {0.25f, 3.0f})
+        check(fmt::format("frequency {}, animated", frequency), [&](Draw& draw, gabor_vec2 p) {
+            return n.gabor_noise_animated(p, 0.13f, frequency, 0.3f, draw.word());
+        });
+    check("quadrature", // a slow sine's exceeds the sine
+          [&](Draw& draw, gabor_vec2 p) { return n.gabor_noise_complex(p, 3, 0.3f, draw.word()).x; });
+}

@@ -1,5 +1,0 @@
-#version 450
-#extension GL_GOOGLE_include_directive : require
-
-#define GABOR_TAPS 4
-#include "sample_lattice.glsl"
