@@ -122,9 +122,8 @@ Candidate choose(std::vector<Candidate> all, std::string_view selector) {
     };
     const auto count = std::ranges::count_if(all, matches);
     if (count != 1)
-        throw RequestError(fmt::format("--device '{}' matches {} device{}: the devices are {}", selector,
-                                       count == 0 ? "no" : "more than one", count == 0 ? "" : "s",
-                                       fmt::join(names, ", ")));
+        throw RequestError(fmt::format("--device '{}' matches {} device: the devices are {}", selector,
+                                       count == 0 ? "no" : "more than one", fmt::join(names, ", ")));
     return std::move(*std::ranges::find_if(all, matches));
 }
 

@@ -88,7 +88,7 @@ class ProgramTest(unittest.TestCase):
             path.write_text("".join(" ".join(f"{float(number):.6g}" for number in numbers) + "\n" for numbers in found))
             self.fail(f"{path} is written: look at what changed, and run the test without GABOR_GOLDEN")
         for numbers, line in zip(found, path.read_text().splitlines(), strict=True):
-            np.testing.assert_allclose(np.array(numbers, float), np.array(line.split(), float), rtol=1e-3, atol=1e-3)
+            np.testing.assert_allclose(np.array(numbers, float), np.array(line.split(), float), rtol=1e-3, atol=1e-5)
 
 
 class RenderTest(ProgramTest):

@@ -184,14 +184,14 @@ class LikeFiles(ErrorTest):
 class Devices(ErrorTest):
     def test_no_such_device(self):
         for selector in ("99", "-1", "no such name", "4294967296"):
-            self.refuse_render(["--device", selector, "0 ("], "--device", selector)
+            self.refuse_render([f"--device '{selector}' matches no device: ", "0 ("], "--device", selector)
 
     def test_an_ambiguous_device_name(self):
         if not LAVAPIPE:
             self.skipTest("needs Mesa's lavapipe, to list it twice")
         shutil.copy(LAVAPIPE, self.folder / "again.json")
         twice = {"VK_ICD_FILENAMES": f"{LAVAPIPE}:{self.folder / 'again.json'}", "VK_DRIVER_FILES": None}
-        self.refuse_render(["llvmpipe", "more than one", "0 (", "1 ("], "--device=LLVMpipe", env=twice)
+        self.refuse_render(["matches more than one device: ", "llvmpipe", "0 (", "1 ("], "--device=LLVMpipe", env=twice)
         self.succeed("render", "-o", "out.exr", "--size=8x8", "--device=1", env=twice)
 
     def test_no_driver(self):

@@ -26,12 +26,13 @@ using render::Slice;
 namespace {
 
 std::vector<float> rendered(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                            int most_rows) {
+                            int most_rows, bool normals = false) {
     render::check(request);
     render::Viewport viewport = render::viewport_of(request, region);
     viewport.blocks = render::Blocks::none;
+    viewport.normals = normals;
     const render::Renderer renderer(device, render::plan(request, viewport));
-    const std::size_t row_values = render::channels(request).size() * static_cast<std::size_t>(region.width);
+    const std::size_t row_values = renderer.plan().channels.size() * static_cast<std::size_t>(region.width);
     vulkan::Buffer buffer(device, static_cast<std::size_t>(most_rows) * row_values * sizeof(float),
                           vulkan::Memory::readback);
     vulkan::Job job = renderer.job(buffer);
@@ -312,7 +313,7 @@ TEST_CASE("regions and bands of a solid picture match the whole", "[solid]") {
     }
 }
 
-TEST_CASE("a body has quadrature, gradient and phasor beside its noise", "[solid]") {
+TEST_CASE("a body has quadrature, gradient, phasor and normal beside its noise", "[solid]") {
     const vulkan::Device device;
     for (const render::View& view : {render::View(Slice{1.5}), render::View(Body{.yaw = 20})}) {
         Request request{
@@ -339,8 +340,25 @@ TEST_CASE("a body has quadrature, gradient and phasor beside its noise", "[solid
         }
         phasor.check("phasor");
         CHECK(compared > 4000);
-        if (!std::holds_alternative<Slice>(view))
+        if (!std::holds_alternative<Slice>(view)) {
+            const auto lit = rendered(device, request, {0, 0, 120, 90}, 90, true);
+            const Camera camera(request);
+            test::Largest normal;
+            for (std::size_t i = 0; i < 120 * 90; ++i) {
+                const float* at = &lit[11 * i];
+                REQUIRE(std::equal(at, at + 6, &pixels[7 * i]));
+                REQUIRE(at[10] == pixels[7 * i + 6]);
+                const double x = static_cast<double>(i % 120) + 0.5, y = static_cast<double>(i / 120) + 0.5;
+                const std::optional<Vector3> p = camera.hit(camera.ray(x, y));
+                if (at[10] < 1 || !p)
+                    continue;
+                normal.see(at[6], dot(*p, camera.right()), 1e-4, pixel_name(x, y));
+                normal.see(at[7], -dot(*p, camera.up()), 1e-4, pixel_name(x, y));
+                normal.see(at[8], dot(*p, camera.eye()) / 4, 1e-4, pixel_name(x, y));
+            }
+            normal.check("normal");
             continue;
+        }
         // The gradient of a slice is that of its pixels, rows growing downwards.
         const double tolerance = 0.15 * 2 * std::numbers::pi * 1.5 * 3;
         for (std::size_t y = 1; y < 89; ++y) {
