@@ -86,7 +86,8 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
                       const Files& files, const std::function<void(std::uint64_t)>& advance) {
     image::ExrWriter::Description description = exr_description(request, region, software(device));
     description.compression = files.compression;
-    const std::size_t channels = description.channels.size();
+    const std::size_t kept = description.channels.size();
+    const std::size_t channels = render::channels(request, files.normals).size();
     std::optional<image::ExrWriter> exr;
     if (files.exr)
         exr.emplace(*files.exr, description);
@@ -106,11 +107,19 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
 
     FileTimes times;
     std::vector<float> shown;
-    times.rendering = render_region(device, request, region, [&](std::span<const float> values) {
+    std::vector<float> without_normals;
+    const auto write = [&](std::span<const float> values) {
         advance(values.size() / channels);
         const Clock::time_point before = Clock::now();
-        if (exr)
+        if (exr && files.normals) { // they stand before the last channel
+            without_normals.clear();
+            for (std::size_t i = 0; i < values.size(); ++i)
+                if (i % channels < kept - 1 || i % channels == channels - 1)
+                    without_normals.push_back(values[i]);
+            exr->write_rows(without_normals);
+        } else if (exr) {
             exr->write_rows(values);
+        }
         if (heights)
             heights->write_rows(values, channels, terrain_height);
         if (png && files.colours) {
@@ -120,7 +129,8 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
             png->write_rows(shown);
         }
         times.writing += seconds_since(before);
-    });
+    };
+    times.rendering = render_region(device, request, region, write, files.normals);
     advance(0);
     const Clock::time_point before = Clock::now();
     if (exr)

@@ -53,6 +53,7 @@ struct Files {
     std::string_view compression = "none";
     /// Converts a band to the red, green and blue, from 0 to 1, that the PNG shows instead.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
+    bool normals = false; ///< `colours` needs them: see Viewport
 };
 
 /// Renders `region` of a checked request to files. Calls `advance` with the number of pixels

@@ -278,8 +278,6 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     constants[passes::isotropic_id] = std::ranges::any_of(request.lobes, is_isotropic);
     constants[passes::directed_id] = !std::ranges::all_of(request.lobes, is_isotropic);
     constants[passes::normals_id] = viewport.normals;
-    if (viewport.normals)
-        plan.channels.insert(plan.channels.end() - 1, {"normal.x", "normal.y", "normal.z", "gradient.z"});
     plan.tables = {bytes_of(waves), bytes_of(colour_of(request))};
     plan.steps = {
         step_of(along_surface(request) ? "solid@surface" : "solid", constants, push, passes::solid_group)};
@@ -287,7 +285,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
 
 // ---- Materials ----
 
-// In flat views the light stays in place over the picture.
+// In flat views the light stays in place over the view.
 void plan_material(Plan& plan, const Request& request, const Viewport& viewport) {
     const Camera& camera = viewport.camera;
     const bool flat = is_flat(request.view);
@@ -464,7 +462,7 @@ bool uses_blocks(const Request& request, const Viewport& viewport) {
 }
 
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint, DeviceKind device) {
-    Plan plan{channels(request), viewport.region.width, viewport.region.height, {}, {}};
+    Plan plan{channels(request, viewport.normals), viewport.region.width, viewport.region.height, {}, {}};
     if (has_terrain(request))
         plan_terrain(plan, request, viewport);
     else if (has_material(request))

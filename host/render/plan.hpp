@@ -89,8 +89,7 @@ struct Viewport {
     image::Rect region; ///< of values in the view
     int stride = 1;     ///< a value stands for stride x stride pixels; finer waves fade
     Blocks blocks = Blocks::fitted;
-    bool normals = false; ///< for bodies: add normal.x, normal.y, normal.z and gradient.z before `A`; x is
-                          ///< right in the picture, y down, z towards the eye
+    bool normals = false; ///< as for render::channels
 };
 
 /// The viewport of a region of the picture that gabor render draws.

@@ -149,10 +149,11 @@ void Renderer::submit(vulkan::Job& job, const Band& band, int before,
 }
 
 Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                    const std::function<void(std::span<const float>)>& sink) {
+                    const std::function<void(std::span<const float>)>& sink, bool normals) {
     const Clock::time_point start = Clock::now();
-    const Renderer renderer(
-        device, plan(request, viewport_of(request, region), load_paint(request.paint), kind_of(device)));
+    Viewport viewport = viewport_of(request, region);
+    viewport.normals = normals;
+    const Renderer renderer(device, plan(request, viewport, load_paint(request.paint), kind_of(device)));
     const double ready = seconds_since(start);
     Times times = render_plan(device, renderer, sink);
     times.first_dispatch += ready;

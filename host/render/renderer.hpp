@@ -67,8 +67,9 @@ struct Times {
 
 /// Renders `region` of a checked request from top to bottom and passes whole rows to `sink`, band by band,
 /// while the device draws the next band. Memory does not grow with the height. `sink` may throw.
+/// `normals`: as in Viewport.
 Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                    const std::function<void(std::span<const float>)>& sink);
+                    const std::function<void(std::span<const float>)>& sink, bool normals = false);
 
 /// Does the same for a renderer's plan. `fill`: gives the next band's rows of the plan's source, halo
 /// included.

@@ -70,7 +70,7 @@ bool is_isotropic(const noise::Lobe& lobe) {
     return lobe.orientation_spread == 90;
 }
 
-std::vector<std::string> channels(const Request& request) {
+std::vector<std::string> channels(const Request& request, bool normals) {
     if (has_terrain(request))
         return {terrain_channels.begin(), terrain_channels.end()};
     if (has_material(request)) {
@@ -91,6 +91,8 @@ std::vector<std::string> channels(const Request& request) {
         names.insert(names.end(), {"gradient.x", "gradient.y"});
     if (request.phasor)
         names.insert(names.end(), {"phase", "intensity"});
+    if (normals)
+        names.insert(names.end(), {"normal.x", "normal.y", "normal.z", "gradient.z"});
     if (in_space(request))
         names.push_back("A");
     else if (request.filter)

@@ -153,6 +153,8 @@ bool is_isotropic(const noise::Lobe& lobe);
 
 /// The channels of a picture's pixels, in order, as EXR names them: `Y` is the noise and, in space, the last
 /// one `A` is the covered share of the pixel.
-std::vector<std::string> channels(const Request& request);
+/// `normals`: of a body, with normal.x, normal.y, normal.z and gradient.z before `A`; x is right in the
+/// picture, y down, z towards the eye.
+std::vector<std::string> channels(const Request& request, bool normals = false);
 
 } // namespace gabor::render

@@ -21,11 +21,11 @@ namespace {
 
 constexpr double moving_budget = 0.022;        // seconds per frame for drawing the noise
 constexpr double resting_budget = 0.060;       // longer, since each frame also costs
-constexpr double rest = 0.3;                   // seconds without a change before measuring
 constexpr double waking_interval = 0.25;       // seconds between frames while nothing happens
 constexpr double saving_interval = 2;          // seconds between saves of the session
 constexpr const char* first_preset = "walnut"; // until something else was opened
-constexpr float panel_width = 26;              // in font heights
+constexpr float widest_panel = 26;             // in font heights
+constexpr float narrowest_panel = 20;
 
 volatile std::sig_atomic_t received_signal = 0;
 
@@ -129,8 +129,7 @@ Document App::shown() const {
 
 Area App::view_area(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
-    const int panel = session_.panels ? static_cast<int>(panel_width * ImGui::GetFontSize() * per_unit) : 0;
-    const int width = std::max(window.width - panel, 2);
+    const int width = std::max(static_cast<int>(view_width() * per_unit), 2);
     const int left =
         shows_photograph(session_) ? static_cast<int>(static_cast<float>(width) * session_.divider) : 0;
     return {left, 0, std::max(width - left, 2), window.height};
@@ -151,25 +150,8 @@ bool App::refine(Extent window) {
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
     const double slice =
         resting_budget * std::max(1.0, view.width * view.height / 1e6); // painting takes longer too
-    bool more = canvas_.refine(wanted, camera, session_.tiling ? session_.tiling->tile : session_.view,
-                               moving ? moving_budget : slice);
-    if (more || moving || wanted != drawn_ || camera != drawn_from_) {
-        drawn_ = wanted;
-        drawn_from_ = camera;
-        changed_ = glfwGetTime();
-        measured_ = false;
-    }
-    // While the view stands still, measures the spectrum of what it shows.
-    SpectrumMeter& meter = session_.spectrum;
-    const bool has_spectrum = render::is_flat(wanted.request.view) && !wanted.request.colour &&
-                              !render::has_material(wanted.request);
-    if (has_spectrum && !measured_ && meter.idle() && glfwGetTime() - changed_ >= rest &&
-        !session_.exporter.running()) {
-        measured_ = true;
-        meter.start(canvas_.pixels(), canvas_.channels().size(), canvas_.grid(),
-                    wanted.request.scale * camera.zoom);
-    }
-    return more || (has_spectrum && !measured_) || !meter.idle();
+    return canvas_.refine(wanted, camera, session_.tiling ? session_.tiling->tile : session_.view,
+                          moving ? moving_budget : slice);
 }
 
 // Where the pointer is, and the channels there.
@@ -191,12 +173,14 @@ std::string App::value_under_pointer() {
 }
 
 float App::view_width() const {
-    return ImGui::GetIO().DisplaySize.x - (session_.panels ? panel_width * ImGui::GetFontSize() : 0);
+    const float width = ImGui::GetIO().DisplaySize.x;
+    const float em = ImGui::GetFontSize();
+    return width - (session_.panels ? std::clamp(0.45f * width, narrowest_panel * em, widest_panel * em) : 0);
 }
 
 // Folds the panel away when the window becomes small, and unfolds it when it grows again.
 void App::fold_panel() {
-    const bool small = ImGui::GetIO().DisplaySize.x < 1.6f * panel_width * ImGui::GetFontSize();
+    const bool small = ImGui::GetIO().DisplaySize.x < 1.6f * widest_panel * ImGui::GetFontSize();
     if (small != std::exchange(small_, small))
         session_.panels = !small;
 }
@@ -206,7 +190,7 @@ void App::panels() {
     fold_panel();
     const float view = view_width();
     if (session_.gallery) {
-        gallery_window(session_, view, size.y);
+        gallery_ = gallery_window(session_, view, size.y);
     } else {
         view_overlay(session_);
         session_.reading = value_under_pointer();
@@ -235,7 +219,7 @@ void App::panels() {
 
 void App::paint(vk::CommandBuffer commands, const Area& view) {
     if (session_.gallery)
-        return paint_presets(commands, view);
+        return paint_presets(commands, view.height);
     if (canvas_.stride() > 0)
         painter_.paint(commands, canvas_, view, session_.document(), session_.tiling);
     if (shows_photograph(session_) && view.x > 0)
@@ -256,20 +240,33 @@ void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
     };
     painter_.paint_colours(
         commands, *photograph_pixels_, photograph_->grid,
-        {corner(document.camera.x, area.x, area.width), corner(document.camera.y, area.y, area.height)},
-        static_cast<float>(photograph_->square * document.camera.zoom), area);
+        static_cast<float>(photograph_->square * document.camera.zoom),
+        {{{corner(document.camera.x, area.x, area.width), corner(document.camera.y, area.y, area.height)},
+          area}});
 }
 
-void App::paint_presets(vk::CommandBuffer commands, const Area& view) {
+void App::paint_presets(vk::CommandBuffer commands, int height) {
+    constexpr int cell = PresetPictures::cell;
+    constexpr int margin = (cell - PresetPictures::side) / 2;
     const PresetPictures& pictures = preset_pictures();
-    const ImGuiIO& io = ImGui::GetIO();
-    const float per_unit = io.DisplayFramebufferScale.x;
+    const float per_unit = ImGui::GetIO().DisplayFramebufferScale.x;
     if (!preset_pixels_)
         preset_pixels_ = render::upload(device_, pictures.colours);
-    const GalleryPlace place = gallery_place(view_width(), io.DisplaySize.y);
-    painter_.paint_colours(commands, *preset_pixels_, pictures.extent,
-                           {place.x * per_unit, place.y * per_unit}, place.scale * per_unit,
-                           {0, 0, view.x + view.width, view.height});
+    const float side = std::round(gallery_.side * per_unit);
+    const float stride = side / PresetPictures::side;
+    std::vector<PlacedColours> pieces;
+    for (const ImVec2& corner : gallery_.corners) {
+        const auto index = static_cast<int>(pieces.size());
+        const float x = std::round(corner.x * per_unit);
+        const float y = std::round(corner.y * per_unit);
+        const auto left = static_cast<float>(index % PresetPictures::columns * cell + margin);
+        const auto top = static_cast<float>(index / PresetPictures::columns * cell + margin);
+        const int first = std::max(static_cast<int>(y), 0);
+        const int end = std::min(static_cast<int>(y + side), height);
+        pieces.push_back({{x - left * stride, y - top * stride},
+                          {static_cast<int>(x), first, static_cast<int>(side), end - first}});
+    }
+    painter_.paint_colours(commands, *preset_pixels_, pictures.extent, stride, pieces);
 }
 
 void App::draw(const Target& target) {
@@ -359,8 +356,8 @@ int App::run(const FrameHook& hook) {
     for (const int signal : {SIGINT, SIGTERM})
         std::signal(signal, note_signal);
     do {
-        const bool wanted =
-            busy_ || hook || session_.playing || session_.exporter.running() || session_.fitter.running();
+        const bool wanted = busy_ || hook || gui_.has_input() || session_.playing ||
+                            session_.exporter.running() || session_.fitter.running();
         if (!window_.shown())
             glfwWaitEventsTimeout(hook ? 0.02 : 0.25);
         else if (wanted || glfwGetTime() - last_input_ < 0.5)

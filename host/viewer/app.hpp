@@ -2,6 +2,7 @@
 
 #include "viewer/gui.hpp"
 #include "viewer/painter.hpp"
+#include "viewer/panels.hpp"
 #include "viewer/session.hpp"
 #include "viewer/settings.hpp"
 #include "viewer/target.hpp"
@@ -38,7 +39,7 @@ class App {
     const Window& window() const { return window_; }
     /// Whether the picture is in full resolution.
     bool fine() const { return canvas_.fine(); }
-    /// Whether nothing is left to refine, measure, fit or export.
+    /// Whether nothing is left to refine, fit or export.
     bool settled() const { return !busy_ && !session_.exporter.running() && !session_.fitter.running(); }
     /// Saves the picture without a window around it, as gabor render draws it.
     void save_picture(const std::string& path);
@@ -59,7 +60,7 @@ class App {
     void draw(const Target& target);
     void paint(vk::CommandBuffer commands, const Area& view);
     void paint_photograph(vk::CommandBuffer commands, const Area& area);
-    void paint_presets(vk::CommandBuffer commands, const Area& view);
+    void paint_presets(vk::CommandBuffer commands, int height);
     void write_png(Extent extent, const std::string& path,
                    const std::function<void(vk::CommandBuffer)>& draw);
     Document shown() const; ///< the document, from the camera that shows it
@@ -73,13 +74,10 @@ class App {
     Commands commands_;
     Session session_;
     Canvas canvas_;
-    bool measured_ = false; ///< the spectrum of what is shown
-    Drawing drawn_;         ///< in the last frame
-    Camera drawn_from_;
-    double changed_ = 0;                           ///< when the view last changed
     std::shared_ptr<const Photograph> photograph_; ///< in `photograph_pixels_`
     std::optional<vulkan::Buffer> photograph_pixels_;
     std::optional<vulkan::Buffer> preset_pixels_;
+    Gallery gallery_;                       ///< of the last frame that showed it
     std::optional<std::string> window_png_; ///< to write at the end of this frame
     double last_input_ = 0;
     double saved_at_ = 0; ///< when the session was last saved

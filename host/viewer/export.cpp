@@ -6,6 +6,7 @@
 #include "render/parameters.hpp"
 #include "render/texture.hpp"
 #include "seconds.hpp"
+#include "viewer/drawing.hpp"
 #include "viewer/show.hpp"
 
 #include <fmt/format.h>
@@ -185,8 +186,9 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
         for (int frame = 0; frame < frames; ++frame) {
             render::Files files = all[static_cast<std::size_t>(frame)];
             if (files.png && !shows_plainly(document)) {
+                files.normals = drawing_of(document).normals;
                 if (!colours)
-                    colours.emplace(device, document, render::channels(request));
+                    colours.emplace(device, document, render::channels(request, files.normals));
                 files.colours = [&](std::span<const float> values) { return colours->of(values); };
             }
             render::render_file(device, render::frame_of(request, frame, frames), whole(request), files,

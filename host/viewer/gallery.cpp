@@ -1,65 +1,65 @@
 #include "viewer/panels.hpp"
 
 #include "render/load.hpp"
-#include "viewer/preset_pictures.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gabor::viewer {
 
-namespace {
-
-constexpr float usual_font = 14; // at this size a pixel of a picture is a unit
-
-} // namespace
-
-GalleryPlace gallery_place(float width, float height) {
-    const Extent extent = preset_pictures().extent;
-    const auto all_width = static_cast<float>(extent.width);
-    const auto all_height = static_cast<float>(extent.height);
-    const float scale = std::min({ImGui::GetFontSize() / usual_font, width / all_width, height / all_height});
-    return {(width - scale * all_width) / 2, (height - scale * all_height) / 2, scale};
-}
-
-void gallery_window(Session& session, float width, float height) {
+Gallery gallery_window(Session& session, float width, float height) {
     if (!session.gallery)
-        return;
-    const GalleryPlace place = gallery_place(width, height);
+        return {};
+    const std::span<const render::Preset> presets = render::presets();
+    const auto count = static_cast<int>(presets.size());
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float gap = style.ItemSpacing.x;
+    float least = 0; // of a cell, for the longest name
+    for (const render::Preset& preset : presets)
+        least = std::max(least, ImGui::CalcTextSize(std::string(preset.name).c_str()).x +
+                                    style.FramePadding.x / 2 + gap);
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, height});
     ImGui::Begin("presets", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    // The largest cells for which all are visible; if names would be cut, the window scrolls.
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    float cell = 0;
+    for (int columns = 1; columns <= count; ++columns) {
+        const int rows = (count + columns - 1) / columns;
+        cell =
+            std::max(cell, std::min(room.x / static_cast<float>(columns), room.y / static_cast<float>(rows)));
+    }
+    cell = std::floor(std::max(cell, std::min(least, room.x)));
+    const int columns = std::max(static_cast<int>(room.x / cell), 1);
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float left = origin.x + (room.x - cell * static_cast<float>(columns) + gap) / 2;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float margin = place.scale * (PresetPictures::cell - PresetPictures::side) / 2;
-    const float side = place.scale * PresetPictures::side;
-    const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
-    std::size_t index = 0;
-    for (const render::Preset& preset : render::presets()) {
-        const std::string name(preset.name);
-        const auto column = static_cast<float>(index % PresetPictures::columns);
-        const auto row = static_cast<float>(index / PresetPictures::columns);
-        const ImVec2 corner{place.x + place.scale * PresetPictures::cell * column + margin,
-                            place.y + place.scale * PresetPictures::cell * row + margin};
-        const ImVec2 end{corner.x + side, corner.y + side};
+    Gallery gallery{cell - gap, {}};
+    for (int index = 0; index < count; ++index) {
+        const std::string name(presets[static_cast<std::size_t>(index)].name);
+        const ImVec2 corner{left + cell * static_cast<float>(index % columns),
+                            origin.y + cell * static_cast<float>(index / columns)};
+        const ImVec2 end{corner.x + gallery.side, corner.y + gallery.side};
+        gallery.corners.push_back(corner);
         ImGui::SetCursorScreenPos(corner);
-        const bool chosen = ImGui::InvisibleButton(name.c_str(), {side, side});
-        tooltip(name);
+        const bool chosen = ImGui::InvisibleButton(name.c_str(), {gallery.side, gallery.side});
         draw.AddRect(corner, end,
                      ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark : ImGuiCol_Separator), 0,
                      0, 2);
-        draw.PushClipRect(corner, end, true);
-        label(draw, {corner.x + 2, end.y - ImGui::GetFrameHeight()}, name, text);
-        draw.PopClipRect();
+        label(draw, {corner.x, end.y - ImGui::GetFontSize() - style.FramePadding.x}, name,
+              ImGui::GetColorU32(ImGuiCol_Text));
         if (chosen) {
             open_preset(session, name);
             session.gallery = false;
         }
-        ++index;
     }
     ImGui::End();
+    return gallery;
 }
 
 } // namespace gabor::viewer

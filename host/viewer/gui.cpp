@@ -10,6 +10,7 @@
 #include <backends/imgui_impl_glfw.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
 #include <deque>
@@ -24,17 +25,41 @@ namespace gabor::viewer {
 
 namespace {
 
-// Keys pressed since the last frame, with their modifiers: a key released before the next frame still counts.
-struct KeyPress {
-    int key;
-    int modifiers;
+// Presses since the last frame: one that has ended before the next frame still counts, at its own place.
+struct Press {
+    int key = -1;      ///< -1 for a button
+    int modifiers = 0; ///< held with it
+    int button = -1;
+    bool down = true;
+    ImVec2 at{};     ///< the pointer's place
+    double time = 0; ///< in seconds
 };
-std::deque<KeyPress> key_presses;
+std::deque<Press> presses;
+ImVec2 pointer;
+constexpr int kept_modifiers = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT;
+
+void hold_modifiers(const Press& press) {
+    ImGui::GetIO().KeyCtrl = (press.modifiers & GLFW_MOD_CONTROL) != 0;
+    ImGui::GetIO().KeyShift = (press.modifiers & GLFW_MOD_SHIFT) != 0;
+}
 
 void note_key(GLFWwindow*, int key, int, int action, int modifiers) {
     const bool is_modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
     if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown) && !is_modifier)
-        key_presses.push_back({key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)});
+        presses.push_back({.key = key, .modifiers = modifiers & kept_modifiers});
+}
+
+void note_button(GLFWwindow*, int button, int action, int modifiers) {
+    if (button < IM_ARRAYSIZE(ImGuiIO::MouseDown))
+        presses.push_back({.modifiers = modifiers & kept_modifiers,
+                           .button = button,
+                           .down = action == GLFW_PRESS,
+                           .at = pointer,
+                           .time = glfwGetTime()});
+}
+
+void note_pointer(GLFWwindow*, double x, double y) {
+    pointer = {static_cast<float>(x), static_cast<float>(y)};
 }
 
 void check_result(VkResult result) {
@@ -54,10 +79,13 @@ void set_style(float density) {
     style.WindowPadding = {14, 12};
     style.IndentSpacing = 12;
     style.ScrollbarSize = 11;
-    style.GrabMinSize = 9;
+    style.GrabMinSize = 12;
     ImVec4* colour = style.Colors;
     const ImVec4 accent{0.91f, 0.68f, 0.36f, 1};
     const ImVec4 dim{accent.x, accent.y, accent.z, 0.55f};
+    const auto grab = [&](float alpha) {
+        return ImVec4(accent.x, accent.y, accent.z, alpha);
+    }; // below numbers
     colour[ImGuiCol_WindowBg] = {0.085f, 0.088f, 0.095f, 1};
     colour[ImGuiCol_PopupBg] = {0.11f, 0.115f, 0.125f, 0.98f};
     colour[ImGuiCol_Text] = {0.86f, 0.86f, 0.85f, 1};
@@ -71,8 +99,8 @@ void set_style(float density) {
     colour[ImGuiCol_Button] = {0.18f, 0.185f, 0.2f, 1};
     colour[ImGuiCol_ButtonHovered] = {0.25f, 0.255f, 0.27f, 1};
     colour[ImGuiCol_ButtonActive] = dim;
-    colour[ImGuiCol_SliderGrab] = dim;
-    colour[ImGuiCol_SliderGrabActive] = accent;
+    colour[ImGuiCol_SliderGrab] = grab(0.35f);
+    colour[ImGuiCol_SliderGrabActive] = grab(0.45f);
     colour[ImGuiCol_CheckMark] = accent;
     colour[ImGuiCol_PlotHistogram] = dim;
     colour[ImGuiCol_Separator] = {0.2f, 0.205f, 0.22f, 1};
@@ -154,7 +182,9 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // see settings.hpp
     set_style(density_ * scale);
-    glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's calls it
+    glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's calls these
+    glfwSetMouseButtonCallback(window.handle(), note_button);
+    glfwSetCursorPosCallback(window.handle(), note_pointer);
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
     const vulkan::Device::State& state = device.state();
     info_.Instance = *state.instance;
@@ -215,6 +245,19 @@ void Gui::begin() {
     load_fonts();
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    if (!take_keys())
+        take_button();
+    std::ranges::copy(buttons_, ImGui::GetIO().MouseDown);
+    last_pointer_ = ImGui::GetIO().MousePos;
+}
+
+bool Gui::has_input() const {
+    return !presses.empty();
+}
+
+// Takes presses up to that of a button, the first with other modifiers, or of a key that must first be seen
+// released because this frame or the last one has seen it pressed. Returns whether there were any.
+bool Gui::take_keys() {
     ImGuiIO& io = ImGui::GetIO();
     const std::vector<int> previous = std::exchange(released_, {});
     for (const int key : previous)
@@ -222,26 +265,45 @@ void Gui::begin() {
     const auto held = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
     io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    // Take presses up to the first with other modifiers, or of a key that must first be seen released because
-    // this frame or the last one has seen it pressed.
     std::vector<int> taken;
     const auto is_taken = [&](int key) { return std::ranges::find(taken, key) != taken.end(); };
-    const int modifiers = key_presses.empty() ? 0 : key_presses.front().modifiers;
-    for (; !key_presses.empty(); key_presses.pop_front()) {
-        const auto [key, with] = key_presses.front();
-        if (with != modifiers || io.KeysDownDuration[key] >= 0 || is_taken(key))
+    const int modifiers = presses.empty() ? 0 : presses.front().modifiers;
+    for (; !presses.empty(); presses.pop_front()) {
+        const Press& next = presses.front();
+        if (next.key < 0 || next.modifiers != modifiers || io.KeysDownDuration[next.key] >= 0 ||
+            is_taken(next.key))
             break;
-        taken.push_back(key);
-        io.KeyCtrl = (modifiers & GLFW_MOD_CONTROL) != 0;
-        io.KeyShift = (modifiers & GLFW_MOD_SHIFT) != 0;
-        if (!io.KeysDown[key]) {
-            io.KeysDown[key] = true;
-            released_.push_back(key);
+        taken.push_back(next.key);
+        hold_modifiers(next);
+        if (!io.KeysDown[next.key]) {
+            io.KeysDown[next.key] = true;
+            released_.push_back(next.key);
         }
     }
-    for (const KeyPress& later : key_presses)
-        if (!is_taken(later.key))
+    for (const Press& later : presses)
+        if (later.key >= 0 && !is_taken(later.key))
             io.KeysDown[later.key] = false;
+    return !taken.empty();
+}
+
+// Takes the next press or release of a button.
+void Gui::take_button() {
+    constexpr float double_click = 0.3f; // seconds between the presses, however long a frame takes
+    ImGuiIO& io = ImGui::GetIO();
+    io.MouseDoubleClickTime = double_click;
+    if (presses.empty() || presses.front().key >= 0)
+        return;
+    const Press next = presses.front();
+    io.MousePos = next.at;
+    hold_modifiers(next);
+    if (next.at.x != last_pointer_.x || next.at.y != last_pointer_.y)
+        return; // this frame moves the pointer there
+    presses.pop_front();
+    const auto button = static_cast<std::size_t>(next.button);
+    buttons_.at(button) = next.down;
+    if (next.down)
+        io.MouseDoubleClickTime =
+            next.time - std::exchange(pressed_at_.at(button), next.time) < double{double_click} ? FLT_MAX : 0;
 }
 
 void Gui::end() {

@@ -6,6 +6,7 @@
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
 
+#include <array>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -28,12 +29,16 @@ class Gui {
     void prepare(std::string_view text);
     /// Begins a frame with the input since the last one. The device must have drawn the last one.
     void begin();
+    /// Whether later frames must take more of that input.
+    bool has_input() const;
     /// Ends the frame; `draw` then records it inside a render pass.
     void end();
     void draw(vk::CommandBuffer commands) const;
 
   private:
     void load_fonts();
+    bool take_keys();
+    void take_button();
 
     const vulkan::Device& device_;
     vk::RenderPass pass_;
@@ -44,6 +49,9 @@ class Gui {
     std::set<ImWchar> characters_; ///< besides those of western Europe
     bool loaded_ = false;          ///< whether the fonts are loaded, with all `characters_`
     std::vector<int> released_;    ///< keys to release after this frame
+    std::array<bool, IM_ARRAYSIZE(ImGuiIO::MouseDown)> buttons_{}; ///< held
+    std::array<double, IM_ARRAYSIZE(ImGuiIO::MouseDown)> pressed_at_{};
+    ImVec2 last_pointer_{};
 };
 
 } // namespace gabor::viewer

@@ -123,37 +123,44 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     push.grid = {canvas.grid().width, canvas.grid().height};
     push.stride = static_cast<float>(canvas.stride());
     const bool coarse = canvas.stride() > 1;
-    draw(commands, canvas.values(), show_constants(document, canvas.channels(), coarse, tiling.has_value()),
-         push, visible, canvas_set);
+    bind(commands, canvas.values(), show_constants(document, canvas.channels(), coarse, tiling.has_value()),
+         canvas_set);
+    draw(commands, push, visible);
 }
 
 void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
-                            std::array<float, 2> origin, float stride, const Area& within) {
+                            float stride, const std::vector<PlacedColours>& pieces) {
     const auto pixel = [](float at) { return static_cast<int>(std::lround(std::clamp(at, -1e9f, 1e9f))); };
     const auto end = [&](float first, int cells) {
         return pixel(first + static_cast<float>(cells) * stride);
     };
-    const int left = pixel(origin[0]);
-    const int top = pixel(origin[1]);
-    const Area visible = intersection(
-        within, {left, top, end(origin[0], grid.width) - left, end(origin[1], grid.height) - top});
-    if (visible.width <= 0 || visible.height <= 0)
-        return;
-    passes::ShowPush push{};
-    push.origin = {origin[0], origin[1]};
-    push.grid = {grid.width, grid.height};
-    push.stride = stride;
-    draw(commands, colours, colours_constants(), push, visible, colours_set);
+    bind(commands, colours, colours_constants(), colours_set);
+    for (const auto& [origin, within] : pieces) {
+        const int left = pixel(origin[0]);
+        const int top = pixel(origin[1]);
+        const Area visible = intersection(
+            within, {left, top, end(origin[0], grid.width) - left, end(origin[1], grid.height) - top});
+        if (visible.width <= 0 || visible.height <= 0)
+            continue;
+        passes::ShowPush push{};
+        push.origin = {origin[0], origin[1]};
+        push.grid = {grid.width, grid.height};
+        push.stride = stride;
+        draw(commands, push, visible);
+    }
 }
 
-void Painter::draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
-                   const passes::ShowPush& push, const Area& area, std::size_t index) {
+void Painter::bind(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
+                   std::size_t index) {
     const vk::raii::DescriptorSet& set = sets_.at(index);
     const vk::DescriptorBufferInfo buffer(*values.state().buffer, 0, VK_WHOLE_SIZE);
     device_.state().device.updateDescriptorSets(
         vk::WriteDescriptorSet(*set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, buffer), {});
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(constants));
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});
+}
+
+void Painter::draw(vk::CommandBuffer commands, const passes::ShowPush& push, const Area& area) {
     commands.pushConstants<passes::ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
     commands.setViewport(0,
                          vk::Viewport(static_cast<float>(area.x), static_cast<float>(area.y),

@@ -19,6 +19,12 @@ struct Area {
     int height = 0;
 };
 
+/// A grid of colours in the framebuffer: its corner, and the pixels to paint.
+struct PlacedColours {
+    std::array<float, 2> origin;
+    Area within;
+};
+
 /// Paints values through a colour map: shaders/viewer/show.vert and show.frag.
 class Painter {
   public:
@@ -30,15 +36,15 @@ class Painter {
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
                const std::optional<Tiling>& tiling = {});
 
-    /// Paints a grid of red, green and blue, its cells `stride` pixels apart and its corner at `origin` in
-    /// the framebuffer.
-    void paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid,
-                       std::array<float, 2> origin, float stride, const Area& within);
+    /// Paints pieces of a grid of red, green and blue, whose cells are `stride` pixels apart.
+    void paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& colours, Extent grid, float stride,
+                       const std::vector<PlacedColours>& pieces);
 
   private:
     vk::Pipeline pipeline(const ShowConstants& constants);
-    void draw(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
-              const passes::ShowPush& push, const Area& area, std::size_t index);
+    void bind(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
+              std::size_t index);
+    void draw(vk::CommandBuffer commands, const passes::ShowPush& push, const Area& area);
 
     const vulkan::Device& device_;
     vk::raii::DescriptorSetLayout set_layout_;

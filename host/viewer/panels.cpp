@@ -53,6 +53,8 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
     case Kind::number:
     case Kind::angle: {
         double number = std::get<double>(value);
+        if (parameter.kind == Kind::angle && parameter.slider.high == 180) // all of the circle
+            number = std::remainder(number, 360);
         if (!number_slider(label.c_str(), number, parameter.range, parameter.slider,
                            default_of(parameter, request)))
             return {};
@@ -357,20 +359,22 @@ void laboratory_panel(Session& session) {
 // What is done most, at the top.
 void start_buttons(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
-    const float half = (width - ImGui::GetStyle().ItemSpacing.x) / 2;
+    const float room = width - 2 * ImGui::GetStyle().ItemSpacing.x;
+    const float longest = std::max(room / 3, 6.3f * ImGui::GetFontSize());
+    const float other = (room - longest) / 2;
     if (ImGui::Button("Materials and presets", {width, 0}))
         session.gallery = !session.gallery;
     tooltip("P: choose one by its picture");
-    if (ImGui::Button("Photograph", {width - 2 * (half * 2 / 3 + ImGui::GetStyle().ItemSpacing.x), 0}))
+    if (ImGui::Button("Photograph", {longest, 0}))
         ask_for_photograph(session);
     tooltip("Fit a noise to a PNG, JPEG, TGA or EXR of a texture, at least 128 x 128 pixels. You can also "
             "drop it on the window.");
     ImGui::SameLine();
-    if (ImGui::Button("Copy code", {half * 2 / 3, 0}))
+    if (ImGui::Button("Copy code", {other, 0}))
         copy_glsl(session);
     tooltip("Ctrl C: copy a GLSL function that draws this view");
     ImGui::SameLine();
-    session.exporting_asked = ImGui::Button("Export", {half * 2 / 3, 0});
+    session.exporting_asked = ImGui::Button("Export", {other, 0});
     tooltip("Pictures, animations, textures, and sets of maps");
 }
 
@@ -468,7 +472,7 @@ void message_overlay(const Session& session, float width, float height) {
     float bottom = height - style.WindowPadding.y;
     const auto say = [&](const std::string& what, ImU32 colour) {
         bottom -= ImGui::CalcTextSize(what.c_str(), nullptr, false, wrap).y + style.FramePadding.x;
-        label(*ImGui::GetBackgroundDrawList(), {left, bottom}, what, colour, wrap);
+        label(*ImGui::GetForegroundDrawList(), {left, bottom}, what, colour, wrap);
         bottom -= style.ItemSpacing.y;
     };
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);

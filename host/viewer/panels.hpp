@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace gabor::viewer {
 
@@ -58,15 +59,13 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, f
 /// Explains the last item once the pointer rests on it; `top`: where, if not beside the pointer.
 void tooltip(std::string_view text, std::optional<float> top = {});
 
-/// Where the pictures of the presets are in a view, in Dear ImGui's units.
-struct GalleryPlace {
-    float x;
-    float y;
-    float scale; ///< units per pixel of PresetPictures
+/// Where the window shows the pictures of the presets, in their order, in Dear ImGui's units.
+struct Gallery {
+    float side = 0;
+    std::vector<ImVec2> corners;
 };
-GalleryPlace gallery_place(float width, float height);
 
-/// Labels the pictures, and opens the preset that is clicked.
-void gallery_window(Session& session, float width, float height);
+/// Labels the pictures in a view of that size, and opens the preset that is clicked.
+Gallery gallery_window(Session& session, float width, float height);
 
 } // namespace gabor::viewer

@@ -5,7 +5,6 @@
 #include "viewer/drawing.hpp"
 #include "viewer/export.hpp"
 #include "viewer/fitting.hpp"
-#include "viewer/measured_spectrum.hpp"
 
 #include <functional>
 #include <map>
@@ -60,7 +59,6 @@ struct Session {
     float divider = 0.5f;          ///< between the two, as a share of the width
     bool dragging_divider = false;
     bool gallery = false; ///< show the presets in place of the view
-    SpectrumMeter spectrum;
     std::size_t selected_lobe = 0;
     std::size_t selected_stop = 0; ///< of the colour map
 

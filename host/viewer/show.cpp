@@ -116,8 +116,10 @@ double slope_deviation(const render::Request& request) {
 std::string reading(const Document& document, std::array<double, 2> from_middle,
                     std::span<const std::string> channels, std::span<const float> values) {
     const render::Request& request = document.request;
+    // Beside a body the coverage is 0, in the sky everything.
     const auto covered = std::ranges::find(channels, "A") - channels.begin();
-    if (covered < std::ssize(values) && values[static_cast<std::size_t>(covered)] == 0)
+    const auto first = static_cast<std::size_t>(covered < std::ssize(values) ? covered : 0);
+    if (!render::is_flat(request.view) && values[first] == 0)
         return {};
     std::string text;
     if (render::is_flat(request.view)) {
@@ -159,9 +161,6 @@ FileColours::FileColours(const vulkan::Device& device, const Document& document,
                                  show_constants(document, channels, false, false, unlit))),
       push_(show_push(document, 1, 1)), channels_(channels.size()),
       values_(device, 4, vulkan::Memory::upload), colours_(device, 4, vulkan::Memory::readback) {
-    if (!render::has_material(document.request) && document.output == Output::lit &&
-        std::holds_alternative<render::Body>(document.request.view))
-        throw RequestError("a PNG cannot show noise lit on a body: export another output, or no PNG");
     push_.grid = {document.request.width, document.request.height};
     push_.size = {static_cast<float>(push_.grid.x), static_cast<float>(push_.grid.y)};
 }

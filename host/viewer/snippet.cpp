@@ -570,7 +570,7 @@ vec3 colour_of_view(vec2 pixel)
         text += fmt::format("    vec2 place = (pixel - {}) / {};\n"
                             "    vec3 eye = eye_above(place);\n",
                             vec2(double{push.center.x}, double{push.center.y}),
-                            literal(double{std::max(push.size.x, push.size.y)}));
+                            literal(2.0 * double{std::max(push.center.x, push.center.y)}));
     return text + fmt::format("    GaborMaterial m = relief.material;\n    return {};\n}}\n",
                               material_colour(document));
 }

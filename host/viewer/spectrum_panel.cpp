@@ -1,5 +1,7 @@
 #include "viewer/panels.hpp"
 
+#include "noise/spectrum.hpp"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -13,8 +15,8 @@ namespace gabor::viewer {
 namespace {
 
 constexpr std::size_t no_lobe = static_cast<std::size_t>(-1);
-constexpr float floor_decibels = -50;
-constexpr int cells_across = 72; // of the drawing of the measured spectrum
+constexpr double floor_decibels = -50;
+constexpr int cells_across = 72; // of the drawing of the spectrum
 
 // Maps wave vectors, in cycles per kernel radius, to the screen.
 struct Plane {
@@ -28,34 +30,59 @@ struct Plane {
     }
 };
 
-void draw_measured(ImDrawList& draw, const Plane& plane, const MeasuredSpectrum& spectrum) {
-    const double cell = 2 * plane.reaches / cells_across;
-    for (int y = 0; y < cells_across; ++y)
-        for (int x = 0; x < cells_across; ++x) {
-            const double fx = -plane.reaches + x * cell;
-            const double fy = -plane.reaches + y * cell;
-            // The strongest value in the cell, so that narrow lobes show.
-            const auto first = [&](double f) {
-                return static_cast<int>(std::floor(f / spectrum.step + 0.5)) + spectrum.side / 2;
+// The power of the lattice's window, a Hann window of two kernel radii, at f cycles per kernel radius.
+double window_power(double f) {
+    const double x = std::numbers::pi * 2 * f;
+    if (std::abs(f) < 1e-6 || std::abs(std::abs(f) - 0.5) < 1e-6)
+        return std::abs(f) < 0.25 ? 1 : 0.25;
+    return std::pow(std::sin(x) / (x * (1 - 4 * f * f)), 2);
+}
+
+// The power spectrum of the lobes' noise in the cells of the drawing, row by row: in each the strongest, so
+// that narrow lobes show.
+std::vector<double> power_in_cells(const std::vector<noise::Lobe>& lobes, double reaches) {
+    const double cell = 2 * reaches / cells_across;
+    std::vector<double> powers(cells_across * cells_across);
+    for (const noise::Wave& wave : noise::waves(lobes, 0))
+        for (const double sign : {1.0, -1.0}) {
+            const auto along = [&](double frequency, double radius) {
+                std::array<double, cells_across> factors{};
+                for (std::size_t i = 0; i < factors.size(); ++i) {
+                    const double middle = -reaches + (static_cast<double>(i) + 0.5) * cell;
+                    const double away = std::max(std::abs(middle - sign * frequency) - cell / 2, 0.0);
+                    factors.at(i) = radius * window_power(away * radius);
+                }
+                return factors;
             };
-            const int last_x = std::max(first(fx) + 1, first(fx + cell));
-            const int last_y = std::max(first(fy) + 1, first(fy + cell));
-            float strongest = floor_decibels;
-            for (int j = std::max(first(fy), 0); j < std::min(last_y, spectrum.side); ++j)
-                for (int i = std::max(first(fx), 0); i < std::min(last_x, spectrum.side); ++i)
-                    strongest =
-                        std::max(strongest, spectrum.decibels[static_cast<std::size_t>(j) *
-                                                                  static_cast<std::size_t>(spectrum.side) +
-                                                              static_cast<std::size_t>(i)]);
-            if (strongest <= floor_decibels)
-                continue;
-            const float t = 1 - strongest / floor_decibels;
-            const auto channel = [&](float power, float top) {
-                return static_cast<int>(top * std::pow(t, power));
-            };
-            draw.AddRectFilled(plane.at(fx, fy), plane.at(fx + cell, fy + cell),
-                               IM_COL32(channel(1.2f, 190), channel(1.5f, 200), channel(1.0f, 215), 255));
+            const auto x = along(wave.frequency * std::cos(wave.angle), wave.radius[0]);
+            const auto y = along(wave.frequency * std::sin(wave.angle), wave.radius[1]);
+            for (std::size_t i = 0; i < powers.size(); ++i)
+                powers[i] += wave.share * x.at(i % cells_across) * y.at(i / cells_across);
         }
+    return powers;
+}
+
+void draw_power(ImDrawList& draw, const Plane& plane, const std::vector<noise::Lobe>& lobes) {
+    static std::vector<noise::Lobe> drawn; // a spread may be a sum of hundreds of waves
+    static double reached = 0;
+    static std::vector<double> powers;
+    if (drawn != lobes || reached != plane.reaches)
+        powers = power_in_cells(drawn = lobes, reached = plane.reaches);
+    const double strongest = *std::ranges::max_element(powers);
+    const double cell = 2 * plane.reaches / cells_across;
+    for (int i = 0; i < cells_across * cells_across; ++i) {
+        const double decibels = 10 * std::log10(powers[static_cast<std::size_t>(i)] / strongest);
+        if (!(decibels > floor_decibels))
+            continue;
+        const double t = 1 - decibels / floor_decibels;
+        const auto channel = [&](double power, double top) {
+            return static_cast<int>(top * std::pow(t, power));
+        };
+        const double fx = -plane.reaches + i % cells_across * cell;
+        const double fy = -plane.reaches + i / cells_across * cell;
+        draw.AddRectFilled(plane.at(fx, fy), plane.at(fx + cell, fy + cell),
+                           IM_COL32(channel(1.2, 190), channel(1.5, 200), channel(1.0, 215), 255));
+    }
 }
 
 // Rings at round frequencies, and the axes.
@@ -200,15 +227,18 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
 
 bool lobe_sliders(const Document& document, noise::Lobe& lobe, bool one_of_many) {
     bool changed = false;
-    for (const render::LobeParameter& p : render::lobe_parameters()) {
-        if (p.member == &noise::Lobe::power && !one_of_many)
-            continue;
-        if (!has_effect(document, p.name))
-            continue;
+    const auto slide = [&](const render::LobeParameter& p) {
         changed |= number_slider(label_of(p.name).c_str(), lobe.*p.member, p.range, p.slider,
                                  noise::Lobe().*p.member);
         tooltip(fmt::format("{} ({})", p.help, p.unit));
-    }
+    };
+    // The power last: for a single lobe, the next row takes its place.
+    constexpr auto is_power = [](const render::LobeParameter& p) { return p.member == &noise::Lobe::power; };
+    for (const render::LobeParameter& p : render::lobe_parameters())
+        if (!is_power(p) && has_effect(document, p.name))
+            slide(p);
+    if (one_of_many)
+        slide(*std::ranges::find_if(render::lobe_parameters(), is_power));
     return changed;
 }
 
@@ -233,7 +263,7 @@ void spectrum_panel(Session& session) {
     const Plane plane{{corner.x + side / 2, corner.y + side / 2}, side / 2, reaches};
 
     bool changed = edit_plane(session, plane, lobes);
-    tooltip("The frequency plane, in cycles per kernel radius: the measured spectrum, 50 dB from dark to "
+    tooltip("The frequency plane, in cycles per kernel radius: the power spectrum, 50 dB from dark to "
             "bright, and the lobes. Drag a lobe to move it, double-click to add one, press Delete to "
             "remove one.",
             corner.y + side);
@@ -243,9 +273,7 @@ void spectrum_panel(Session& session) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(corner, {corner.x + side, corner.y + side}, true);
     draw.AddRectFilled(corner, {corner.x + side, corner.y + side}, IM_COL32(8, 9, 11, 255));
-    const std::optional<MeasuredSpectrum>& measured = session.spectrum.measured();
-    if (measured && render::is_flat(session.document().request.view))
-        draw_measured(draw, plane, *measured);
+    draw_power(draw, plane, lobes);
     draw_scale(draw, plane);
     for (std::size_t i = 0; i < lobes.size(); ++i)
         draw_lobe(draw, plane, lobes[i], i == session.selected_lobe);

@@ -111,10 +111,13 @@ bool Window::shown() const {
 }
 
 float Window::density() const {
+    constexpr float usual_height = 1080; // of a screen, for desktops that state no scale
     float x = 1;
     float y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    return std::clamp(std::max(x, y), 0.5f, 4.0f);
+    const float stated = std::max(x, y);
+    const float by_height = std::clamp(static_cast<float>(screen().height) / usual_height, 1.0f, 2.0f);
+    return stated == 1 && glfwGetPrimaryMonitor() ? by_height : std::clamp(stated, 0.5f, 4.0f);
 }
 
 bool Window::take_close_request() {

@@ -32,7 +32,7 @@ class Window {
     void set_full_screen(bool full);
     Extent pixels() const; ///< of the framebuffer
     bool shown() const;    ///< neither minimized nor hidden
-    float density() const; ///< the desktop's scale of text
+    float density() const; ///< the desktop's scale of text, or one that suits the screen's height
     /// Whether the user has asked to close it since the last call.
     bool take_close_request();
 

@@ -49,7 +49,7 @@ void main() {
     vec3 dx = vec3(pixel, 0.0, 0.0);
     vec3 dy = vec3(0.0, pixel, 0.0);
     vec3 normal = vec3(0.0, 0.0, 1.0);
-    vec2 seen_from = (place - center) / max(size.x, size.y);
+    vec2 seen_from = (place - center) / (2.0 * max(center.x, center.y));
     vec3 eye = eye_above(seen_from);
     float coverage = 1.0;
     Axes axes;

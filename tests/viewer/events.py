@@ -1,9 +1,11 @@
 """Drives a viewer as a user would: pointer, keys and dropped files, sent as display events. After each event it
 waits for what the viewer says, never for a fixed time."""
 
+import contextlib
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import threading
 import time
@@ -65,6 +67,15 @@ class EventsTest(ViewerTest):
     def point(self, x, y):
         self.xdotool("mousemove", "--window", self.window, x, y)
         self.wait_for(lambda state: state["pointer"] == [x, y])
+
+    @contextlib.contextmanager
+    def long_frame(self):
+        """All events that are sent within reach one frame."""
+        self.process.send_signal(signal.SIGSTOP)
+        os.waitid(os.P_PID, self.process.pid, os.WSTOPPED | os.WNOWAIT)
+        yield
+        self.process.send_signal(signal.SIGCONT)
+        self.frames(12) # later ones may take a part each
 
     def click(self, x, y):
         self.point(x, y)

@@ -19,7 +19,7 @@ namespace gabor::viewer {
 ///     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file
 ///     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
 ///     exported                                       waits until the last export has ended
-///     wait FRAMES | fine | settle | sleep SECONDS    fine: until full resolution; settle: until measured too
+///     wait FRAMES | fine | settle | sleep SECONDS    fine: until full resolution; settle: and nothing runs
 ///     expect message TEXT                 waits for it, for two minutes at most
 ///     random SEED SECONDS                 random input
 ///     quit

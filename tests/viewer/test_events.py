@@ -3,6 +3,7 @@
 import json
 import pathlib
 import signal
+import time
 import unittest
 
 from events import EventsTest
@@ -16,6 +17,7 @@ class Events(EventsTest):
 
     def test_pointer_and_keys(self):
         self.open(*WINDOW, "figure6")
+        self.assertEqual(self.state["font"], 14)
         first = self.document["viewer"]["camera"]
         self.xdotool("mousedown", 1)
         for x in range(100, 200, 20):
@@ -48,7 +50,29 @@ class Events(EventsTest):
         self.keys("3", "c", "F1", "F1")
         self.assertEqual((self.document["viewer"]["output"], self.document["viewer"]["colours"]), ("phase", "viridis"))
         self.close()
-        self.assertEqual((self.remembered()["width"], self.remembered()["height"]), (600, 400))
+        placement = self.remembered()["placement"]
+        self.assertEqual((placement["width"], placement["height"]), (600, 400))
+
+    def test_no_click_is_lost_in_a_long_frame(self):
+        self.open(*WINDOW, "figure6")
+        at = "mousemove", "--window", self.window
+        first = self.document["viewer"]["camera"]
+        with self.long_frame():
+            self.xdotool(*at, 100, 200, "mousedown", 1, *at, 164, 232, "mouseup", 1, *at, 300, 100)
+        moved = self.document["viewer"]["camera"]
+        for axis, pixels in (("x", 64), ("y", 32)):
+            self.assertAlmostEqual(sum(first[axis]) - sum(moved[axis]), pixels / 32, delta=0.01)
+        with self.long_frame(): # a double click
+            self.xdotool(*at, 90, 90, "click", 1, "click", 1, *at, 300, 100)
+        self.assertEqual(self.document["viewer"]["camera"], first)
+        time.sleep(0.4)
+        with self.long_frame(): # two clicks apart: a lobe is selected, and the button above is pressed
+            self.xdotool(*at, 160, 60, "click", 1, *at, 500, 23, "click", 1, *at, 100, 100)
+        self.assertTrue(self.state["gallery"])
+        with self.long_frame(): # the second picture, and a key
+            self.xdotool(*at, 230, 60, "mousedown", 1, "mouseup", 1, *at, 20, 300, "key", "n")
+        self.assertEqual((self.document["material"], self.document["seed"]), ("carbon-fibre", 1)) # that of aramid
+        self.close()
 
     def test_changes_are_not_lost_on_closing(self):
         self.open(*WINDOW, "figure6")
@@ -161,6 +185,15 @@ class Events(EventsTest):
             self.assertEqual(self.document["material"], "wood")
             views.append(self.document["view"])
         self.assertEqual(views, ["horizon", "sphere", "torus", "flat"])
+        self.close()
+
+
+class LargeScreen(EventsTest):
+    screen_size = "2560x1440"
+
+    def test_text_grows_with_the_screen(self):
+        self.open(*WINDOW, "figure6")
+        self.assertAlmostEqual(self.state["font"], 14 * 1440 / 1080, delta=0.01) # 14 on smaller ones
         self.close()
 
 

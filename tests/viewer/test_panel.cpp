@@ -82,6 +82,22 @@ TEST_CASE("the panel speaks an artist's language outside the laboratory") {
         }
 }
 
+TEST_CASE("the rows of a lobe do not move when it is the last one, and angles lie on their sliders") {
+    Document document = document_of({});
+    const auto rows = [&] {
+        const std::string text = panel_text(document);
+        return text.substr(text.find("orientation spread"),
+                           text.find("stretch") - text.find("orientation spread"));
+    };
+    const std::string of_one = rows();
+    CHECK(of_one.find("radius") != std::string::npos);
+    document.request.lobes.push_back({.orientation = 90});
+    CHECK(rows() == of_one);
+    CHECK(panel_text(document).find("power") > panel_text(document).find("stretch"));
+    set_parameter(document, "view", std::string("landscape"));
+    CHECK(panel_text(document).find("{ -145 }") != std::string::npos); // 215 degrees
+}
+
 TEST_CASE("the panel shows only what has an effect") {
     const auto has = [](const Document& document, const std::string& label) {
         const std::string text = panel_text(document);

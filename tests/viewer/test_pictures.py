@@ -59,6 +59,23 @@ class Pictures(ViewerTest):
         for mine, theirs in (("out.exr", "noise.exr"), ("out.png", "noise.png")):
             self.assertEqual((self.folder / mine).read_bytes(), (self.folder / theirs).read_bytes(), mine)
 
+    def test_lit_bodies_are_exported_as_they_are_shown(self):
+        preset = self.preset("preset.json", view="torus", frequency=2, yaw=20,
+                             viewer={"output": "lit", "colours": "ember", "light": [30, 50]})
+        self.play("""
+            export out.exr
+            wait 3
+            settle
+            screenshot seen.png
+            quit""", "--preset", preset, "--window", "480x320")
+        self.render(preset, "--gradient")
+        self.assertEqual((self.folder / "out.exr").read_bytes(), (self.folder / "noise.exr").read_bytes())
+        seen, written = (read_colour_png(self.folder / name).astype(int) for name in ("seen.png", "out.png"))
+        covered = Exr(self.folder / "noise.exr").channels["A"] == 1
+        off = np.abs(seen - written).max(axis=2)[covered]
+        self.assertGreater(seen[covered].std(), 20)
+        self.assertLessEqual(np.quantile(off, 0.99), 1)
+
     def test_presets_survive_saving_and_opening(self):
         preset = self.preset("preset.json", **SPELLED_OUT)
         self.play("""

@@ -53,6 +53,11 @@ class Terrain(EventsTest):
         self.assertAlmostEqual(self.document["zoom"], 1.15, delta=0.01)
         self.keys("Home")
         self.assertEqual((self.document["yaw"], self.document["zoom"]), (215, 1))
+        self.wait_for(lambda state: state["fine"])
+        self.point(300, 600)
+        self.wait_for(lambda state: "height" in state["reading"])
+        self.point(300, 20) # the sky has no height
+        self.wait_for(lambda state: state["reading"] == "")
         self.keys("n")
         self.assertEqual(self.document["seed"], before["seed"] + 1)
         self.keys("ctrl+z")

@@ -21,12 +21,12 @@ class Workshop(EventsTest):
         return name
 
     def test_presets_are_pictures(self):
-        self.open("--window", "1400x900") # large enough to show the pictures at their size
+        self.open("--window", "1400x840", self.preset("plain.json", width=64)) # in which pictures have their own size
         self.keys("p")
         self.frames(3)
-        # The fourth of seven in a row, in cells of 144 pixels in the middle of the view. The name is at the lower edge
-        # of its cell.
-        left, top = (1036 - 7 * 144) // 2 + 8 + 3 * 144, (900 - 6 * 144) // 2 + 8
+        # The fourth of seven in a row, in cells of 136 pixels in the middle of the view. The name is at the lower edge
+        # of its picture.
+        left, top = 14 + (1008 - 7 * 136 + 8) // 2 + 3 * 136, 12
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
         self.gabor("render", "--like", preset, "-o", "bark.png")
@@ -38,6 +38,15 @@ class Workshop(EventsTest):
         self.assertEqual(self.document["material"], "bark")
         self.keys("p", "Escape")
         self.assertFalse(self.state["gallery"])
+        # In a small window names stay readable, and the pictures scroll.
+        self.xdotool("windowsize", "--sync", self.window, 640, 480)
+        self.wait_for(lambda state: state["size"] == [640, 480])
+        self.keys("p")
+        self.point(200, 200)
+        self.xdotool("click", "--repeat", 40, "--delay", 1, 5)
+        self.frames(3)
+        self.click(230, 420)
+        self.assertEqual(self.document["material"], "zebra")
         self.close()
 
     def test_tiles_show_their_seams(self):

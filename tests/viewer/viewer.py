@@ -19,12 +19,14 @@ SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 class ViewerTest(unittest.TestCase):
     """A display, and an empty folder in which the programs run."""
 
+    screen_size = "1600x1000"
+
     @classmethod
     def setUpClass(cls):
         reading, writing = os.pipe()
         cls.screen_folder = tempfile.TemporaryDirectory(prefix="gabor-screen-")
         cls.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1000x24", "-fbdir", cls.screen_folder.name,
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{cls.screen_size}x24", "-fbdir", cls.screen_folder.name,
              "-nolisten", "tcp", "-noreset"],
             pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)

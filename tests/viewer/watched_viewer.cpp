@@ -63,6 +63,7 @@ void tell(App& app, const Seen& seen) {
         {"wheel", seen.wheel},
         {"pointer", {io.MousePos.x, io.MousePos.y}},
         {"size", {io.DisplaySize.x, io.DisplaySize.y}},
+        {"font", ImGui::GetFontSize()},
         {"fine", app.fine()},
         {"settled", app.settled()},
         {"document", json::parse(to_json(session.history.now))},
