@@ -1,6 +1,7 @@
 // Compares the results of the drop-ins' C++ translations with a file in this folder, or writes it if
 // GABOR_GOLDEN=write, and checks that results for any arguments are finite: functions FILE. A line of it is a
-// call and 16 numbers, each a sum over 4 points.
+// call and 16 numbers, each a sum over 4 points. `functions FIRST COUNT` writes the results at so many points
+// to stdout, as floats, call after call at each point.
 
 #include "file.hpp"
 
@@ -63,17 +64,16 @@ namespace {
 }
 
 gabor::test::Rows rows;
-std::uint32_t hash = 2166136261u; // the hash of Fowler, Noll and Vo, applied to words
 int out_of_range = 0;
 
-enum class What { rows, hash, range } what = What::rows;
+enum class What { rows, values, range } what = What::rows;
 int point = 0;
 
 void see(const char* call, float value) {
     if (what == What::rows)
         rows.see(call, value);
-    else if (what == What::hash)
-        hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 16777619u;
+    else if (what == What::values)
+        std::fwrite(&value, sizeof value, 1, stdout);
     else if (!gabor::test::is_in_range(call, point, value) && ++out_of_range < 20)
         std::printf("%s is %g at point %d\n", call, static_cast<double>(value), point);
 }
@@ -85,11 +85,11 @@ void see(const char* call, float value) {
 
 int main(int count, char** arguments) {
     if (count == 3) {
-        what = What::hash;
-        for (point = 0; point < std::atoi(arguments[2]); ++point)
+        what = What::values;
+        const int first = std::atoi(arguments[1]);
+        for (point = first; point < first + std::atoi(arguments[2]); ++point)
             see_all(point);
-        std::printf("%08x\n", hash);
-        return 0;
+        return std::fflush(stdout);
     }
     for (point = 0; point < gabor::test::Rows::points; ++point) {
         rows.begin(point);
