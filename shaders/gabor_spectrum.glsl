@@ -42,7 +42,7 @@ struct GaborLobes {
 
 // GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
 //     A lobe of waves around one wave vector.
-//       frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, independent of the radius
+//       frequency, orientation  like those of gabor_noise, in cycles per unit of p and radians, independent of the radius
 //       radius                  radius of its kernel, positive. The lobe's standard deviation along each axis is
 //                               1/sqrt(12) / radius cycles per unit of p
 //       power                   power relative to other lobes, not negative
