@@ -90,7 +90,7 @@ struct GaborPlace3d {
 struct GaborField3d {
     float noise;
     vec3 gradient;
-    float quadrature; // in isotropic noise independent of the noise at each place, but not of its gradient
+    float quadrature; // quadrature, in isotropic noise independent of the noise at each place but not of its gradient
     vec3 quadrature_gradient;
     float removed; // the share of the variance that the average over the pixel removed
 };
@@ -292,7 +292,7 @@ void gabor_impl_add_wave(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, vec4 wa
     if (place.filtered) {
         vec3 s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
         a *= exp(-max(dot(wave.xyz, s), 0.0));
-        s = clamp(s, -3.0, 3.0); // for any wave that the filter keeps
+        s = clamp(s, -3.0, 3.0); // allows any wave that the filter keeps
         vec3 r = s * s, even = 1.0 + r * (0.5 + 0.041666667 * r);
         vec3 odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r));
         float mixed = dot(pixel.mixed, sine.yzx * sine.zxy * h);

@@ -24,8 +24,8 @@
 
 struct GaborMaterial {
     vec3 colour;     // base colour of physically based shading: linear, Rec. 709 primaries, within [0, 1]
-    float height;    // in units of p
-    float roughness; // as in glTF
+    float height;    // height in units of p
+    float roughness; // roughness as in glTF
     float metalness; // 0 or 1
 };
 
@@ -586,7 +586,7 @@ GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed) {
     vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), gabor_lobe_seed(seed, 3));
     vec3 tone = gabor_impl_spots(pixel, vec2(1.2), gabor_lobe_seed(seed, 4));
 
-    float intensity = length(stripe.xy); // at the zeros of stripe.x, the smaller its slope, the wider the edge
+    float intensity = length(stripe.xy); // where it is small, stripe.x has a small slope, and the edge is wide
     float ragged = 0.1 * zebra.hair;
     float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0,
                                   0.01 + 0.09 * intensity);

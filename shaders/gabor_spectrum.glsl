@@ -453,7 +453,7 @@ GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float loc
     vec3 even = above + below, odd = above - below;
     vec3 q = unit * vec3(1.0, 2.0, 3.0);
     float quarter = 0.25 / g;
-    vec3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // for the second factor
+    vec3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // used by the second factor
     vec3 even_2 = q * odd_1 - c * even_1 - quarter * even, odd_2 = q * even_1 - c * odd_1 - quarter * odd;
     b.even_2 = vec3(even.y, even_1.y, even_2.y);
     b.even_3 = vec3(even.z, even_1.z, even_2.z);
@@ -583,7 +583,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     GaborColumns columns = gabor_impl_columns(across);
     GaborLine line = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, vec2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
-    int rows = wanted ? along.count : 0; // for compilers that run both sides of a branch
+    int rows = wanted ? along.count : 0; // because some compilers run both sides of a branch
     vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0);
     int j = 0; // tested after each row, because some compilers run the body once more when a test before it fails
     do {
@@ -693,7 +693,7 @@ void gabor_impl_filtered_space(ivec3 cell, vec3 local, ivec3 period, bool animat
     vec3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
     vec3 d = sqrt(m.diagonal * determinant / adjugate.diagonal);
     vec3 pairs = sqrt(d.yzx * d.zxy);
-    adjugate = gabor_impl_adjugate(GaborMatrix(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
+    adjugate = gabor_impl_adjugate(GaborMatrix(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // that of 1 + C
     vec3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborBand x = gabor_impl_band(sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
                                   gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -785,7 +785,7 @@ void gabor_impl_add_wave_2d(inout GaborField sum, GaborWindows node, GaborFilter
     if (pixel.used) {
         vec2 x = 19.739209 * gabor_impl_symmetric(pixel.covariance, wave);
         a *= exp(-max(dot(wave, x), 0.0));
-        x = clamp(x, -3.0, 3.0); // for any wave that the filter keeps
+        x = clamp(x, -3.0, 3.0); // allows any wave that the filter keeps
         vec2 y = x * x;
         vec2 even = 1.0 + y * (0.5 + 0.041666667 * y), odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
         vec2 real = node.middle + even * node.cosine, imaginary = 0.31830989 * odd * node.sine;

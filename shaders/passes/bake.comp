@@ -33,7 +33,7 @@ layout(constant_id = block_columns_id) const int block_columns = 8;
 layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: any number; else this many, unrolled
 layout(constant_id = quadrature_id) const bool with_quadrature = false; // also writes the real part
 layout(constant_id = gradient_id) const bool with_gradient = false;   // also writes the derivatives along x and y
-layout(constant_id = animated_id) const bool animated = false;        // for the lattice: whether time is not 0
+layout(constant_id = animated_id) const bool animated = false;        // whether time is not 0, for the lattice
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
 layout(constant_id = few_waves_id) const int few_waves = 0; // 1: this step has one noise
 layout(constant_id = coloured_id) const bool coloured = false;        // writes the components of a colour instead of the noise

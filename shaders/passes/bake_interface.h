@@ -14,7 +14,7 @@ struct Run {
     int cell;    // the first cell used
     float local; // centre of the first pixel, in cells from the start of the next cell
     int first;   // that pixel's index in the region; may be negative
-    int count;   // at most block_columns along x
+    int count;   // number of pixels, at most block_columns along x
 };
 
 // One noise of the sum. Lengths are in its own kernel radii.
@@ -39,7 +39,7 @@ GABOR_PUSH_CONSTANTS(BakePush) {
     uint wave_count;
     uint first_column_run;
     uint column_runs;
-    int first_slice;    // in a slice of solid noise: the first of three nodes along z
+    int first_slice;    // first of three nodes along z, for a slice of solid noise
     float slice_offset; // offset of the slice from the second of these nodes, in node spacings
 };
 

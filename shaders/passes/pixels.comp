@@ -11,7 +11,7 @@ const int colour_binding = 5;
 #include "gabor_spectrum.glsl"
 #endif
 
-layout(constant_id = filter_id) const bool filtered = false; // with GABOR_TAPS 3
+layout(constant_id = filter_id) const bool filtered = false; // whether to filter, with GABOR_TAPS 3
 layout(constant_id = view_id) const uint view = view_flat;
 const bool horizon = view == view_horizon; // a plane in perspective
 layout(constant_id = painted_id) const bool painted = false;
@@ -20,7 +20,7 @@ layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
 layout(constant_id = values_id) const int values = 1; // independent noises
 layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match, which takes divisions, slow on CPUs
-layout(constant_id = animated_id) const bool animated = false; // for the lattice: whether time is not 0
+layout(constant_id = animated_id) const bool animated = false; // whether time is not 0, for the lattice
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves, if there are few: their loop is unrolled
 // A bit for each of few waves whose filter needs only its narrow or only its wide form.
 layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
@@ -68,7 +68,7 @@ const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(v
 // A pixel's place, and the distances to its neighbours along the picture's axes.
 struct Footprint {
     ivec2 pixel;
-    vec2 from_camera; // in perspective, the place relative to the camera
+    vec2 from_camera; // place relative to the camera, in perspective
     vec2 dx;
     vec2 dy;
 };

@@ -15,9 +15,9 @@ const uint pixels_group = 8; // pixels along x and y
 struct PixelsWave {
     vec2 nodes;        // like GaborPlace.radius
     ivec2 period;      // like GaborPlace.period
-    vec2 camera;       // in perspective: the camera's place in its cell
+    vec2 camera;       // the camera's place in its cell, in perspective
     float frequency;   // frequency of the wave per radius along x, or a factor of the painted frequency
-    float orientation; // in radians, added to any painted orientation
+    float orientation; // radians, added to any painted orientation
     vec2 radius;       // radii of its kernels along x and y, in kernel radii of the picture
     float amplitude;   // the square root of its share of the variance
     uint seed;
@@ -28,12 +28,12 @@ struct PixelsWave {
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(PixelsPush) {
     GABOR_BAND
-    ivec2 paint_size;   // in samples
+    ivec2 paint_size;   // size of the paint, in samples
     vec2 paint_scale;   // paint samples per pixel
     vec2 paint_corner;  // corner of the region, in samples
     float time;         // like GaborPlace.time
     float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
-    float focal_length; // in pixels, in perspective
+    float focal_length; // focal length in pixels, in perspective
     int waves;
     int tables; // number of tables of lines; for each column and row, their lines are adjacent
 };

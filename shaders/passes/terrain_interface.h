@@ -20,7 +20,7 @@ GABOR_PUSH_CONSTANTS(TerrainPush) {
     vec2 sun;       // x and y of the unit vector to the sun
     float distance; // distance of the camera, 0 from above
     float pixel;    // kernel radii per pixel; in perspective, at distance 1
-    float unit;     // of heights, in kernel radii
+    float unit;     // units of height per kernel radius
     float reach;    // the most that erosion adds to the hills
     uint seed;
 };
