@@ -6,7 +6,7 @@
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Arguments of all functions; the others are as in gabor_lattice.glsl:
+// Arguments of all functions, besides those of gabor_lattice.glsl:
 //     direction  direction of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
 //     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
@@ -26,7 +26,7 @@
 
 // float gabor_noise_3d(vec3 p, float frequency, vec3 direction, uint seed)
 // float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction, uint seed)
-//     The noise. It and its first derivatives are continuous.
+//     The noise, continuous with its first derivatives.
 
 // float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 direction, uint seed)
 // vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed)
@@ -34,8 +34,8 @@
 //     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 
 // vec4 gabor_noise_3d_gradient(vec3 p, float frequency, vec3 direction, uint seed)
-//     (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For bumps, subtract the gradient's part
-//     along the normal.
+//     (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For a bump map, subtract the gradient's
+//     part along the normal.
 
 // vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 direction, uint seed)
 //     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
@@ -48,8 +48,8 @@
 // float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed)
 //     Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
 //     and gradient are normal, with the same variance at every place. The power varies with direction only through the
-//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
-//     distributions; so are second derivatives.
+//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places, and second derivatives, have mixtures of
+//     normal distributions.
 
 // vec4 gabor_noise_3d_isotropic_gradient(vec3 p, float frequency, uint seed)
 //     (noise, d/dx, d/dy, d/dz), per kernel radius.
@@ -387,8 +387,8 @@ GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, vec
 }
 
 // The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
-// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). With q_1 the
-// larger, its mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
+// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). If q_1 is
+// the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
 // E[u_1^2]) q_2.
 float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
     vec2 d = gabor_impl_spread(pixel);

@@ -42,7 +42,7 @@ struct GaborLobes {
 
 // GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
 //     A lobe of waves around one wave vector.
-//       frequency, orientation  like those of gabor_noise, in cycles per unit of p and radians, independent of the radius
+//       frequency, orientation  as in gabor_noise, in cycles per unit of p and radians, independent of the radius
 //       radius                  radius of its kernel, positive. The lobe's standard deviation along each axis is
 //                               1/sqrt(12) / radius cycles per unit of p
 //       power                   power relative to other lobes, not negative
@@ -117,8 +117,8 @@ struct GaborLobes {
 //     a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
 //     and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
 //     0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25 nodes); between 0.18 and
-//     0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch, the first two are 3 and
-//     5.
+//     0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch, it is 3 for small pixels
+//     and 5 for larger ones.
 
 // vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 //     The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
@@ -136,7 +136,7 @@ struct GaborLobes {
 
 // vec4 gabor_stripes_filtered(vec2 p, vec2 dx, vec2 dy, vec2 wave, float sharpness, uint seed)
 //     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
-//     So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
+//     So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
 
 // ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
 //
@@ -199,7 +199,7 @@ struct GaborFootprint {
 //     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
 
 // vec4 gabor_stripes_filtered_at(GaborPlace place, vec2 wave, GaborFootprint footprint, float sharpness, uint seed)
-//     gabor_stripes_filtered at a place, with a footprint as for gabor_field_filtered.
+//     gabor_stripes_filtered at a place, with the footprint of gabor_field_filtered.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
@@ -359,8 +359,8 @@ float gabor_impl_mean_angle(float q) {
 }
 
 // Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With its even and odd part at q = 1/2, and S along the axis, the window h
-// becomes 1/2 + even (h - 1/2) + i odd h' / pi.
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With the even and odd parts of this factor at q = 1/2, and S along the axis, the
+// window h becomes 1/2 + even (h - 1/2) + i odd h' / pi.
 vec4 gabor_impl_filtered_node(float value, float slope, vec2 part, vec2 phase) {
     vec2 wave = vec2(value - 0.5, slope);
     vec2 even = part.x * wave, odd = part.y * vec2(-3.1415927, 0.31830989) * wave;
@@ -368,7 +368,7 @@ vec4 gabor_impl_filtered_node(float value, float slope, vec2 part, vec2 phase) {
 }
 
 // Filters an axis with the given S and S F. Windows fade within half a deviation of their ends; the middle one never
-// does.
+// fades.
 void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
     float rise = exp(19.739209 * blurred);
     vec2 part = 0.5 * exp(-4.934802 * variance) * vec2(rise + 1.0 / rise, rise - 1.0 / rise);
@@ -465,7 +465,7 @@ GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float loc
     return b;
 }
 
-// A column or a row of nodes: its word and its window for each factor, with the noise's wave.
+// A column or a row of nodes: its word, and for each factor its window times the noise's wave.
 struct GaborLine {
     uint word;
     GaborFactors window;
@@ -750,7 +750,7 @@ void gabor_impl_filtered_space(ivec3 cell, vec3 local, ivec3 period, bool animat
 // K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 3/2. Value and gradient are
 // independent. Since none of this depends on the directions, both are also normal over random directions.
 
-// Mixes the words of rows again for each further use; their products with column words are equally random.
+// Four more words of a row, for further uses; their products with column words are equally random.
 uvec4 gabor_impl_row(uint word) {
     uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;
@@ -760,7 +760,8 @@ uvec4 gabor_impl_row(uint word) {
                  (fourth >> 8u) | 0x800001u);
 }
 
-// The windows of a node along both axes and their derivatives; filtered windows are middle + cosine, and sine.
+// The windows of a node along both axes, and their derivatives. A filtered window is middle + cosine, its derivative
+// sine.
 struct GaborWindows {
     vec2 value;
     vec2 slope;
@@ -827,8 +828,8 @@ void gabor_impl_add_star(inout GaborField sum, GaborPlace place, GaborWindows no
     gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
 }
 
-// The sum over all nodes, without the factor GABOR_IMPL_STAR. Unrolling the loops by hand made it four times slower on
-// lavapipe.
+// The sum over all nodes, without the factor GABOR_IMPL_STAR. Unrolling the loops by hand made them four times slower
+// on lavapipe.
 GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float frequency, GaborFilter pixel, uint seed) {
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
@@ -1090,8 +1091,8 @@ float gabor_profile_ridges(float phase, float width) {
     return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
 }
 
-// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); this
-// inverts it within 0.0025.
+// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); the
+// polynomial inverts this within 0.0025.
 vec2 gabor_impl_phase_of(vec2 stripes) {
     vec2 phasor = gabor_phasor(stripes);
     float y = max(1.0 - phasor.y, 0.0);
