@@ -271,7 +271,7 @@ vec3 gabor_impl_spots(GaborPixel pixel, vec2 density, uint seed) {
     return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
 }
 
-// A sum of spots, each octave half as large with `gain` times the amplitude.
+// A sum of spots; each octave is half as large and has `gain` times the amplitude.
 vec3 gabor_impl_octaves(GaborPixel pixel, vec2 density, int count, float gain, uint seed) {
     vec3 sum = vec3(0.0);
     float power = 0.0;
@@ -527,7 +527,7 @@ GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed
     float removed = 0.0;
     float power = 0.0;
     for (int i = 0; i < 14; ++i) {
-        float waves = ripples.waves * exp2(0.27 * float(i)); // per unit
+        float waves = ripples.waves * exp2(0.27 * float(i)); // number per unit
         float angle = ripples.direction + ripples.spread * (fract(0.618034 * float(i) + 0.1) - 0.5);
         vec3 wave = gabor_impl_layer(pixel, vec2(waves / 2.2), 2.2, angle, gabor_lobe_seed(seed, i));
         float amplitude = exp2(-0.351 * float(i));
@@ -630,7 +630,7 @@ GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, u
     bool first = turn < 1.5;
     vec3 fibre = first ? upright : level;
     vec2 along_across = first ? within.yx : within;
-    float along = 0.5 * (along_across.x + (fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // across two rows
+    float along = 0.5 * (along_across.x + (fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // spans two rows
     float across = 2.0 * along_across.y - 1.0;
 
     vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);

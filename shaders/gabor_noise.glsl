@@ -363,7 +363,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
             }
         }
     }
-    // Compensates for the fewer impulses of fewer cells per radius.
+    // Compensates for fewer impulses if there are fewer cells per radius.
     float scale = kernel.amplitude * GABOR_RADIUS * inversesqrt(place.radius.x * place.radius.y)
                 * gabor_impl_phase_gain(kernel, time);
     return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);

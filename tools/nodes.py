@@ -132,7 +132,7 @@ int mx_gabor_right(int word, int bits)
 
 
 def osl_function(match):
-    """vec2 and vec3 become vectors, vec4 becomes MaterialX's struct."""
+    """Turns vec2 and vec3 into vectors, and vec4 into MaterialX's struct."""
     parameters, body = copied(match["parameters"], match["body"])
     if match["type"] == "void":
         parameters = re.sub(r"\bvec2\b", "vector2", parameters)
@@ -167,7 +167,7 @@ def signed(match):
 
 
 def mdl_function(match):
-    """Parameters cannot be assigned to, and a node returns its result."""
+    """Copies parameters that are assigned to, and lets a node return its result."""
     node, parameters, body = match["type"] == "void", match["parameters"], match["body"]
     kind = match["type"]
     if node:
