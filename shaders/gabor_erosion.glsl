@@ -61,7 +61,7 @@ struct GaborErosion {
 struct GaborGround { // a position, cell + local
     ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     vec2 local;  // small, most precise in [0, 1)^2
-    vec2 period; // 0 for none. With a period, cell + local is rounded to a float
+    vec2 period; // period, 0 for none. With a period, cell + local is rounded to a float
 };
 
 // GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed)

@@ -37,7 +37,7 @@ struct GaborPixel {
     vec2 dx; // change of p to the pixel on the right
     vec2 dy; // change of p to the pixel below
     bool filtered;
-    vec2 period; // 0 for none
+    vec2 period; // period of p, 0 for none
 };
 
 // GaborPixel gabor_pixel(vec2 p)
