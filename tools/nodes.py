@@ -1,6 +1,6 @@
-"""Generates the parts of shaders/nodes that come from the drop-ins: WGSL modules for Bevy; and, for languages without structs or unsigned integers,
-the library of MaterialX's nodes with a few functions of gabor_lattice.glsl, also in the Open Shading Language and in MDL.
-tools/translate calls it."""
+"""Generates the parts of shaders/nodes that come from the drop-ins: WGSL modules for Bevy, TSL for three.js, and the library of
+MaterialX's nodes, for languages without structs or unsigned integers, with a few functions of gabor_lattice.glsl in GLSL, in the
+Open Shading Language and in MDL. tools/translate calls it."""
 
 import ast
 import json
@@ -39,7 +39,7 @@ def arguments(text, opening):
 
 
 def each_call(text, name, rewritten):
-    """Rewrites each call of the functions that match a pattern, from name and arguments."""
+    """Rewrites each call of a function that matches a pattern, given its name and arguments."""
     pattern, result, place = re.compile(rf"(?<![\w.])(?<!struct )({name})\("), "", 0
     while match := pattern.search(text, place):
         end, parts = arguments(text, match.end() - 1)
@@ -100,7 +100,7 @@ def common(source):
 
 
 def integers(text, shifted):
-    """Replaces uint by int, which behaves equally except for >>."""
+    """Replaces uint by int, which behaves identically except for >>."""
     text = re.sub(r"\buint\b", "int", re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"\1", text))
     return re.sub(r"(\((?:[^()]|\([^()]*\))*\)|\w+) >> (\d+)", shifted, text)
 
@@ -132,7 +132,7 @@ int mx_gabor_right(int word, int bits)
 
 
 def osl_function(match):
-    """vec2 and vec3 become vectors, vec4 becomes MaterialX's struct."""
+    """Turns vec2 and vec3 into vectors, and vec4 into MaterialX's struct."""
     parameters, body = copied(match["parameters"], match["body"])
     if match["type"] == "void":
         parameters = re.sub(r"\bvec2\b", "vector2", parameters)
@@ -152,7 +152,7 @@ def osl(text):
 
 
 def osl_shader(path, library):
-    """A shader of shaders/nodes/osl: between its marks, the library's functions by the drop-in's names."""
+    """A shader of shaders/nodes/osl, with the library's functions between its marks, under the drop-in's names."""
     functions = re.sub(r"\bmx_gabor_", "gabor_impl_", library[library.index("#define"):].replace("MX_GABOR", "GABOR_IMPL"))
     functions = re.sub(r"^// ---- End ----\n\n", "", functions, flags=re.MULTILINE)
     return re.sub(r"(// ---- From MaterialX's library ----\n)(?:.*\n)*?(// ---- End ----\n)",
@@ -167,7 +167,7 @@ def signed(match):
 
 
 def mdl_function(match):
-    """Parameters cannot be assigned to, and a node returns its result."""
+    """Copies parameters that are assigned to, and lets a node return its result."""
     node, parameters, body = match["type"] == "void", match["parameters"], match["body"]
     kind = match["type"]
     if node:
@@ -179,7 +179,7 @@ def mdl_function(match):
 
 
 def mdl_variants():
-    """The nodes of each type: MaterialX 1.39 imports no module for nodes within the graphs that other targets use."""
+    """The nodes of each type, because MaterialX 1.39 imports no module for nodes within the graphs that other targets use."""
     for dim, place, direction in (("2d", "float2 texcoord", "float orientation"),
                                   ("3d", "float3 position", "float3 direction")):
         inputs = f"{place}, float frequency, {direction}, int seed"
@@ -214,7 +214,7 @@ METHODS = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.BitXor: "bitXor"
 
 
 def tsl_expression(text):
-    """An expression of GLSL, whose operators Python has too, as calls of methods."""
+    """Turns an expression of GLSL into calls of methods. Python's parser reads it, because both have the same operators."""
     text = re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"uint(\1)", text)
     text = re.sub(r"([^(),]+) \? ([^:]+) : ([^),]+)", r"(\2 if \1 else \3)", text)
 
@@ -268,7 +268,7 @@ def tsl(source):
 # ---- Files ---------------------------------------------------------------------------------------------------------
 
 def made(source):
-    """Path and text of each file. The argument returns the text of a drop-in."""
+    """Path and text of each file. `source` returns the text of a drop-in."""
     glsl = common(source)
     yield from bevy_modules()
     yield COMMON, glsl

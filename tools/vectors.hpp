@@ -81,7 +81,7 @@ using gabor_ivec4 = gabor_vector<int, 4>;
 using gabor_uvec2 = gabor_vector<std::uint32_t, 2>;
 using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
 
-// A componentwise function of vectors of equal length; R is the type of the result's components.
+// Defines a componentwise function of vectors of equal length. R is the type of the result's components.
 #define GABOR_EACH(name, R, function)                                                                        \
     template <typename T>                                                                                    \
     GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a) {                                             \

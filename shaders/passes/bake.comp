@@ -17,8 +17,8 @@
 // A slice of solid noise with waves in its plane is also plane noise: the sum of three nodes along z, each times its window,
 // serves as one amplitude.
 //
-// A spectrum is a sum of such noises, which are added to the picture one after another. For a colour picture the sums are
-// its three components, which passes/bake_colour.comp turns into colours.
+// A spectrum is a sum of such noises, which are added to the picture one after another. For a colour picture there are three
+// sums, its components, which passes/bake_colour.comp turns into colours.
 //
 // To use this pass in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
@@ -30,16 +30,16 @@
 
 layout(constant_id = visited_id) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = block_columns_id) const int block_columns = 8;
-layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: any; else this many, unrolled
+layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: any number; else this many, unrolled
 layout(constant_id = quadrature_id) const bool with_quadrature = false; // also writes the real part
 layout(constant_id = gradient_id) const bool with_gradient = false;   // also writes the derivatives along x and y
-layout(constant_id = animated_id) const bool animated = false;        // for the lattice: whether time is not 0
+layout(constant_id = animated_id) const bool animated = false;        // whether time is not 0, for the lattice
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
 layout(constant_id = few_waves_id) const int few_waves = 0; // 1: this step has one noise
 layout(constant_id = coloured_id) const bool coloured = false;        // writes the components of a colour instead of the noise
-layout(constant_id = tiled_id) const bool tiled = false; // else no cell is divided by a period, which CPUs do slowly
+layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match, which takes divisions, slow on CPUs
 layout(constant_id = view_id) const uint view = view_flat;
-const bool slice = view == view_slice; // of solid noise, with GABOR_TAPS 3
+const bool slice = view == view_slice; // whether it is a slice of solid noise, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
@@ -120,9 +120,9 @@ void fill(Run across, Run down, uint index) {
     ivec2 wrap = tiled ? period : ivec2(0);
     vec2 local = vec2(across.local, down.local);
 
-    // The bracket above for each column.
+    // The bracket above, for each column.
     vec2 bracket[terms * block_columns];
-    vec2 bracket_slope[terms * block_columns]; // with q' for q
+    vec2 bracket_slope[terms * block_columns]; // with q' instead of q
 
 #ifdef GABOR_TAPS
     vec4 across_windows[block_columns];
@@ -157,7 +157,7 @@ void fill(Run across, Run down, uint index) {
         }
     }
 #else
-    float distance_y[terms]; // of each impulse from the first row
+    float distance_y[terms]; // distance of each impulse from the first row
     uint seed_word = gabor_impl_seed_word(seed);
     [[unroll]] for (int c = 0; c < terms; ++c) {
         ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
@@ -182,7 +182,7 @@ void fill(Run across, Run down, uint index) {
     int row = down.first - first_row;
     int row_count = fixed_rows > 0 ? fixed_rows : down.count;
     [[unroll]] for (int r = 0; r < row_count; ++r) {
-        // All factors but the last, for the noise and for its derivatives besides those of the wave.
+        // All factors but the last, for the noise and for the part of its derivatives that comes from the windows.
         vec2 envelope[block_columns];
         vec2 slope_x[block_columns];
         vec2 slope_y[block_columns];

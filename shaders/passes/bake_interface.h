@@ -1,4 +1,4 @@
-// For passes/bake.comp and host/render.
+// Shared by passes/bake.comp and host/render.
 
 #ifndef GABOR_BAKE_INTERFACE_H
 #define GABOR_BAKE_INTERFACE_H
@@ -14,33 +14,33 @@ struct Run {
     int cell;    // the first cell used
     float local; // centre of the first pixel, in cells from the start of the next cell
     int first;   // that pixel's index in the region; may be negative
-    int count;   // at most block_columns along x
+    int count;   // number of pixels, at most block_columns along x
 };
 
 // One noise of the sum. Lengths are in its own kernel radii.
 struct BakeWave {
-    vec2 wave;        // as in GaborKernel
+    vec2 wave;        // like GaborKernel.wave
     vec2 column_turn; // cos and sin of the phase from one column to the next
-    vec2 row_turn;    // and from one row to the next
-    float amplitude;  // factor of the noise; for the sparse noise including its normalization
+    vec2 row_turn;    // cos and sin of the phase from one row to the next
+    float amplitude;  // factor of the noise, including the normalization of sparse noise
     uint seed;
-    vec2 weights[3]; // of (quadrature, noise) in the components of a colour
+    vec2 weights[3]; // weights of (quadrature, noise) in the components of a colour
 };
 
 // The noises that share a kernel radius, so that their pixels fall into the same runs.
 GABOR_PUSH_CONSTANTS(BakePush) {
     GABOR_BAND
-    vec2 radius;  // as in GaborPlace
-    ivec2 period; // as in GaborPlace
+    vec2 radius;  // like GaborPlace.radius
+    ivec2 period; // like GaborPlace.period
     vec2 pixel;   // kernel radii per pixel
     vec2 stretch; // kernel radii per unit of length of the derivatives
-    float time;   // as in GaborPlace, within [0, 1)
+    float time;   // like GaborPlace.time, within [0, 1)
     uint first_wave;
     uint wave_count;
     uint first_column_run;
     uint column_runs;
-    int first_slice;    // in a slice of space: the first of three nodes along z
-    float slice_offset; // from the second of these nodes, in node spacings
+    int first_slice;    // first of three nodes along z, for a slice of solid noise
+    float slice_offset; // offset of the slice from the second of these nodes, in node spacings
 };
 
 GABOR_INTERFACE_END

@@ -5,8 +5,8 @@
 // the sphere.
 
 const float eye_distance = 4.0;
-const float torus_large = 0.68; // radius of the circle around the z axis, then that of the tube
-const float torus_small = 0.3;
+const float torus_large = 0.68; // radius of the circle around the z axis
+const float torus_small = 0.3;  // radius of the tube
 
 // The camera's axes, of length 1.
 struct Axes {
@@ -28,9 +28,9 @@ vec3 in_picture(vec3 v, Axes axes) {
 
 struct Hit {
     bool found;
-    float gap;      // the ray's distance from the body; the true one may be half of it
-    float distance; // along the ray, in lengths of its direction
-    vec3 p;         // in units of the body
+    float gap;      // estimate of the ray's distance from the body; the true distance may be half of it
+    float distance; // distance along the ray, in lengths of its direction
+    vec3 p;         // hit point, in units of the body
     vec3 normal;
 };
 
@@ -42,7 +42,7 @@ vec3 torus_normal(vec3 p) {
     return normalize(p - vec3(torus_large * normalize(p.xy), 0.0));
 }
 
-// A ray from the eye, whose direction has length 1 along the camera's axis.
+// The direction of a ray from the eye, with length 1 along the camera's axis.
 vec3 ray_of(vec2 at, Axes axes) {
     vec2 plane = pixel * (at - center);
     return plane.x * axes.right - plane.y * axes.up - axes.toward_eye;
@@ -58,8 +58,8 @@ Hit sphere_hit(vec3 eye, vec3 ray) {
     return Hit(square > 0.0, length(nearest) - 1.0, t, p, p);
 }
 
-// Sphere tracing with a minimum step: it can miss only chords of up to 0.001, at most 10^-6 below the surface. A step
-// that ends inside the body is halved until it finds the surface.
+// Finds the hit by sphere tracing with a minimum step: it can miss only chords of up to 0.001, at most 10^-6 below the
+// surface. A step that ends inside the body is halved until it finds the surface.
 Hit torus_hit(vec3 eye, vec3 ray) {
     float side = length(ray);
     float t = (eye_distance - torus_large - torus_small) / side;
@@ -99,8 +99,8 @@ struct Seen {
     vec3 dy;
 };
 
-// Whether all rays of the pixel hit, or none. They are at most `reach` apart on the body, and under each point of its surface
-// a body is at least as deep as the tube of the torus.
+// Whether all rays of the pixel hit, or none. Their hits are at most `reach` apart, and under each point of its surface a body
+// is at least as deep as the torus's tube.
 bool all_alike(Hit hit, vec3 ray) {
     float reach = 0.75 * pixel * (eye_distance + 1.0);
     float facing = dot(normalize(ray), hit.normal);

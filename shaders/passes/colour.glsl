@@ -1,4 +1,4 @@
-// The colour of a pixel, from the components that the noises add up to. The including file defines the buffer
+// Turns the sums of noises, the components, into the colour of a pixel. The including file defines the buffer
 // `colour_binding`.
 
 #include "passes/colour.h"
@@ -11,7 +11,7 @@ struct Components {
     vec3 removed;
 };
 
-// Adds a noise with its quadrature; a share of its variance was removed.
+// Adds a noise with its quadrature; `removed` is the share of its variance that a filter removed.
 void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
     vec2 a = weights[0];
     vec2 b = weights[1];
@@ -21,7 +21,7 @@ void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
 }
 
 // A polynomial gives each component its own distribution. If a filter removed a share v of the variance, this is the mean of
-// the polynomial over the removed part: of z^n over a normal variable of variance v.
+// the polynomial over the removed part, a normal variable of variance v added to z.
 vec3 colour_of(vec3 z, vec3 v) {
     z = clamp(z, -4.0, 4.0);
     vec3 s = z * z;

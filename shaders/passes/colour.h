@@ -1,4 +1,4 @@
-// For passes that draw in colour, and host/render.
+// Shared by passes that draw in colour and host/render.
 
 #ifndef GABOR_COLOUR_H
 #define GABOR_COLOUR_H
@@ -7,7 +7,7 @@
 
 GABOR_INTERFACE_BEGIN
 
-// How components become colours, as noise::Colour; three numbers each.
+// How components become colours, like noise::Colour. Only three numbers of each vector are used.
 struct PixelsColour {
     vec4 histogram[6]; // coefficients of 1, z, ... z^5 for each component
     vec4 mean;

@@ -12,10 +12,10 @@ const uint impulses_id = 0;
 const uint radius_id = 1;
 const uint weight_floor_id = 2;
 const uint phases_id = 3;
-const uint window_id = 4; // three numbers
+const uint window_id = 4; // the first of three
 
 // What to draw
-const uint view_id = 7; // a view below
+const uint view_id = 7; // one of the views below
 const uint filter_id = 8;
 const uint painted_id = 9;
 const uint quadrature_id = 10;

@@ -1,4 +1,4 @@
-// For passes/erode.comp and host/render.
+// Shared by passes/erode.comp and host/render.
 
 #ifndef GABOR_ERODE_INTERFACE_H
 #define GABOR_ERODE_INTERFACE_H
@@ -11,8 +11,8 @@ const uint erode_group = 8; // pixels along x and y
 const int erode_halo = 2;   // rows of the map that a slope needs above and below
 
 GABOR_PUSH_CONSTANTS(ErodePush) {
-    GABOR_BAND       // of the map's pixels
-        vec2 period; // of a tile; 0 for none
+    GABOR_BAND       // a band of the map's pixels
+        vec2 period; // period of a tile, 0 for none
     float pixel;     // side of a pixel, in units of height
     uint seed;
     int map_width; // pixels

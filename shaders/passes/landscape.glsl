@@ -1,5 +1,5 @@
-// Eroded ground in colour, lit by a sun and the sky, from above and in perspective. Include after gabor_erosion.glsl.
-// In space x and z are the ground's x and y, and y points up.
+// Shows eroded ground in colour, lit by a sun and the sky, from above or in perspective. Include after gabor_erosion.glsl. In
+// space x and z are the ground's x and y, and y points up.
 
 struct Ground {
     ivec2 cell; // positions count from here
@@ -23,7 +23,7 @@ GaborTerrain ground_at(Ground ground, vec2 p, float pixel) {
                            hills_at(ground, p, pixel), ground.erosion, ground.seed);
 }
 
-// Grass, dry ground, rock where it is steep, snow where it is high.
+// Grass and dry ground, with rock where it is steep and snow where it is high.
 vec3 ground_colour(GaborTerrain here, vec3 normal) {
     float steep = length(normal.xz) / normal.y;
     vec3 colour = mix(vec3(0.1, 0.155, 0.05), vec3(0.3, 0.245, 0.145),
@@ -44,8 +44,8 @@ vec3 sky_along(vec3 sun, vec3 ray) {
     return mix(vec3(0.1, 0.23, 0.5), vec3(0.5, 0.6, 0.7), exp(-5.0 * max(ray.y, 0.0))) + vec3(1.0, 0.75, 0.5) * glow;
 }
 
-// The distance along the ray to the ground, or -1. Steps grow with the height above the ground and with the distance;
-// the hills, which are cheap, tell where the ray is above any erosion. `wide`: width of a pixel at distance 1.
+// The distance along the ray to the ground, or -1. Steps grow with the height above the ground and with the distance; the
+// hills, which are cheap, show where the ray is above any erosion. `wide` is the width of a pixel at distance 1.
 float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
     float t = 0.0, before = 0.0;
     for (int i = 0; i < 200 && t < far; ++i) {
@@ -53,7 +53,7 @@ float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float fa
         if (at.y > 1.0 + ground.reach && ray.y > 0.0) break;
         float above = at.y - hills_at(ground, at.xz, wide * t).height;
         above = above > 1.5 * ground.reach ? above - ground.reach : at.y - ground_at(ground, at.xz, wide * t).height;
-        if (above < 0.0) { // between the last two steps
+        if (above < 0.0) { // the ground is between the last two steps
             for (int j = 0; j < 6; ++j) {
                 float middle = 0.5 * (before + t);
                 vec3 there = eye + middle * ray;
@@ -80,15 +80,15 @@ float sunlight_at(Ground ground, vec3 at) {
     return smoothstep(0.0, 1.0, clamp(light, 0.0, 1.0));
 }
 
-// The ground that a ray hits, its colour, and the linear light towards the eye. In the sky there is no ground.
+// The ground that a ray hits, its colour, and the linear light towards the eye. In the sky, the ground is 0.
 struct Sight {
     GaborTerrain ground;
-    float added; // by erosion
+    float added; // height that erosion added
     vec3 colour;
     vec3 light;
 };
 
-// From above, the ground under a pixel that is `pixel` wide.
+// The ground from above, under a pixel that is `pixel` wide.
 Sight seen_from_above(Ground ground, vec2 p, float pixel) {
     Sight sight;
     sight.ground = ground_at(ground, p, pixel);
@@ -99,7 +99,7 @@ Sight seen_from_above(Ground ground, vec2 p, float pixel) {
     return sight;
 }
 
-// From an eye that is at least a little above the ground. `clear`: distance at which air begins to hide the ground.
+// The ground from an eye that is at least a little above it. `clear` is the distance at which air begins to hide the ground.
 Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     eye.y = max(eye.y, hills_at(ground, eye.xz, 0.0).height + ground.reach + 0.02);
     Sight sight = Sight(GaborTerrain(0.0, vec2(0.0), 0.0), 0.0, vec3(0.0), sky_along(sun_of(ground), ray));
@@ -118,8 +118,8 @@ Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     return sight;
 }
 
-// The ray of a camera that looks at the origin from `yaw` and `pitch`, which are (cosine, sine) of its angles. `place`: from
-// the middle of the picture, in units of its focal length, y growing downwards.
+// The position, at distance 1, and a ray of a camera that looks at the origin. `yaw` and `pitch` are (cosine, sine) of its
+// angles. `place` is the offset from the middle of the picture, in units of its focal length, with y growing downwards.
 vec3 camera_at(vec2 yaw, vec2 pitch) {
     return vec3(pitch.x * yaw.x, pitch.y, pitch.x * yaw.y);
 }

@@ -1,5 +1,5 @@
-// A material under a lamp, in a room with a window. The surface is the plane z = 0; y points down the picture.
-// Radiance as in glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction
+// Lights a material with a lamp, in a room with a window. The surface is the plane z = 0; y points down the picture. Radiance
+// is that of glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction
 // through rough surfaces", 2007). The exported maps look the same in other renderers; see docs/gallery.md.
 
 // The room's light from direction `d`: dark walls and a window, blurred by the roughness of the surface that reflects
@@ -21,38 +21,39 @@ vec3 eye_above(vec2 place) {
     return normalize(vec3(-place, 1.8));
 }
 
-// The direction to the lamp, which is 2.5 away from the middle of the picture. `lamp`: x and y of its direction there, of
-// length 1.
+// The direction to the lamp, which is 2.5 away from the middle of the picture. `lamp` is x and y of the unit vector from there
+// to the lamp.
 vec3 lamp_above(vec2 place, vec2 lamp) {
     return normalize(vec3(2.5 * lamp - place, 2.5 * sqrt(max(1.0 - dot(lamp, lamp), 0.0))));
 }
 
-const vec3 backdrop = vec3(0.016, 0.017, 0.019); // behind a body
+const vec3 backdrop = vec3(0.016, 0.017, 0.019); // the colour behind a body
 
 // The sky, from the horizon at 0 to the picture's edge at 1.
 vec3 sky_colour(float up) {
     return mix(vec3(0.62, 0.69, 0.76), vec3(0.27, 0.42, 0.62), up);
 }
 
-// What reflects the light, as in GaborMaterial.
+// A surface that reflects light, with the members of GaborMaterial.
 struct Surface {
     vec3 colour;
     float roughness;
     float metalness;
 };
 
-// The share of light from all around that reaches the eye, with light that facets reflect more than once (after Fdez-Aguera, "A
-// multiple-scattering microfacet model for real-time image based lighting", 2019). Both fits are to integrals over GGX.
+// The share of light from all around that reaches the eye, including light that facets reflect more than once (after
+// Fdez-Aguera, "A multiple-scattering microfacet model for real-time image based lighting", 2019). `once` and `grazing` are
+// fits to integrals over GGX.
 vec3 reflected(vec3 mirror, float roughness, float seen) {
     float square = roughness * roughness;
-    float once = 1.0 - square * (0.458 + 0.289 * square * seen); // by a perfect mirror's facets, at the first bounce
+    float once = 1.0 - square * (0.458 + 0.289 * square * seen); // share that a mirror's facets reflect at the first bounce
     float grazing = pow(max(1.0 - seen, 0.0), 5.28 - 4.03 * roughness) * exp(-6.17 * square);
     return (mirror * (once - grazing) + grazing) * (1.0 + mirror * (1.0 / once - 1.0));
 }
 
 // The light towards the eye, linear.
-//   normal     of the surface, of length 1, z pointing out of the picture
-//   eye, lamp  directions towards them, of length 1
+//   normal     unit normal of the surface, with z pointing out of the picture
+//   eye, lamp  unit vectors towards them
 vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp) {
     const vec3 lamp_light = 0.7 * vec3(1.0, 0.96, 0.9); // irradiance / pi
     vec3 between = normalize(eye + lamp);

@@ -7,7 +7,8 @@
 
 GABOR_INTERFACE_BEGIN
 
-// The pixels of a column or a row: in cells or, in perspective, in pixels from the middle of the horizon.
+// The place of a column or row of pixels: in cells or, in perspective, in pixels from the middle of the
+// horizon.
 struct Line {
     int cell;
     float local;

@@ -38,7 +38,7 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
 #include "relief.glsl"
 
 void main() {
-    look = parameters; // before any branch, or lavapipe would load it for each invocation
+    look = parameters; // loaded before any branch, because lavapipe would otherwise load it for each invocation
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;

@@ -1,4 +1,4 @@
-// For passes/material.comp and host/render.
+// Shared by passes/material.comp and host/render.
 
 #ifndef GABOR_MATERIAL_INTERFACE_H
 #define GABOR_MATERIAL_INTERFACE_H
@@ -11,15 +11,15 @@ const uint material_group = 8; // pixels along x and y
 
 GABOR_PUSH_CONSTANTS(MaterialPush) {
     GABOR_BAND
-    vec2 size;   // of the whole picture, in pixels
+    vec2 size;   // size of the whole picture, in pixels
     vec2 center; // the pixel seen from straight above, or the one that the camera looks at
-    vec2 corner; // p in the picture's corner, or under the camera
-    vec2 yaw;    // for a body: cosine and sine of the eye's angle around the z axis
-    vec2 pitch;  // and of its angle above the plane z = 0
-    vec2 lamp;   // as in passes/light.glsl
+    vec2 corner; // p at the picture's corner, or under the camera
+    vec2 yaw;    // cosine and sine of the eye's angle around the z axis, for a body
+    vec2 pitch;  // cosine and sine of its angle above the plane z = 0
+    vec2 lamp;   // like `lamp` in passes/light.glsl
     float pixel; // units of p per pixel; in perspective the camera's height in units of p; for a body as in
                  // SolidPush
-    float unit;  // for a body: radius of the sphere in units of p
+    float unit;  // radius of the sphere in units of p, for a body
     float sky;   // rows above the horizon; 0 unless in perspective
     uint seed;
 };

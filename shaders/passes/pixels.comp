@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Draws a picture pixel by pixel: any sum of noises, in any view of the plane, painted, filtered, and in colour.
+// Draws a picture pixel by pixel: any sum of noises, in any view of the plane; it can be painted, filtered, and in colour.
 
 #include "passes/pixels_interface.h"
 const int colour_binding = 5;
@@ -11,7 +11,7 @@ const int colour_binding = 5;
 #include "gabor_spectrum.glsl"
 #endif
 
-layout(constant_id = filter_id) const bool filtered = false; // with GABOR_TAPS 3
+layout(constant_id = filter_id) const bool filtered = false; // whether to filter, with GABOR_TAPS 3
 layout(constant_id = view_id) const uint view = view_flat;
 const bool horizon = view == view_horizon; // a plane in perspective
 layout(constant_id = painted_id) const bool painted = false;
@@ -19,8 +19,8 @@ layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
 layout(constant_id = values_id) const int values = 1; // independent noises
-layout(constant_id = tiled_id) const bool tiled = false; // else no cell is divided by a period, which CPUs do slowly
-layout(constant_id = animated_id) const bool animated = false; // for the lattice: whether time is not 0
+layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match, which takes divisions, slow on CPUs
+layout(constant_id = animated_id) const bool animated = false; // whether time is not 0, for the lattice
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves, if there are few: their loop is unrolled
 // A bit for each of few waves whose filter needs only its narrow or only its wide form.
 layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
@@ -60,7 +60,7 @@ struct Values {
     vec2 complex;
     vec2 slope;
     float removed;
-    Components components; // of colours
+    Components components; // components of a colour
 };
 
 const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(vec3(0.0), vec3(0.0)));
@@ -68,7 +68,7 @@ const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(v
 // A pixel's place, and the distances to its neighbours along the picture's axes.
 struct Footprint {
     ivec2 pixel;
-    vec2 from_camera; // in perspective
+    vec2 from_camera; // place relative to the camera, in perspective
     vec2 dx;
     vec2 dy;
 };
@@ -100,7 +100,7 @@ Values wave_at(PixelsWave wave, int index, Footprint here) {
 #ifdef GABOR_TAPS
         uint seed = i == 0 ? wave.seed : gabor_lobe_seed(wave.seed, -i);
 #else
-        uint seed = wave.seed; // here there is only one value
+        uint seed = wave.seed; // sparse noise has only one value
 #endif
 #if GABOR_TAPS == 3
         if (filtered)

@@ -1,4 +1,4 @@
-// For passes/pixels.comp and host/render.
+// Shared by passes/pixels.comp and host/render.
 
 #ifndef GABOR_PIXELS_INTERFACE_H
 #define GABOR_PIXELS_INTERFACE_H
@@ -13,27 +13,27 @@ const uint pixels_group = 8; // pixels along x and y
 
 // One noise of the sum, in its own kernel radii.
 struct PixelsWave {
-    vec2 nodes;        // as in GaborPlace.radius
-    ivec2 period;      // as in GaborPlace
-    vec2 camera;       // in perspective: its place in its cell
-    float frequency;   // of the wave, per radius along x; a factor of the painted frequency, if any
-    float orientation; // radians, added to the painted orientation, if any
-    vec2 radius;       // of its kernels along x and y, in kernel radii of the picture
+    vec2 nodes;        // like GaborPlace.radius
+    ivec2 period;      // like GaborPlace.period
+    vec2 camera;       // the camera's place in its cell, in perspective
+    float frequency;   // frequency of the wave per radius along x, or a factor of the painted frequency
+    float orientation; // radians, added to any painted orientation
+    vec2 radius;       // radii of its kernels along x and y, in kernel radii of the picture
     float amplitude;   // the square root of its share of the variance
     uint seed;
     int table;       // index of its table of lines
-    vec2 weights[3]; // of (quadrature, noise) in the components of a colour
+    vec2 weights[3]; // weights of (quadrature, noise) in the components of a colour
 };
 
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(PixelsPush) {
     GABOR_BAND
-    ivec2 paint_size;   // samples
+    ivec2 paint_size;   // size of the paint, in samples
     vec2 paint_scale;   // paint samples per pixel
-    vec2 paint_corner;  // of the region, in samples
-    float time;         // as in GaborPlace
+    vec2 paint_corner;  // corner of the region, in samples
+    float time;         // like GaborPlace.time
     float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
-    float focal_length; // pixels, in perspective
+    float focal_length; // focal length in pixels, in perspective
     int waves;
     int tables; // number of tables of lines; for each column and row, their lines are adjacent
 };

@@ -1,5 +1,5 @@
-// Includes the drop-in of a recipe. If GABOR_TAPS is defined, it is the lattice, with one SPIR-V module per number of taps.
-// Otherwise it is the sparse noise, one module whose macros are specialization constants.
+// Includes the drop-in of a recipe. If GABOR_TAPS is defined, it is the lattice, with one SPIR-V module for each number of
+// taps. Otherwise it is the sparse noise, with one module, whose macros are specialization constants.
 
 #extension GL_EXT_control_flow_attributes : require
 

@@ -1,4 +1,4 @@
-// A material on a surface in space. Include after material_at(p, dx, dy), a material in the plane.
+// Puts a material on a surface in space. Include it after material_at(p, dx, dy), a material in the plane.
 
 // The material at a place of the surface, and the slope of its relief, in space.
 struct Relief {
@@ -6,8 +6,8 @@ struct Relief {
     vec3 slope;
 };
 
-// A plane in space that carries the material, and its origin's place on the material: far from those of other planes, which
-// would otherwise mirror each other where they meet.
+// A plane in space, covered with the material. `origin` is its origin's place on the material, far from those of other planes,
+// because planes would otherwise mirror each other where they meet.
 struct Plane {
     vec3 right;
     vec3 down;
@@ -23,9 +23,9 @@ vec2 on_plane(vec3 v, Plane plane) {
     return vec2(dot(v, plane.right), dot(v, plane.down));
 }
 
-// At p, in units of the material; dx and dy lead to the next pixels. Of a body: projects the material from three planes along
-// the axes, weighted by how much the surface faces each; else from the plane z = 0. Slopes are over a pixel's smaller side. It
-// is a loop so that compilers do not inline the material three times.
+// The relief at p, in units of the material; dx and dy lead to the next pixels. For a body, the material is projected from
+// three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Slopes are
+// differences over a pixel's smaller side. The loop keeps compilers from inlining the material three times.
 Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
     vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
     facing /= facing.x + facing.y + facing.z;

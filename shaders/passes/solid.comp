@@ -2,22 +2,22 @@
 #extension GL_GOOGLE_include_directive : require
 
 // Draws solid noise: a flat slice, or a sphere or torus in perspective. With GABOR_OF_surface, waves are tangent to the body.
-// These are two modules, because drivers take seconds to compile both in one.
+// Solid and surface noise are two modules, because drivers take seconds to compile both in one.
 
 #include "passes/solid_interface.h"
 
 layout(constant_id = view_id) const uint view = view_slice;
 layout(constant_id = isotropic_id) const bool some_isotropic = false; // whether any noise is isotropic
 layout(constant_id = directed_id) const bool some_directed = false;
-layout(constant_id = filter_id) const bool filtered = true;     // for the pixel's footprint
+layout(constant_id = filter_id) const bool filtered = true;     // whether to filter for the pixel's footprint
 layout(constant_id = values_id) const int values = 1; // independent noises
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
-layout(constant_id = gradient_id) const bool with_gradient = false; // to the right and down in the picture
+layout(constant_id = gradient_id) const bool with_gradient = false; // derivatives to the right and down in the picture
 layout(constant_id = phasor_id) const bool with_phasor = false;
-const int rays = 4; // per pixel and axis, to measure coverage
+const int rays = 4; // rays per pixel and axis, to measure coverage
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0
 layout(constant_id = coloured_id) const bool coloured = false; // whether three values form a colour
-layout(constant_id = normals_id) const bool with_normal = false; // normal (right, down, to the eye) and the derivative to the eye
+layout(constant_id = normals_id) const bool with_normal = false; // normal (right, down, to the eye) and derivative to the eye
 const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (with_normal ? 4 : 0);
 

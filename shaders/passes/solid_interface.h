@@ -1,4 +1,4 @@
-// For passes/solid.comp and host/render.
+// Shared by passes/solid.comp and host/render.
 
 #ifndef GABOR_SOLID_INTERFACE_H
 #define GABOR_SOLID_INTERFACE_H
@@ -12,25 +12,25 @@ const uint solid_group = 8; // pixels along x and y
 
 // One noise of the sum, in its own kernel radii.
 struct SolidWave {
-    vec2 direction; // of the waves, in the plane z = 0, of length 1
+    vec2 direction; // unit direction of the waves, in the plane z = 0
     float frequency;
-    float radius;    // of its kernels, in kernel radii of the picture
+    float radius;    // radius of its kernels, in kernel radii of the picture
     float amplitude; // the square root of its share of the variance
     uint seed;
-    uint isotropic;  // 1 if waves have all directions
-    vec2 weights[3]; // of (quadrature, noise) in the components of a colour
+    uint isotropic;  // 1 if it has waves in all directions
+    vec2 weights[3]; // weights of (quadrature, noise) in the components of a colour
 };
 
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(SolidPush) {
     GABOR_BAND
-    vec2 center; // of the picture, in pixels from its corner
+    vec2 center; // center of the picture, in pixels from its corner
     vec2 yaw;    // cosine and sine of the eye's angle around the z axis
-    vec2 pitch;  // and of its angle above the plane z = 0
+    vec2 pitch;  // cosine and sine of its angle above the plane z = 0
     float pixel; // side of a pixel: in kernel radii for a slice, otherwise in the plane at distance 1 from
                  // the eye
     float unit;  // radius of the sphere in kernel radii
-    float depth; // z of the slice, kernel radii
+    float depth; // z of the slice, in kernel radii
     float share; // side of the filter's pixel on a body, relative to that of a coarse view
     float time;
     int waves;

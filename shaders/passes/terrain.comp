@@ -17,7 +17,7 @@ layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[];
 layout(std430, set = 0, binding = 1) readonly buffer Erosion { GaborErosion erosion; };
 
 void main() {
-    GaborErosion table = erosion; // before any branch, or lavapipe would load it once for each invocation
+    GaborErosion table = erosion; // loaded before any branch, because lavapipe would otherwise load it for each invocation
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;

@@ -1,4 +1,4 @@
-// For passes/terrain.comp and host/render.
+// Shared by passes/terrain.comp and host/render.
 
 #ifndef GABOR_TERRAIN_INTERFACE_H
 #define GABOR_TERRAIN_INTERFACE_H
@@ -11,16 +11,16 @@ const uint terrain_group = 8; // pixels along x and y
 
 GABOR_PUSH_CONSTANTS(TerrainPush) {
     GABOR_BAND
-    ivec2 cell;     // of the picture's corner, or of what the camera looks at
-    vec2 corner;    // its place in the cell
-    vec2 period;    // of a tile; 0 for none
+    ivec2 cell;     // cell of the picture's corner, or of what the camera looks at
+    vec2 corner;    // place of that point in the cell
+    vec2 period;    // period of a tile, 0 for none
     vec2 center;    // the pixel that the camera looks at
     vec2 yaw;       // cosine and sine of the camera's azimuth
-    vec2 pitch;     // and of its elevation
-    vec2 sun;       // along x and y of the direction to it, of length 1
-    float distance; // of the camera; 0 from above
-    float pixel;    // kernel radii per pixel; in perspective at distance 1
-    float unit;     // of heights, in kernel radii
+    vec2 pitch;     // cosine and sine of its elevation
+    vec2 sun;       // x and y of the unit vector to the sun
+    float distance; // distance of the camera, 0 from above
+    float pixel;    // kernel radii per pixel; in perspective, at distance 1
+    float unit;     // units of height per kernel radius
     float reach;    // the most that erosion adds to the hills
     uint seed;
 };

@@ -31,22 +31,23 @@ vec3 viewer_cycle(float t) {
     return 0.5 + 0.38 * cos(6.2831853 * (t - vec3(0.0, 0.333333, 0.666667)));
 }
 
-// Shares from 0 to 1, for a colour map: of the noise, whose ends are `contrast` standard deviations from the mean,
+// The position of a noise in a colour map, from 0 to 1. The ends are `contrast` standard deviations from the mean.
 float viewer_value(float noise, float contrast) {
     return 0.5 + 0.5 * noise / contrast;
 }
 
-// of the intensity of the complex noise (cosines, sines),
+// The position of the intensity of a complex noise (cosines, sines).
 float viewer_intensity(vec2 value, float contrast) {
     return length(value) / (1.5 * contrast);
 }
 
-// of the variance that a filter keeps,
+// The position of the variance that a filter keeps.
 float viewer_variance(float removed) {
     return 1.0 - removed;
 }
 
-// and of stripes along its phase: 0 sine, 1 triangle, 2 sawtooth, 3 bands, 4 ridges. `turns`: of the phase, per pixel.
+// The position of stripes along the phase: 0 sine, 1 triangle, 2 sawtooth, 3 bands, 4 ridges. The phase changes by `turns` per
+// pixel.
 float viewer_stripes(vec2 value, int profile, float turns) {
     vec2 wave = value / max(length(value), 1.0e-6);
     float phase = fract(atan(wave.y, wave.x) / 6.2831853);
@@ -61,7 +62,7 @@ float viewer_stripes(vec2 value, int profile, float turns) {
     return 0.5 + 0.5 * wave.y;
 }
 
-// The phase of the complex noise.
+// The colour of the phase of a complex noise.
 vec3 viewer_phase(vec2 value, int map) {
     float phase = fract(atan(value.y, value.x) / 6.2831853);
     return map == 0 ? vec3(phase) : viewer_cycle(phase);

@@ -15,7 +15,7 @@ layout(constant_id = 4) const int normal_at = -1;   // channel of a body's norma
 layout(constant_id = 5) const int coverage_at = -1; // channel of the coverage, -1 for none
 layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
 layout(constant_id = 7) const bool tiles = false;   // whether to repeat the canvas two by two
-layout(constant_id = 8) const int profile = 0;      // of stripes
+layout(constant_id = 8) const int profile = 0;      // profile of stripes
 layout(constant_id = 9) const bool unlit = false;   // whether to show normals instead of light
 
 // A channel at a pixel.
@@ -25,7 +25,7 @@ vec3 three_at(vec2 pixel, int first) {
     return vec3(value_at(pixel, first), value_at(pixel, first + 1), value_at(pixel, first + 2));
 }
 
-// The colour of a share from 0 to 1.
+// The colour at a position from 0 to 1 in the colour map.
 vec3 mapped(float share) {
     if (colours != own_colours)
         return viewer_colour(colours, share);
@@ -39,7 +39,7 @@ vec3 mapped(float share) {
     return colour;
 }
 
-// Lights a surface of that colour. `slope`: along x and y of the view, or in space for a body, which has its own
+// Lights a surface of the given colour. `slope` is along x and y of the view or, for a body, in space. A body has its own
 // normal, stored after the gradient.
 vec3 lit_surface(vec2 pixel, vec3 colour, vec3 slope) {
     vec3 normal = vec3(0.0, 0.0, 1.0);
@@ -76,7 +76,7 @@ vec3 material(vec2 pixel) {
         return srgb(three_at(pixel, 0));
     if (output_shown == 11)
         return vec3(0.5 + value_at(pixel, height) / (0.1 * contrast));
-    if (output_shown == 12) { // from the slopes, or on a body from the heights
+    if (output_shown == 12) { // from the slopes or, on a body, from the heights
         vec2 slope = companion > 0 ? vec2(value_at(pixel, companion), value_at(pixel, companion + 1))
                                    : (value_at(pixel, height) - vec2(value_at(pixel - vec2(stride, 0.0), height),
                                                                      value_at(pixel - vec2(0.0, stride), height))) / spacing;
@@ -110,7 +110,7 @@ vec3 shown(vec2 pixel) {
         seen = lit_stripes(pixel);
     else
         seen = mapped(viewer_value(noise, contrast));
-    // Light passes around a body.
+    // The background shows around a body.
     float coverage = coverage_at >= 0 && output_shown != 9 ? value_at(pixel, coverage_at) : 1.0;
     return mix(vec3(0.05, 0.05, 0.055), clamp(seen, 0.0, 1.0), coverage);
 }

@@ -1,4 +1,4 @@
-// For viewer/show.glsl and host/viewer.
+// Shared by viewer/show.glsl and host/viewer.
 
 #ifndef GABOR_VIEWER_SHOW_INTERFACE_H
 #define GABOR_VIEWER_SHOW_INTERFACE_H
@@ -11,18 +11,18 @@ const uint show_group = 256; // pixels, in files
 const int own_colours = 5;   // the number of the user's colour map
 
 GABOR_PUSH_CONSTANTS(ShowPush) {
-    vec2 origin;     // of the canvas in the framebuffer, pixels
+    vec2 origin;     // origin of the canvas in the framebuffer, in pixels
     ivec2 grid;      // number of values along x and y
-    vec2 size;       // of the canvas, pixels
-    vec2 lamp;       // as in passes/light.glsl
+    vec2 size;       // size of the canvas, in pixels
+    vec2 lamp;       // like `lamp` in passes/light.glsl
     float stride;    // pixels per value
-    float contrast;  // standard deviations from the mean to the ends
-    float deviation; // of a derivative, per kernel radius
-    float spacing;   // between values, in units of the material
-    float green;     // of normals: 1 for up, as in OpenGL, -1 for down, as in DirectX
-    int first_row;   // of the band, in files
-    int count;       // number of its pixels
-    float turns;     // of the stripes' phase, per pixel
+    float contrast;  // standard deviations from the mean to the ends of the colour map
+    float deviation; // standard deviation of a derivative, per kernel radius
+    float spacing;   // distance between values, in units of the material
+    float green;     // sign of green in normals: 1 for up, as in OpenGL, -1 for down, as in DirectX
+    int first_row;   // first row of the band, in files
+    int count;       // number of the band's pixels
+    float turns;     // turns of the stripes' phase per pixel
     uvec4 ramp_low;  // the user's colour map: eight stops of 8 bits for red, green, blue and place
     uvec4 ramp_high;
 };

@@ -356,7 +356,7 @@ class OpenUpm(unittest.TestCase):
         for remote in (None, "/a/folder"):
             made, listing = self.copy_with(remote)
             self.assertEqual(made.returncode, 1)
-            self.assertRegex(made.stderr, "^package: OpenUPM names the repository: .*\n$")
+            self.assertRegex(made.stderr, "^package: OpenUPM needs the repository's address: .*\n$")
             self.assertFalse(listing.exists())
 
 
