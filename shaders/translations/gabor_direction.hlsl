@@ -12,9 +12,10 @@
 // gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
 // within a kernel radius. Value and gradient are normal at every place for any map. The value has variance 1, and the
-// gradient includes the map's own variation. Values are normal to three standard deviations, as in gabor_lattice.hlsl.
-// Wave vectors are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction.
-// Costs 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
+// gradient includes the map's own variation. Values are normal up to three standard deviations, as in
+// gabor_lattice.hlsl. Wave vectors are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the
+// map has no direction. Costs 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed
+// map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -35,7 +36,8 @@ struct GaborWaves {
 };
 
 // float2 gabor_node_position(GaborPlace place, int index)
-//     Where to read the map for node `index`, 0 to 8, around a place: in kernel radii, within the place's period.
+//     The position at which to read the map for node `index` (0 to 8) around a place: in kernel radii, within the
+//     place's period.
 
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
 //     Noise, quadrature and both gradients at a place. gabor_stripes_of turns its value into stripes.
@@ -49,12 +51,13 @@ struct GaborWaves {
 // float3 gabor_noise_direction_gradient(float2 p, uint seed)
 // float2 gabor_noise_direction_complex(float2 p, uint seed)
 // float gabor_noise_direction_tiled(float2 p, float2 period, uint seed)
-//     The noise; with its gradient, (noise, d/dx, d/dy); (quadrature, noise); and with a period, as gabor_noise_tiled.
+//     The noise alone; with its gradient: (noise, d/dx, d/dy); with its quadrature: (quadrature, noise); and with a
+//     period, like gabor_noise_tiled.
 
 // float3 gabor_stripes_direction(float2 p, float sharpness, uint seed)
 // float3 gabor_stripes_direction_tiled(float2 p, float2 period, float sharpness, uint seed)
 // float3 gabor_stripes_direction_at(GaborPlace place, float sharpness, uint seed)
-//     Stripes along the map, as gabor_stripes, gabor_stripes_tiled and gabor_stripes_at.
+//     Stripes along the map, like gabor_stripes, gabor_stripes_tiled and gabor_stripes_at.
 
 // ====================================================================================================================
 // Private implementation
@@ -65,9 +68,9 @@ struct GaborWaves {
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //
 // where F_c does not depend on p. Multiplying A_c by a number of length 1 does not change its distribution, so the
-// value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and so also
-// normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is the product of
-// both windows.
+// value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and therefore
+// also normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is the
+// product of both windows.
 
 float2 gabor_node_position(GaborPlace place, int index) {
     int2 node = (int2)(floor(place.local + 0.5)) + int2(index - index / 3 * 3 - 1, index / 3 - 1);
@@ -76,7 +79,7 @@ float2 gabor_node_position(GaborPlace place, int index) {
     return (float2)(node) / place.radius;
 }
 
-// Adds a node's wave, `d` kernel radii from it, with (window, derivative) along each axis.
+// Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
 void gabor_impl_add_directed(inout GaborField sum, float2 amplitude, float2 wave, float2 d, float2 x, float2 y) {
     wave = clamp(wave, -1.0e6, 1.0e6);
     float2 value = gabor_impl_product(amplitude, gabor_impl_wave(dot(wave, d)));

@@ -1,5 +1,4 @@
-// gabor_erosion.metal: eroded mountains, evaluated point by point: branching gullies and ridges on any slope.
-// Paste or include this file after gabor_lattice.metal: for the Metal shading language.
+// gabor_erosion.metal: eroded mountains with branching gullies and ridges, evaluated point by point on any slope: for the Metal shading language.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
@@ -29,9 +28,9 @@ struct GaborTerrain {
 };
 
 struct GaborErosion {
-    int octaves;           // each costs about one gabor_noise_gradient
+    int octaves;           // number of octaves, each about as costly as gabor_noise_gradient
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
-    float strength;        // their depth times frequency: how steep they are
+    float strength;        // depth of the gullies times their frequency: how steep they are
     float lacunarity;      // frequency of each octave, relative to the previous one
     float gain;            // depth of each octave, relative to the previous one: 1 / lacunarity keeps slopes
     float onset;           // slope at which gullies reach their full depth
@@ -40,7 +39,7 @@ struct GaborErosion {
     float ridge_rounding;  // width of rounded ridges, in radians of the first octave's phase, 0 for sharp ones
     float crease_rounding; // the same for creases
     float gully_weight;    // depth of gullies, relative to that of peaks and valleys
-    float branching;       // how far gullies turn finer ones: 0 keeps them parallel, 1 uses the gullies' full slope
+    float branching;       // how much gullies turn finer ones: 0 keeps these parallel, 1 uses the gullies' full slope
 };
 
 // GaborErosion gabor_erosion()
@@ -50,13 +49,14 @@ struct GaborErosion {
 //     Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
 
 // GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed)
-//     Adds gullies and ridges to the base at p. base.ridge tells what its flat places are: -1 for valleys, 1 for peaks.
-//     The height is continuous where the base and its slope are, and the result can be eroded again. The returned slope
-//     follows the gullies' phase alone, not how they turn and fade: its rms error is 0.63 of the rms slope.
+//     Adds gullies and ridges to the base at p. base.ridge says what flat places of the base are: -1 for valleys, 1 for
+//     peaks. The height is continuous where the base and its slope are, and the result can be eroded again. The
+//     returned slope ignores how gullies turn and fade, and follows only their phase: its rms error is 0.63 of the rms
+//     slope.
 
 // GaborTerrain gabor_terrain_filtered(float2 p, float2 dx, float2 dy, uint seed)
 // GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same without what is too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and dFdy(p).
+//     The same without features too fine for a pixel, and with the same mean height. dx and dy are dFdx(p) and dFdy(p).
 
 // GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed)
 // GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed)
@@ -65,20 +65,20 @@ struct GaborErosion {
 struct GaborGround { // a position, cell + local
     int2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     float2 local;  // small, most precise in [0, 1)^2
-    float2 period; // 0 for none. With a period, cell + local is rounded to a float
+    float2 period; // period, 0 for none. With a period, cell + local is rounded to a float
 };
 
 // GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     Everything together: full precision far away, a period, and a filter, unless dx and dy are float2(0.0).
+//     All of these together: full precision far away, a period, and a filter unless dx and dy are float2(0.0).
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that its product with a
-// cell is an exact integer and fraction. The kernel radius is one unit of p.
+// The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that cell times nodes
+// splits exactly into integer and fraction. The kernel radius is one unit of p.
 inline GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(int2(0), float2(0.0));
@@ -96,7 +96,8 @@ inline GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     return place;
 }
 
-// Cubic B-splines of the four nodes around a point at t in [0, 1) between the middle two, and their derivatives.
+// Computes the cubic B-splines of the four nodes around a point, at t in [0, 1) between the middle two, and their
+// derivatives.
 inline void gabor_impl_splines(float t, thread float4& value, thread float4& slope) {
     float u = 1.0 - t;
     value = float4(u * u * u, 4.0 - 3.0 * t * t * (1.0 + u), 4.0 - 3.0 * u * u * (1.0 + t), t * t * t) / 6.0;
@@ -111,7 +112,7 @@ inline uint4 gabor_impl_four_line_words(int index, int period, uint salt) {
                  gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
-// Adds a row of nodes to two noises; their amplitudes are uniform between -2^31 and 2^31.
+// Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
 inline void gabor_impl_add_hills(thread GaborField& sum, uint4 words, float4 x, float4 slope_x, float y, float slope_y) {
     float4 a = float4(int4(words)), b = float4(int4(words << 16u));
     float2 row = float2(dot(x, a), dot(x, b));
@@ -120,10 +121,10 @@ inline void gabor_impl_add_hills(thread GaborField& sum, uint4 words, float4 x, 
     sum.slope_y += slope_y * row;
 }
 
-// Wide hills, with small ones along the contours of a second noise, stronger on high places. The noises are random
-// amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. The sum of their squares is 151 /
-// 315 on average along each axis, and that of their derivatives is 2 / 3. So the mean of a noise over a pixel, with
-// half a pixel as deviation, is `kept` times its value, and the variance lost lowers the mean of the sine.
+// Wide hills plus small ones along the contours of a second noise, which are higher in high places. The noises are
+// random amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. Along each axis, the
+// squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a filter with a
+// deviation of half a pixel multiplies a noise by `kept`, and the lost variance lowers the mean of the sine.
 inline GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed) {
     GaborPlace place = gabor_impl_ground(ground, 1.0);
     float2 zero = floor(place.local);
@@ -149,17 +150,18 @@ inline GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, u
     return GaborTerrain{0.33 * height, slope, height * rsqrt(1.0 + height * height)};
 }
 
-// Rises from 0 to 1 at t = 1 and stays there; starts straight, or rounded.
+// A mask that rises from 0 to 1 at t = 1 and stays there, with a straight or rounded start.
 inline float gabor_impl_mask(float t, float rounding) {
     float s = 1.0 - min(t < rounding ? 0.5 * t * t / rounding : t - 0.5 * rounding, 1.0);
     return 1.0 - s * s;
 }
 
-// Where the mask m of an octave is below 1, its gullies of weight w fade to those of the previous octave:
+// Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
-// ridges and in creases. The sides of a gully turn finer ones by a constant slope, which jumps where their mask is 0.
-// If a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of |sin(phase)|.
+// ridges and in creases. The sides of a gully turn finer gullies by a constant slope, which jumps where the mask of
+// these is 0. If a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of
+// |sin(phase)|.
 inline GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain{base.ridge, float2(0.0), base.ridge}; // t_i, its slope, and t_i with w = 1

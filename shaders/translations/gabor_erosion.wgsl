@@ -1,8 +1,7 @@
-// gabor_erosion.wgsl: eroded mountains, evaluated point by point: branching gullies and ridges on any slope.
-// Paste or include this file after gabor_lattice.wgsl: for WGSL.
+// gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any slope: for WGSL.
 //
-// Digest of the GLSL and of this file: 191e58d87c1028c3
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
+// Digest of the GLSL and of this file: f5fbe4693d8ee453
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -45,15 +44,16 @@ fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
     return _e6;
 }
 
-// Adds gullies and ridges to the base at p. base.ridge tells what its flat places are: -1 for valleys, 1 for peaks.
-// The height is continuous where the base and its slope are, and the result can be eroded again. The returned slope
-// follows the gullies' phase alone, not how they turn and fade: its rms error is 0.63 of the rms slope.
+// Adds gullies and ridges to the base at p. base.ridge says what flat places of the base are: -1 for valleys, 1 for
+// peaks. The height is continuous where the base and its slope are, and the result can be eroded again. The
+// returned slope ignores how gullies turn and fade, and follows only their phase: its rms error is 0.63 of the rms
+// slope.
 fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e8 = gabor_eroded_filtered(p, vec2(0f), vec2(0f), base, erosion, seed);
     return _e8;
 }
 
-// The same without what is too fine for a pixel, with the same mean height. dx and dy are dFdx(p) and dFdy(p).
+// The same without features too fine for a pixel, and with the same mean height. dx and dy are dFdx(p) and dFdy(p).
 fn gabor_terrain_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     let _e9 = gabor_terrain_at(GaborGround(vec2(0i), p, vec2(0f)), dx, dy, seed);
     return _e9;
@@ -81,7 +81,7 @@ struct GaborGround {
     period: vec2<f32>,
 }
 
-// Everything together: full precision far away, a period, and a filter, unless dx and dy are vec2(0.0).
+// All of these together: full precision far away, a period, and a filter unless dx and dy are vec2(0.0).
 fn gabor_terrain_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
@@ -340,8 +340,8 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that its product with a
-// cell is an exact integer and fraction. The kernel radius is one unit of p.
+// The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that cell times nodes
+// splits exactly into integer and fraction. The kernel radius is one unit of p.
 fn gabor_impl_ground(ground: GaborGround, nodes: f32) -> GaborPlace {
     var rounded: u32;
     var place_7: GaborPlace;
@@ -389,7 +389,8 @@ fn gabor_impl_ground(ground: GaborGround, nodes: f32) -> GaborPlace {
     return _e140;
 }
 
-// Cubic B-splines of the four nodes around a point at t in [0, 1) between the middle two, and their derivatives.
+// Computes the cubic B-splines of the four nodes around a point, at t in [0, 1) between the middle two, and their
+// derivatives.
 fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     var u_1: f32;
 
@@ -434,7 +435,7 @@ fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
     return vec4<u32>(_e14, _e16, _e18, _e21);
 }
 
-// Adds a row of nodes to two noises; their amplitudes are uniform between -2^31 and 2^31.
+// Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
 fn gabor_impl_add_hills(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
     var a_2: vec4<f32>;
     var b_2: vec4<f32>;
@@ -458,7 +459,7 @@ fn gabor_impl_add_hills(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec
     return;
 }
 
-// Rises from 0 to 1 at t = 1 and stays there; starts straight, or rounded.
+// A mask that rises from 0 to 1 at t = 1 and stays there, with a straight or rounded start.
 fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
     var local_13: f32;
     var s_3: f32;

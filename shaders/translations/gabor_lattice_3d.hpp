@@ -7,9 +7,9 @@
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Arguments of all functions; the others are as in gabor_lattice.hpp:
-//     direction  of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
-//     normal     of the surface, of any length from 10^-15 to 10^15
+// Arguments of all functions, besides those of gabor_lattice.hpp:
+//     direction  direction of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
+//     normal     normal of the surface, of any length from 10^-15 to 10^15
 //     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p. The noise is continuous wherever they are.
 //
@@ -27,50 +27,50 @@
 
 // float gabor_noise_3d(vec3 p, float frequency, vec3 direction, uint seed)
 // float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction, uint seed)
-//     The noise. It and its first derivatives are continuous.
+//     The noise, continuous with its first derivatives.
 
 // float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 direction, uint seed)
 // vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed)
 // vec2 gabor_noise_3d_complex(vec3 p, float frequency, vec3 direction, uint seed)
-//     As gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
+//     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 
 // vec4 gabor_noise_3d_gradient(vec3 p, float frequency, vec3 direction, uint seed)
-//     (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For bumps, subtract the gradient's part
-//     along the normal.
+//     (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For a bump map, subtract the gradient's
+//     part along the normal.
 
 // vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 direction, uint seed)
 //     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
 //     that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
 //     whole one. Continuous in p, dx and dy. On GPUs it costs 1.4 times as much as gabor_noise_3d for steps up to 0.18
-//     (27 nodes), 4.2 times from 0.2 on (64 nodes), and at most 6.6 times (125 nodes).
+//     (27 nodes), 4.2 times for steps of 0.2 and more (64 nodes), and at most 6.6 times (125 nodes).
 
 // ---- Isotropic solid noise -----------------------------------------------------------------------------------------
 
 // float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed)
 //     Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
 //     and gradient are normal, with the same variance at every place. The power varies with direction only through the
-//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
-//     distributions; so are second derivatives.
+//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places, and second derivatives, have mixtures of
+//     normal distributions.
 
 // vec4 gabor_noise_3d_isotropic_gradient(vec3 p, float frequency, uint seed)
 //     (noise, d/dx, d/dy, d/dz), per kernel radius.
 
 // vec2 gabor_noise_3d_isotropic_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, uint seed)
-//     As gabor_noise_3d_filtered, for less than twice the cost of the noise. Where the pixel's longest axis is at most
-//     0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root
-//     mean square. Beyond, only the variance is right.
+//     Like gabor_noise_3d_filtered, at less than twice the cost of the noise. The error against exactly filtered noise,
+//     in standard deviations, is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4.
+//     For larger pixels only the variance is right.
 
 // ---- Noise on a surface --------------------------------------------------------------------------------------------
 
 // float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed)
 //     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
-//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for
-//     twice the cost. Where the surface is curved, the waves of a kernel bend.
+//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, at twice
+//     the cost. Where the surface is curved, the waves of a kernel bend.
 
 // float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 //     Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
-//     twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives
-//     along the surface have the distribution of gabor_noise_3d_isotropic.
+//     twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface have
+//     the distribution of gabor_noise_3d_isotropic.
 
 // ---- By place: large worlds, periods, time and pixels together -----------------------------------------------------
 
@@ -91,14 +91,14 @@ struct GaborPlace3d {
 struct GaborField3d {
     float noise;
     gabor_vec3 gradient;
-    float quadrature; // isotropic noise's is independent of the noise at one place, but not of its gradient
+    float quadrature; // quadrature, in isotropic noise independent of the noise at each place but not of its gradient
     gabor_vec3 quadrature_gradient;
     float removed; // the share of the variance that the average over the pixel removed
 };
 
 // GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
-//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
-//     way.
+//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells along
+//     each axis.
 
 // GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction, uint seed)
 // GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
@@ -114,7 +114,7 @@ GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local) {
     return GaborPlace3d{cell, local, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f, false, gabor_vec3(0.0f), gabor_vec3(0.0f)};
 }
 
-// A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
+// A vector scaled to length 1 if its length is 10^-15 to 10^15; shorter ones fall to 0.
 GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
     v = gabor_cpp_clamp(v, -1.0e15f, 1.0e15f);
     return v * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(v, v), 1.0e-30f));
@@ -123,13 +123,13 @@ GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 //
 // As in the plane, the nodes c of a lattice, R = 3/2 per kernel radius, send out waves under Hann's windows h, with
-// independent normal amplitudes A. The nearest node and its neighbours, 27, reach a point:
+// independent normal amplitudes A. The nearest node and its 26 neighbours reach a point:
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
-// The variance is 1 at every place whatever the wave vector F is: so F may follow a surface, which sees the frequency
-// asked for and no trace of the lattice.
+// The variance is 1 at every place for any wave vector F. So F may follow a surface, which shows the requested
+// frequency and no trace of the lattice.
 
-// Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z. The
-// filter adds mixed derivatives, with its covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` gets the noise and, in zw, derivatives of windows along x; `slopes` gets those along y
+// and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
 GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
                           int k, gabor_vec3 mixed) {
     for (int j = 0; j < 3; ++j)
@@ -143,8 +143,8 @@ GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, Gabo
                     + mixed.z * gabor_impl_product(slope.zw(), z.node[k].xy()), 0.0f, 0.0f);
 }
 
-// The noise of 27 nodes; filtered by three waves along each axis. E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the
-// derivative of a wave is 2 pi i F times it.
+// The noise of 27 nodes, filtered by three waves along each axis if the place asks for it. E[n^2] = K^2 E[|A|^2] / 2
+// (sum h^2)^3 = 1, and the derivative of a wave is 2 pi i F times the wave.
 GABOR_INLINE GaborField3d gabor_impl_sum_3d(GaborPlace3d place, gabor_vec3 wave, GaborMatrix pixel, std::uint32_t salt) {
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
@@ -170,7 +170,7 @@ GABOR_INLINE GaborField3d gabor_impl_sum_3d(GaborPlace3d place, gabor_vec3 wave,
                         sum.x, gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave, 0.0f};
 }
 
-// Adds a field times an amplitude. A kernel radius has `stretch` of its units of length.
+// Adds a field times an amplitude. A kernel radius is `stretch` of the field's units of length.
 GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field, float amplitude, gabor_vec3 stretch) {
     sum.noise += amplitude * field.noise;
     sum.gradient += amplitude * stretch * field.gradient;
@@ -178,7 +178,8 @@ GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field
     sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
 }
 
-// The perpendicular axes of a pixel, each twice as long as the filter's deviation, in units of GABOR_RADIUS nodes.
+// The perpendicular axes of a pixel, each twice as long as the filter's deviation along it, in units of GABOR_RADIUS
+// nodes.
 struct GaborPixelAxes {
     gabor_vec3 major;
     gabor_vec3 minor;
@@ -187,14 +188,14 @@ struct GaborPixelAxes {
 GABOR_INLINE GaborPixelAxes gabor_impl_pixel(GaborPlace3d place, gabor_vec3 stretch) {
     gabor_vec3 dx = gabor_cpp_clamp(place.dx, -1.0e6f, 1.0e6f) * stretch;
     gabor_vec3 dy = gabor_cpp_clamp(place.dy, -1.0e6f, 1.0e6f) * stretch;
-    gabor_vec2 twice = gabor_vec2(gabor_cpp_dot(dx, dx) - gabor_cpp_dot(dy, dy), 2.0f * gabor_cpp_dot(dx, dy)); // its axes have half of that angle
+    gabor_vec2 twice = gabor_vec2(gabor_cpp_dot(dx, dx) - gabor_cpp_dot(dy, dy), 2.0f * gabor_cpp_dot(dx, dy)); // the pixel's axes have half the angle of this
     float cosine = twice.x / gabor_cpp_max(gabor_cpp_length(twice), 1.0e-30f);
     gabor_vec2 turn = gabor_cpp_sqrt(gabor_cpp_max(0.5f + gabor_vec2(0.5f, -0.5f) * cosine, 0.0f));
     if (twice.y < 0.0f) turn.y = -turn.y;
     return GaborPixelAxes{turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx};
 }
 
-// The same with axes of at most `most`.
+// The same with each axis shortened to at most `most`.
 GABOR_INLINE GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
     return GaborPixelAxes{most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.major, pixel.major), most * most)) * pixel.major,
                       most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
@@ -248,14 +249,14 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, ga
     return sum;
 }
 
-// Adds one of two independent noises; it replaces the other as its x goes from 0 to 1.
+// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
 GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
     gabor_impl_accumulate_3d(sum, term, gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     sum.removed += power * term.removed;
 }
 
-// Where the surface's normal is within 14 to 30 degrees of the direction, a perpendicular direction replaces it.
+// Where the surface's normal is 14 to 30 degrees from the direction, a perpendicular direction takes over.
 GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
@@ -280,9 +281,9 @@ GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal
 // directions. On a surface there are two tangent vectors, and the same holds for the value and its derivatives along
 // the surface.
 
-// Adds a wave of the node with these axes, see gabor_impl_node. `wave` is its wave vector, and its turns from the node
-// to the point. The filter, see gabor_spectrum.hpp, multiplies it by exp(-2 pi^2 F.S F) and shifts its window along
-// each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
+// Adds a wave of the node with these axes (see gabor_impl_node). `wave` is the wave vector and, in w, the turns from
+// the node to the point. The filter (see gabor_spectrum.hpp) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
+// window along each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
 GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, gabor_vec4 wave, GaborPlace3d place,
                          GaborMatrix pixel, std::uint32_t word) {
     gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
@@ -292,7 +293,7 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec
     if (place.filtered) {
         gabor_vec3 s = 19.739209f * gabor_impl_symmetric_3d(pixel, wave.xyz());
         a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave.xyz(), s), 0.0f));
-        s = gabor_cpp_clamp(s, -3.0f, 3.0f); // for any wave that the filter keeps
+        s = gabor_cpp_clamp(s, -3.0f, 3.0f); // allows any wave that the filter keeps
         gabor_vec3 r = s * s, even = 1.0f + r * (0.5f + 0.041666667f * r);
         gabor_vec3 odd = s * (1.0f + r * (0.16666667f + 0.0083333333f * r));
         float mixed = gabor_cpp_dot(pixel.mixed, sine.yzx() * sine.zxy() * h);
@@ -310,7 +311,7 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec
     sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853f * value.y * wave.xyz();
 }
 
-// The waves of isotropic noise: all, or only those along a surface, spanned by these perpendicular vectors.
+// Which waves isotropic noise has: all, or only those along a surface, which these perpendicular vectors span.
 struct GaborTangents {
     bool only;
     gabor_vec3 along;
@@ -318,8 +319,8 @@ struct GaborTangents {
 };
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the frame. A wave
-// along -u is one along u, so half a turn is enough for the first vector along a surface. In space that vector also
-// rises, and a quarter of a turn around it is enough for the others.
+// along -u is also one along u, so half a turn is enough for the first vector along a surface. In space that vector
+// also rises, and a quarter of a turn around it is enough for the other two.
 GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, GaborPlace3d place, GaborMatrix pixel,
                          gabor_vec3 scale, GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     std::uint32_t word = column * row.w;
@@ -364,7 +365,7 @@ GABOR_INLINE GaborAxis gabor_impl_nodes(int cell, float local, int period, std::
     return axis;
 }
 
-// The sum over 27 nodes, without its factor K.
+// The sum over 27 nodes, without the factor K.
 GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, gabor_vec3 scale, GaborTangents tangents,
                                       std::uint32_t salt) {
     gabor_vec3 s = pixel.diagonal;
@@ -387,8 +388,8 @@ GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatr
 }
 
 // The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
-// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). With q_1 the
-// larger, its mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
+// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). If q_1 is
+// the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
 // E[u_1^2]) q_2.
 GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
     gabor_vec2 d = gabor_impl_spread(pixel);
@@ -434,7 +435,8 @@ GABOR_INLINE GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency
     return gabor_impl_isotropic(place, frequency, GaborTangents{false, gabor_vec3(1.0f, 0.0f, 0.0f), gabor_vec3(0.0f, 1.0f, 0.0f)}, seed);
 }
 
-// Waves of all directions in the tangent plane, measured from the circle of latitude around z, near the poles around x.
+// Waves in all directions of the tangent plane, measured from the circle of latitude around z or, near the poles,
+// around x.
 GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     float aside = gabor_cpp_dot(normal.xy(), normal.xy()); // squared distance from the z axis

@@ -1,21 +1,21 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every place: for WGSL.
 //
-// Digest of the GLSL and of this file: 3e37a2699b2f6f9d
+// Digest of the GLSL and of this file: 4b4c94ba910c8ed3
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Arguments of all functions; the others are as in gabor_lattice.wgsl:
-//     direction  of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
-//     normal     of the surface, of any length from 10^-15 to 10^15
+// Arguments of all functions, besides those of gabor_lattice.wgsl:
+//     direction  direction of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
+//     normal     normal of the surface, of any length from 10^-15 to 10^15
 //     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p. The noise is continuous wherever they are.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// The noise. It and its first derivatives are continuous.
+// The noise, continuous with its first derivatives.
 fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
@@ -48,7 +48,7 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     return _e48.noise;
 }
 
-// As gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
+// Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var place_36: GaborPlace3d;
 
@@ -83,8 +83,8 @@ fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, se
     return vec2<f32>(_e14.quadrature, _e16.noise);
 }
 
-// (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For bumps, subtract the gradient's part
-// along the normal.
+// (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For a bump map, subtract the gradient's
+// part along the normal.
 fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
     var field_15: GaborField3d;
 
@@ -99,7 +99,7 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
 // The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
 // that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
 // whole one. Continuous in p, dx and dy. On GPUs it costs 1.4 times as much as gabor_noise_3d for steps up to 0.18
-// (27 nodes), 4.2 times from 0.2 on (64 nodes), and at most 6.6 times (125 nodes).
+// (27 nodes), 4.2 times for steps of 0.2 and more (64 nodes), and at most 6.6 times (125 nodes).
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var field_17: GaborField3d;
 
@@ -113,8 +113,8 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
 
 // Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
 // and gradient are normal, with the same variance at every place. The power varies with direction only through the
-// window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
-// distributions; so are second derivatives.
+// window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places, and second derivatives, have mixtures of
+// normal distributions.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
@@ -133,9 +133,9 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
     return vec4<f32>(_e13.noise, _e15.gradient.x, _e15.gradient.y, _e15.gradient.z);
 }
 
-// As gabor_noise_3d_filtered, for less than twice the cost of the noise. Where the pixel's longest axis is at most
-// 0.3 kernel radii, the noise differs from the exactly filtered one by 2 % of its deviation, at 0.4 by 3 %, root
-// mean square. Beyond, only the variance is right.
+// Like gabor_noise_3d_filtered, at less than twice the cost of the noise. The error against exactly filtered noise,
+// in standard deviations, is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4.
+// For larger pixels only the variance is right.
 fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var field_19: GaborField3d;
 
@@ -148,8 +148,8 @@ fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>,
 }
 
 // Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
-// the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, for
-// twice the cost. Where the surface is curved, the waves of a kernel bend.
+// the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, at twice
+// the cost. Where the surface is curved, the waves of a kernel bend.
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
@@ -157,8 +157,8 @@ fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, directio
 }
 
 // Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
-// twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives
-// along the surface have the distribution of gabor_noise_3d_isotropic.
+// twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface have
+// the distribution of gabor_noise_3d_isotropic.
 fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);
@@ -187,8 +187,8 @@ struct GaborField3d {
     removed: f32,
 }
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells each
-// way.
+// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells along
+// each axis.
 fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
     return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
 }
@@ -468,7 +468,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
 // Private implementation
 // ====================================================================================================================
 
-// A vector of any length from 10^-15 to 10^15 brought to length 1; below it falls to 0.
+// A vector scaled to length 1 if its length is 10^-15 to 10^15; shorter ones fall to 0.
 fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     var v_4: vec3<f32>;
 
@@ -481,8 +481,8 @@ fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
 }
 
-// Adds slice k of nodes: to `sum` the noise and, in zw, derivatives of windows along x, to `slopes` along y and z. The
-// filter adds mixed derivatives, with its covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` gets the noise and, in zw, derivatives of windows along x; `slopes` gets those along y
+// and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
 fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
     var y_10: GaborAxis;
     var j_5: i32 = 0i;
@@ -530,8 +530,8 @@ fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec
     }
 }
 
-// The noise of 27 nodes; filtered by three waves along each axis. E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1, and the
-// derivative of a wave is 2 pi i F times it.
+// The noise of 27 nodes, filtered by three waves along each axis if the place asks for it. E[n^2] = K^2 E[|A|^2] / 2
+// (sum h^2)^3 = 1, and the derivative of a wave is 2 pi i F times the wave.
 fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, salt: u32) -> GaborField3d {
     var x_15: GaborAxis;
     var y_11: GaborAxis;
@@ -623,7 +623,7 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     return GaborField3d(_e181.y, (vec3<f32>(_e183.w, _e185.y, _e187.w) + ((6.2831855f * _e191.x) * wave)), _e196.x, (vec3<f32>(_e198.z, _e200.x, _e202.z) - ((6.2831855f * _e206.y) * wave)), 0f);
 }
 
-// Adds a field times an amplitude. A kernel radius has `stretch` of its units of length.
+// Adds a field times an amplitude. A kernel radius is `stretch` of the field's units of length.
 fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3d, amplitude: f32, stretch: vec3<f32>) {
     let _e5 = (*sum);
     (*sum).noise = (_e5.noise + (amplitude * field.noise));
@@ -636,7 +636,8 @@ fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3
     return;
 }
 
-// The perpendicular axes of a pixel, each twice as long as the filter's deviation, in units of GABOR_RADIUS nodes.
+// The perpendicular axes of a pixel, each twice as long as the filter's deviation along it, in units of GABOR_RADIUS
+// nodes.
 struct GaborPixelAxes {
     major: vec3<f32>,
     minor: vec3<f32>,
@@ -679,7 +680,7 @@ fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
     return GaborPixelAxes(((_e64.x * _e66) + (_e68.y * _e70)), ((_e73.x * _e75) - (_e77.y * _e79)));
 }
 
-// The same with axes of at most `most`.
+// The same with each axis shortened to at most `most`.
 fn gabor_impl_resolved(pixel: GaborPixelAxes, most: f32) -> GaborPixelAxes {
     return GaborPixelAxes(((most * inverseSqrt(max(dot(pixel.major, pixel.major), (most * most)))) * pixel.major), ((most * inverseSqrt(max(dot(pixel.minor, pixel.minor), (most * most)))) * pixel.minor));
 }
@@ -722,7 +723,7 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
-// Adds one of two independent noises; it replaces the other as its x goes from 0 to 1.
+// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
 fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
     var power_5: f32;
 
@@ -736,9 +737,9 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: 
     return;
 }
 
-// Adds a wave of the node with these axes, see gabor_impl_node. `wave` is its wave vector, and its turns from the node
-// to the point. The filter, see gabor_spectrum.wgsl, multiplies it by exp(-2 pi^2 F.S F) and shifts its window along
-// each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
+// Adds a wave of the node with these axes (see gabor_impl_node). `wave` is the wave vector and, in w, the turns from
+// the node to the point. The filter (see gabor_spectrum.wgsl) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
+// window along each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
 fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, wave: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
     var a_7: vec2<f32>;
     var middle: vec3<f32>;
@@ -871,7 +872,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     return;
 }
 
-// The waves of isotropic noise: all, or only those along a surface, spanned by these perpendicular vectors.
+// Which waves isotropic noise has: all, or only those along a surface, which these perpendicular vectors span.
 struct GaborTangents {
     only: bool,
     along: vec3<f32>,
@@ -879,8 +880,8 @@ struct GaborTangents {
 }
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the frame. A wave
-// along -u is one along u, so half a turn is enough for the first vector along a surface. In space that vector also
-// rises, and a quarter of a turn around it is enough for the others.
+// along -u is also one along u, so half a turn is enough for the first vector along a surface. In space that vector
+// also rises, and a quarter of a turn around it is enough for the other two.
 fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var word_7: u32;
     var turn_12: vec2<f32>;
@@ -1020,7 +1021,7 @@ fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, variance: f32
     return _e46;
 }
 
-// The sum over 27 nodes, without its factor K.
+// The sum over 27 nodes, without the factor K.
 fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, salt: u32) -> GaborField3d {
     var s_8: vec3<f32>;
     var x_19: GaborAxis;
@@ -1163,8 +1164,8 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
 }
 
 // The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
-// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). With q_1 the
-// larger, its mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
+// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). If q_1 is
+// the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
 // E[u_1^2]) q_2.
 fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
     var d_8: vec2<f32>;

@@ -5,7 +5,7 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, even per pixel
+//     GaborWood oak = gabor_wood_default();                            // other parameters, which may vary by pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -24,8 +24,8 @@
 
 struct GaborMaterial {
     float3 colour;     // base colour of physically based shading: linear, Rec. 709 primaries, within [0, 1]
-    float height;    // in units of p
-    float roughness; // as in glTF
+    float height;    // height in units of p
+    float roughness; // roughness as in glTF
     float metalness; // 0 or 1
 };
 
@@ -45,9 +45,9 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float roughness, flo
 struct GaborPixel {
     float2 p;
     float2 dx; // change of p to the pixel on the right
-    float2 dy; // and to the one below
+    float2 dy; // change of p to the pixel below
     bool filtered;
-    float2 period; // 0 for none
+    float2 period; // period of p, 0 for none
 };
 
 GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered, float2 period)
@@ -66,28 +66,28 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered, float2 p
 
 // GaborPixel gabor_pixel_filtered(float2 p, float2 dx, float2 dy)
 //     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
-//     as unfiltered, all others as much as gabor_noise_filtered.
+//     as without the filter, and all others as much as gabor_noise_filtered.
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, float2 period)
 //     The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
-//     period, and scratches and hair take directions that repeat. Each material states a period from which on it looks
-//     as it does without one; in a shorter one its slow changes are faster.
+//     period, and scratches and hair take directions that repeat. Each material states the shortest period with which
+//     it looks as it does without one; with a shorter one, slow changes become faster.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
-// Each has a struct of parameters, their defaults, and a function of a place. The short forms have the defaults.
-// Colours are linear, from 0 to 1. In brackets are the number of noises, and the shortest period that does not change
-// the look.
+// Each material has a struct of parameters, their defaults, and a function of a place. The short forms use the
+// defaults. Colours are linear, from 0 to 1. Brackets give the number of noises and the shortest period that does not
+// change the look.
 // The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
 
-// A board cut beside the pith: year rings, pores, fibres [6 noises; period 3 x 9]. Along the grain, p.y grows.
+// A board cut beside the pith: year rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
     float3 early;      // colour of the early wood
     float3 late;       // colour of the late wood
     float rings;     // year rings per unit, 2 to 60
     float waviness;  // bends of the rings, 0 to 3
     float pores;     // strength of the pores, 0 to 1
-    float roughness; // of the early wood, 0 to 1
+    float roughness; // roughness of the early wood, 0 to 1
 };
 
 GaborWood GaborWood_of(float3 early, float3 late, float rings, float waviness, float pores, float roughness)
@@ -111,7 +111,7 @@ struct GaborFabric {
     float3 warp;        // colour of the threads along y
     float3 weft;        // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
-    float unevenness; // of the threads' thickness, shade and course, 0 to 2
+    float unevenness; // unevenness of the threads' thickness, shade and course, 0 to 2
     float relief;     // height of the weave and of the cords, 0 to 3
     float roughness;  // 0 to 1
     float cords;      // cords per unit, 0 to 20
@@ -141,7 +141,7 @@ struct GaborLeather {
     float cells;     // cells per unit, 2 to 30
     float wrinkles;  // bends of the rows of cells, 0 to 3
     float relief;    // height of the cells, 0 to 3
-    float roughness; // of the cells, 0 to 0.7
+    float roughness; // roughness of the cells, 0 to 0.7
 };
 
 GaborLeather GaborLeather_of(float3 pebble, float3 crease, float cells, float wrinkles, float relief, float roughness)
@@ -217,7 +217,7 @@ struct GaborRipples {
     float3 deep;       // colour of the troughs
     float3 shallow;    // colour of the crests
     float waves;     // longest waves per unit, 0.1 to 5
-    float direction; // of the wind, -6.2832 to 6.2832 radians
+    float direction; // direction of the wind, -6.2832 to 6.2832 radians
     float spread;    // range of the waves' directions, 0 to 6.2832 radians
     float relief;    // height of the longest waves, in units, 0 to 0.2
     float roughness; // 0 to 1
@@ -244,7 +244,7 @@ GaborRipples GaborRipples_of(float3 deep, float3 shallow, float waves, float dir
 struct GaborBrushedMetal {
     float3 colour;     // colour of the metal
     float streaks;   // widest streaks per unit, 1 to 50
-    float contrast;  // of the streaks, 0 to 0.5
+    float contrast;  // contrast of the streaks, 0 to 0.5
     float relief;    // height of the widest streaks, in units, 0 to 0.01
     float roughness; // 0 to 1
 };
@@ -272,7 +272,7 @@ struct GaborScratches {
     float reach;     // length of the scratches, in units, 0.3 to 10
     float direction; // middle of the scratches' directions, -6.2832 to 6.2832 radians
     float spread;    // range of the scratches' directions, 0 to 3.1416 radians
-    float depth;     // of the scratches, in units, 0 to 0.02
+    float depth;     // depth of the scratches, in units, 0 to 0.02
     float roughness; // 0 to 1
 };
 
@@ -299,7 +299,7 @@ struct GaborZebra {
     float3 bright;     // colour between the stripes
     float3 stripe;     // colour of the stripes
     float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // of the waves, across the stripes, -6.2832 to 6.2832 radians
+    float direction; // direction of the waves, across the stripes, -6.2832 to 6.2832 radians
     float bends;     // change of the stripes' direction, 0 to 1.5708 radians
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
@@ -322,14 +322,14 @@ GaborZebra GaborZebra_of(float3 bright, float3 stripe, float stripes, float dire
 // GaborMaterial gabor_zebra(float2 p, uint seed)
 // GaborMaterial gabor_zebra_filtered(float2 p, float2 dx, float2 dy, uint seed)
 
-// Furrows and plates, moss [11 noises; period 3 x 6]. Along the grain, p.y grows.
+// Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
     float3 plate;      // colour of the plates
     float3 furrow;     // colour of the furrows
     float3 moss;       // colour of the moss
     float furrows;   // furrows per unit, 0.5 to 10
     float cover;     // cover of moss, 0 to 1
-    float depth;     // of the furrows, in units, 0 to 0.4
+    float depth;     // depth of the furrows, in units, 0 to 0.4
     float roughness; // 0 to 1
 };
 
@@ -354,7 +354,7 @@ GaborBark GaborBark_of(float3 plate, float3 furrow, float3 moss, float furrows, 
 struct GaborCarbonFibre {
     float3 colour;     // colour of the fibres
     float tows;      // tows per unit, 1 to 20
-    float contrast;  // of the fibres, 0 to 0.6
+    float contrast;  // contrast of the fibres, 0 to 0.6
     float relief;    // height of the tows, 0 to 3
     float roughness; // 0 to 1
 };
@@ -411,9 +411,9 @@ GaborStrata GaborStrata_of(float3 rock, float3 sandstone, float3 red, float3 pal
 // How to filter a nonlinear function f of noise: the pixel's filter leaves the value v of a noise of variance 1, and
 // removes the share r of its variance. The removed part is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
 // over normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution
-// function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile of a phase a
-// mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals the mean
-// of the sharp one at every distance; leather and the weaves fade to a measured mean.
+// function; a line along the zeros of a noise, a normal curve; a change of tone, an exponential; and a profile of a
+// phase, a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals
+// the mean of the sharp one at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -442,7 +442,7 @@ float3 gabor_impl_spots(GaborPixel pixel, float2 density, uint seed) {
     return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
 }
 
-// A sum of spots, each octave half as large with `gain` times the amplitude.
+// A sum of spots; each octave is half as large and has `gain` times the amplitude.
 float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gain, uint seed) {
     float3 sum = (float3)(0.0);
     float power = 0.0;
@@ -457,7 +457,7 @@ float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gai
     return sum / float3((float2)(sqrt(power)), power);
 }
 
-// Moves the place by two noises, and its steps accordingly.
+// Moves the place by two noises, and changes its steps accordingly.
 GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, uint seed) {
     GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0, 0.0), seed);
     float2 along_x = amplitude * density.x * field.slope_x;
@@ -467,9 +467,9 @@ GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, u
 }
 
 // Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines, p
-// repeats after 1: `other` completes a basis of the lattice of periods. The axes are then not quite at right angles, which
-// long kernels hide.
+// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines,
+// p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at right
+// angles, which long kernels hide.
 GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     float2 turn = gabor_impl_wave(0.15915494 * angle);
     float2 x = turn;
@@ -494,7 +494,8 @@ GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
                       float2(dot(x, pixel.dy), dot(y, pixel.dy)), pixel.filtered, period);
 }
 
-// Repetitions per unit along each axis: as many as asked, or the nearest for which a period has a multiple of `whole`.
+// Repetitions per unit along each axis: the requested number, or the nearest for which a period has a multiple of
+// `whole`.
 float2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
     if (pixel.period.x > 0.0)
         return max(floor(pixel.period * (count / whole) + 0.5), (float2)(1.0)) * whole / pixel.period;
@@ -521,12 +522,13 @@ float gabor_impl_tone(float noise, float removed, float contrast) {
     return exp(contrast * (noise - 0.5 * contrast * (1.0 - removed)));
 }
 
-// The unit vector of a complex noise's phase; shorter where it is a mean.
+// The unit vector of a complex noise's phase; where it is a mean over phases, it is shorter.
 float2 gabor_impl_phase(float3 layer) {
     return layer.xy * rsqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
 }
 
-// The square of a sawtooth from 0 to 1, with mean 1/3, over the turns of gabor_impl_phase_of.
+// The square of a sawtooth from 0 to 1, with mean 1/3: its integral, and its mean over the width of
+// gabor_impl_phase_of.
 float gabor_impl_rise_integral(float x) {
     float turns = floor(x), t = x - turns;
     return 0.33333333 * (turns + t * t * t);
@@ -552,7 +554,7 @@ GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
     GaborPixel years = gabor_impl_warp(board, float2(6.5, 0.08), float2(0.455 / wood.rings, 0.0), gabor_lobe_seed(seed, 2));
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0).x;
     float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
-    float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // of the wave, by a normal filter
+    float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // share of the wave that a normal filter keeps
     float ring = gabor_impl_rise(float2(rings * years.p.x, gabor_impl_phase_of(float2(kept, 0.0)).y));
     float3 pore = gabor_impl_spots(pixel, float2(90.0, 4.5), gabor_lobe_seed(seed, 3));
     float3 fibre = gabor_impl_spots(pixel, float2(150.0, 2.0), gabor_lobe_seed(seed, 4));
@@ -590,7 +592,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     float3 tone = first ? upright : level;
     float3 fibre = first ? upright_fibre : level_fibre;
 
-    // The part of the weave that the filter keeps; the rest becomes the mean, measured by unevenness.
+    // The part of the weave that the filter keeps; the rest becomes the mean, which was measured for each unevenness.
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
     float uneven = fabric.unevenness;
@@ -600,7 +602,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09 * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12);
     top = lerp(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top, kept);
     float height = fabric.relief / fabric.threads * (0.3 * top + 0.035 * fibre.y);
-    if (fabric.cords > 0.0) { // with wide crests and narrow furrows: 1 - cos(pi x)^4, a sum of two waves, which a filter damps
+    if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which a filter damps
         float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
         float damped = exp(-min(4.9348022 * cords * cords * (cloth.dx.x * cloth.dx.x + cloth.dy.x * cloth.dy.x), 20.0));
         float turn = 6.2831853 * frac(cords * cloth.p.x);
@@ -611,7 +613,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     return gabor_impl_material(colour, height, fabric.roughness, 0.0);
 }
 
-// Two phases and their sum belong to three waves whose crests meet: a lattice of cells, with faults.
+// Two phases and their sum are those of three waves, whose crests meet in a lattice of cells with faults.
 GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(0.07 * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, (float2)(4.0), (float2)(0.014 * leather.wrinkles), gabor_lobe_seed(seed, 1));
@@ -636,8 +638,8 @@ GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed
     return gabor_impl_material(colour, height, leather.roughness + 0.15 * (1.0 - pebble), 0.0);
 }
 
-// A vein is every other zero line of a noise, where its other part is high enough: long lines that end. A core in the
-// middle of a halo, with their widths and strengths.
+// Adds veins: every other zero line of a noise, where the noise's other part is high enough. Such lines are long, but
+// end. Each has a core in the middle of a halo, with a width and a strength for both.
 float3 gabor_impl_vein(float3 colour, float3 layer, float threshold, float3 halo, float3 core, float2 width, float2 strength) {
     float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5);
     strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
@@ -696,7 +698,7 @@ GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed
     float removed = 0.0;
     float power = 0.0;
     for (int i = 0; i < 14; ++i) {
-        float waves = ripples.waves * exp2(0.27 * float(i)); // per unit
+        float waves = ripples.waves * exp2(0.27 * float(i)); // number per unit
         float angle = ripples.direction + ripples.spread * (frac(0.618034 * float(i) + 0.1) - 0.5);
         float3 wave = gabor_impl_layer(pixel, (float2)(waves / 2.2), 2.2, angle, gabor_lobe_seed(seed, i));
         float amplitude = exp2(-0.351 * float(i));
@@ -755,7 +757,7 @@ GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed) {
     float3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), gabor_lobe_seed(seed, 3));
     float3 tone = gabor_impl_spots(pixel, (float2)(1.2), gabor_lobe_seed(seed, 4));
 
-    float intensity = length(stripe.xy); // at the zeros of stripe.x, the smaller its slope, the wider the edge
+    float intensity = length(stripe.xy); // where it is small, stripe.x has a small slope, and the edge is wide
     float ragged = 0.1 * zebra.hair;
     float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0,
                                   0.01 + 0.09 * intensity);
@@ -799,7 +801,7 @@ GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, u
     bool first = turn < 1.5;
     float3 fibre = first ? upright : level;
     float2 along_across = first ? within.yx : within;
-    float along = 0.5 * (along_across.x + (frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // across two rows
+    float along = 0.5 * (along_across.x + (frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // spans two rows
     float across = 2.0 * along_across.y - 1.0;
 
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
@@ -822,7 +824,7 @@ GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed) {
     float3 lamina = gabor_impl_spots(rock, float2(0.6, 8.3333333) * layers, gabor_lobe_seed(seed, 6));
     float3 grain = gabor_impl_octaves(pixel, float2(16.0, 24.0), 4, 0.8, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // washed out
+    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // layers that are washed out
     float3 colour = lerp(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0, 0.5));
     colour = lerp(colour, strata.red, 0.8 * soft);
     colour = lerp(colour, strata.pale, 0.75 * gabor_impl_above(thin.x, thin.z, 1.0, 0.2));

@@ -6,7 +6,7 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, even per pixel
+//     GaborWood oak = gabor_wood_default();                            // other parameters, which may vary by pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -25,8 +25,8 @@
 
 struct GaborMaterial {
     gabor_vec3 colour;     // base colour of physically based shading: linear, Rec. 709 primaries, within [0, 1]
-    float height;    // in units of p
-    float roughness; // as in glTF
+    float height;    // height in units of p
+    float roughness; // roughness as in glTF
     float metalness; // 0 or 1
 };
 
@@ -36,9 +36,9 @@ struct GaborMaterial {
 struct GaborPixel {
     gabor_vec2 p;
     gabor_vec2 dx; // change of p to the pixel on the right
-    gabor_vec2 dy; // and to the one below
+    gabor_vec2 dy; // change of p to the pixel below
     bool filtered;
-    gabor_vec2 period; // 0 for none
+    gabor_vec2 period; // period of p, 0 for none
 };
 
 // GaborPixel gabor_pixel(vec2 p)
@@ -46,28 +46,28 @@ struct GaborPixel {
 
 // GaborPixel gabor_pixel_filtered(vec2 p, vec2 dx, vec2 dy)
 //     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
-//     as unfiltered, all others as much as gabor_noise_filtered.
+//     as without the filter, and all others as much as gabor_noise_filtered.
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period)
 //     The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
-//     period, and scratches and hair take directions that repeat. Each material states a period from which on it looks
-//     as it does without one; in a shorter one its slow changes are faster.
+//     period, and scratches and hair take directions that repeat. Each material states the shortest period with which
+//     it looks as it does without one; with a shorter one, slow changes become faster.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
-// Each has a struct of parameters, their defaults, and a function of a place. The short forms have the defaults.
-// Colours are linear, from 0 to 1. In brackets are the number of noises, and the shortest period that does not change
-// the look.
+// Each material has a struct of parameters, their defaults, and a function of a place. The short forms use the
+// defaults. Colours are linear, from 0 to 1. Brackets give the number of noises and the shortest period that does not
+// change the look.
 // The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
 
-// A board cut beside the pith: year rings, pores, fibres [6 noises; period 3 x 9]. Along the grain, p.y grows.
+// A board cut beside the pith: year rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
     gabor_vec3 early;      // colour of the early wood
     gabor_vec3 late;       // colour of the late wood
     float rings;     // year rings per unit, 2 to 60
     float waviness;  // bends of the rings, 0 to 3
     float pores;     // strength of the pores, 0 to 1
-    float roughness; // of the early wood, 0 to 1
+    float roughness; // roughness of the early wood, 0 to 1
 };
 // GaborWood gabor_wood_default()
 // GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed)
@@ -79,7 +79,7 @@ struct GaborFabric {
     gabor_vec3 warp;        // colour of the threads along y
     gabor_vec3 weft;        // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
-    float unevenness; // of the threads' thickness, shade and course, 0 to 2
+    float unevenness; // unevenness of the threads' thickness, shade and course, 0 to 2
     float relief;     // height of the weave and of the cords, 0 to 3
     float roughness;  // 0 to 1
     float cords;      // cords per unit, 0 to 20
@@ -96,7 +96,7 @@ struct GaborLeather {
     float cells;     // cells per unit, 2 to 30
     float wrinkles;  // bends of the rows of cells, 0 to 3
     float relief;    // height of the cells, 0 to 3
-    float roughness; // of the cells, 0 to 0.7
+    float roughness; // roughness of the cells, 0 to 0.7
 };
 // GaborLeather gabor_leather_default()
 // GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed)
@@ -136,7 +136,7 @@ struct GaborRipples {
     gabor_vec3 deep;       // colour of the troughs
     gabor_vec3 shallow;    // colour of the crests
     float waves;     // longest waves per unit, 0.1 to 5
-    float direction; // of the wind, -6.2832 to 6.2832 radians
+    float direction; // direction of the wind, -6.2832 to 6.2832 radians
     float spread;    // range of the waves' directions, 0 to 6.2832 radians
     float relief;    // height of the longest waves, in units, 0 to 0.2
     float roughness; // 0 to 1
@@ -150,7 +150,7 @@ struct GaborRipples {
 struct GaborBrushedMetal {
     gabor_vec3 colour;     // colour of the metal
     float streaks;   // widest streaks per unit, 1 to 50
-    float contrast;  // of the streaks, 0 to 0.5
+    float contrast;  // contrast of the streaks, 0 to 0.5
     float relief;    // height of the widest streaks, in units, 0 to 0.01
     float roughness; // 0 to 1
 };
@@ -167,7 +167,7 @@ struct GaborScratches {
     float reach;     // length of the scratches, in units, 0.3 to 10
     float direction; // middle of the scratches' directions, -6.2832 to 6.2832 radians
     float spread;    // range of the scratches' directions, 0 to 3.1416 radians
-    float depth;     // of the scratches, in units, 0 to 0.02
+    float depth;     // depth of the scratches, in units, 0 to 0.02
     float roughness; // 0 to 1
 };
 // GaborScratches gabor_scratches_default()
@@ -180,7 +180,7 @@ struct GaborZebra {
     gabor_vec3 bright;     // colour between the stripes
     gabor_vec3 stripe;     // colour of the stripes
     float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // of the waves, across the stripes, -6.2832 to 6.2832 radians
+    float direction; // direction of the waves, across the stripes, -6.2832 to 6.2832 radians
     float bends;     // change of the stripes' direction, 0 to 1.5708 radians
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
@@ -190,14 +190,14 @@ struct GaborZebra {
 // GaborMaterial gabor_zebra(vec2 p, uint seed)
 // GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
-// Furrows and plates, moss [11 noises; period 3 x 6]. Along the grain, p.y grows.
+// Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
     gabor_vec3 plate;      // colour of the plates
     gabor_vec3 furrow;     // colour of the furrows
     gabor_vec3 moss;       // colour of the moss
     float furrows;   // furrows per unit, 0.5 to 10
     float cover;     // cover of moss, 0 to 1
-    float depth;     // of the furrows, in units, 0 to 0.4
+    float depth;     // depth of the furrows, in units, 0 to 0.4
     float roughness; // 0 to 1
 };
 // GaborBark gabor_bark_default()
@@ -209,7 +209,7 @@ struct GaborBark {
 struct GaborCarbonFibre {
     gabor_vec3 colour;     // colour of the fibres
     float tows;      // tows per unit, 1 to 20
-    float contrast;  // of the fibres, 0 to 0.6
+    float contrast;  // contrast of the fibres, 0 to 0.6
     float relief;    // height of the tows, 0 to 3
     float roughness; // 0 to 1
 };
@@ -241,9 +241,9 @@ struct GaborStrata {
 // How to filter a nonlinear function f of noise: the pixel's filter leaves the value v of a noise of variance 1, and
 // removes the share r of its variance. The removed part is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
 // over normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution
-// function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile of a phase a
-// mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals the mean
-// of the sharp one at every distance; leather and the weaves fade to a measured mean.
+// function; a line along the zeros of a noise, a normal curve; a change of tone, an exponential; and a profile of a
+// phase, a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals
+// the mean of the sharp one at every distance; leather and the weaves fade to a measured mean.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -272,7 +272,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_spots(GaborPixel pixel, gabor_vec2 density, s
     return gabor_impl_layer(pixel, density, 0.0f, 0.0f, seed);
 }
 
-// A sum of spots, each octave half as large with `gain` times the amplitude.
+// A sum of spots; each octave is half as large and has `gain` times the amplitude.
 GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density, int count, float gain, std::uint32_t seed) {
     gabor_vec3 sum = gabor_vec3(0.0f);
     float power = 0.0f;
@@ -287,7 +287,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density,
     return sum / gabor_vec3(gabor_vec2(gabor_cpp_sqrt(power)), power);
 }
 
-// Moves the place by two noises, and its steps accordingly.
+// Moves the place by two noises, and changes its steps accordingly.
 GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed) {
     GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0f, 0.0f), seed);
     gabor_vec2 along_x = amplitude * density.x * field.slope_x;
@@ -297,9 +297,9 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, ga
 }
 
 // Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines, p
-// repeats after 1: `other` completes a basis of the lattice of periods. The axes are then not quite at right angles, which
-// long kernels hide.
+// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines,
+// p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at right
+// angles, which long kernels hide.
 GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;
@@ -324,7 +324,8 @@ GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
                       gabor_vec2(gabor_cpp_dot(x, pixel.dy), gabor_cpp_dot(y, pixel.dy)), pixel.filtered, period};
 }
 
-// Repetitions per unit along each axis: as many as asked, or the nearest for which a period has a multiple of `whole`.
+// Repetitions per unit along each axis: the requested number, or the nearest for which a period has a multiple of
+// `whole`.
 GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
     if (pixel.period.x > 0.0f)
         return gabor_cpp_max(gabor_cpp_floor(pixel.period * (count / whole) + 0.5f), gabor_vec2(1.0f)) * whole / pixel.period;
@@ -351,12 +352,13 @@ GABOR_INLINE float gabor_impl_tone(float noise, float removed, float contrast) {
     return gabor_cpp_exp(contrast * (noise - 0.5f * contrast * (1.0f - removed)));
 }
 
-// The unit vector of a complex noise's phase; shorter where it is a mean.
+// The unit vector of a complex noise's phase; where it is a mean over phases, it is shorter.
 GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer) {
     return layer.xy() * gabor_cpp_inversesqrt(gabor_cpp_dot(layer.xy(), layer.xy()) + 2.5f * layer.z + 1.0e-6f);
 }
 
-// The square of a sawtooth from 0 to 1, with mean 1/3, over the turns of gabor_impl_phase_of.
+// The square of a sawtooth from 0 to 1, with mean 1/3: its integral, and its mean over the width of
+// gabor_impl_phase_of.
 GABOR_INLINE float gabor_impl_rise_integral(float x) {
     float turns = gabor_cpp_floor(x), t = x - turns;
     return 0.33333333f * (turns + t * t * t);
@@ -382,7 +384,7 @@ GABOR_INLINE GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, std::
     GaborPixel years = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), gabor_lobe_seed(seed, 2));
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0f).x;
     float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
-    float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * steps, 40.0f)); // of the wave, by a normal filter
+    float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * steps, 40.0f)); // share of the wave that a normal filter keeps
     float ring = gabor_impl_rise(gabor_vec2(rings * years.p.x, gabor_impl_phase_of(gabor_vec2(kept, 0.0f)).y));
     gabor_vec3 pore = gabor_impl_spots(pixel, gabor_vec2(90.0f, 4.5f), gabor_lobe_seed(seed, 3));
     gabor_vec3 fibre = gabor_impl_spots(pixel, gabor_vec2(150.0f, 2.0f), gabor_lobe_seed(seed, 4));
@@ -420,7 +422,7 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     gabor_vec3 tone = first ? upright : level;
     gabor_vec3 fibre = first ? upright_fibre : level_fibre;
 
-    // The part of the weave that the filter keeps; the rest becomes the mean, measured by unevenness.
+    // The part of the weave that the filter keeps; the rest becomes the mean, which was measured for each unevenness.
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = gabor_cpp_exp(-gabor_cpp_min(2.5f * (steps.x + steps.y), 40.0f));
     float uneven = fabric.unevenness;
@@ -430,7 +432,7 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09f * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12f);
     top = gabor_cpp_mix(0.1352f + uneven * (0.0045f + 0.0062f * uneven), top, kept);
     float height = fabric.relief / fabric.threads * (0.3f * top + 0.035f * fibre.y);
-    if (fabric.cords > 0.0f) { // with wide crests and narrow furrows: 1 - cos(pi x)^4, a sum of two waves, which a filter damps
+    if (fabric.cords > 0.0f) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which a filter damps
         float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0f).x;
         float damped = gabor_cpp_exp(-gabor_cpp_min(4.9348022f * cords * cords * (cloth.dx.x * cloth.dx.x + cloth.dy.x * cloth.dy.x), 20.0f));
         float turn = 6.2831853f * gabor_cpp_fract(cords * cloth.p.x);
@@ -441,7 +443,7 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     return gabor_impl_material(colour, height, fabric.roughness, 0.0f);
 }
 
-// Two phases and their sum belong to three waves whose crests meet: a lattice of cells, with faults.
+// Two phases and their sum are those of three waves, whose crests meet in a lattice of cells with faults.
 GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f * leather.wrinkles), gabor_lobe_seed(seed, 1));
@@ -466,8 +468,8 @@ GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leath
     return gabor_impl_material(colour, height, leather.roughness + 0.15f * (1.0f - pebble), 0.0f);
 }
 
-// A vein is every other zero line of a noise, where its other part is high enough: long lines that end. A core in the
-// middle of a halo, with their widths and strengths.
+// Adds veins: every other zero line of a noise, where the noise's other part is high enough. Such lines are long, but
+// end. Each has a core in the middle of a halo, with a width and a strength for both.
 GABOR_INLINE gabor_vec3 gabor_impl_vein(gabor_vec3 colour, gabor_vec3 layer, float threshold, gabor_vec3 halo, gabor_vec3 core, gabor_vec2 width, gabor_vec2 strength) {
     float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
     strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
@@ -526,7 +528,7 @@ GABOR_INLINE GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples rippl
     float removed = 0.0f;
     float power = 0.0f;
     for (int i = 0; i < 14; ++i) {
-        float waves = ripples.waves * gabor_cpp_exp2(0.27f * float(i)); // per unit
+        float waves = ripples.waves * gabor_cpp_exp2(0.27f * float(i)); // number per unit
         float angle = ripples.direction + ripples.spread * (gabor_cpp_fract(0.618034f * float(i) + 0.1f) - 0.5f);
         gabor_vec3 wave = gabor_impl_layer(pixel, gabor_vec2(waves / 2.2f), 2.2f, angle, gabor_lobe_seed(seed, i));
         float amplitude = gabor_cpp_exp2(-0.351f * float(i));
@@ -585,7 +587,7 @@ GABOR_INLINE GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, st
     gabor_vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), gabor_lobe_seed(seed, 3));
     gabor_vec3 tone = gabor_impl_spots(pixel, gabor_vec2(1.2f), gabor_lobe_seed(seed, 4));
 
-    float intensity = gabor_cpp_length(stripe.xy()); // at the zeros of stripe.x, the smaller its slope, the wider the edge
+    float intensity = gabor_cpp_length(stripe.xy()); // where it is small, stripe.x has a small slope, and the edge is wide
     float ragged = 0.1f * zebra.hair;
     float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0f,
                                   0.01f + 0.09f * intensity);
@@ -629,7 +631,7 @@ GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFi
     bool first = turn < 1.5f;
     gabor_vec3 fibre = first ? upright : level;
     gabor_vec2 along_across = first ? within.yx() : within;
-    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // across two rows
+    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // spans two rows
     float across = 2.0f * along_across.y - 1.0f;
 
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
@@ -652,7 +654,7 @@ GABOR_INLINE GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata,
     gabor_vec3 lamina = gabor_impl_spots(rock, gabor_vec2(0.6f, 8.3333333f) * layers, gabor_lobe_seed(seed, 6));
     gabor_vec3 grain = gabor_impl_octaves(pixel, gabor_vec2(16.0f, 24.0f), 4, 0.8f, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // washed out
+    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // layers that are washed out
     gabor_vec3 colour = gabor_cpp_mix(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0f, 0.5f));
     colour = gabor_cpp_mix(colour, strata.red, 0.8f * soft);
     colour = gabor_cpp_mix(colour, strata.pale, 0.75f * gabor_impl_above(thin.x, thin.z, 1.0f, 0.2f));

@@ -1,12 +1,12 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: c4a8a6716345ff0a
+// Digest of the GLSL and of this file: 3cad260976d5d03c
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, even per pixel
+//     GaborWood oak = gabor_wood_default();                            // other parameters, which may vary by pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -36,19 +36,19 @@ fn gabor_pixel(p: vec2<f32>) -> GaborPixel {
 }
 
 // The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
-// as unfiltered, all others as much as gabor_noise_filtered.
+// as without the filter, and all others as much as gabor_noise_filtered.
 fn gabor_pixel_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>) -> GaborPixel {
     return GaborPixel(p, dx, dy, true, vec2(0f));
 }
 
 // The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
-// period, and scratches and hair take directions that repeat. Each material states a period from which on it looks
-// as it does without one; in a shorter one its slow changes are faster.
+// period, and scratches and hair take directions that repeat. Each material states the shortest period with which
+// it looks as it does without one; with a shorter one, slow changes become faster.
 fn gabor_pixel_tiled(pixel: GaborPixel, period: vec2<f32>) -> GaborPixel {
     return GaborPixel((pixel.p - (period * floor((pixel.p / period)))), pixel.dx, pixel.dy, pixel.filtered, period);
 }
 
-// A board cut beside the pith: year rings, pores, fibres [6 noises; period 3 x 9]. Along the grain, p.y grows.
+// A board cut beside the pith: year rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
     early: vec3<f32>,
     late: vec3<f32>,
@@ -1113,7 +1113,7 @@ fn gabor_zebra_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -
     return _e6;
 }
 
-// Furrows and plates, moss [11 noises; period 3 x 6]. Along the grain, p.y grows.
+// Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
     plate: vec3<f32>,
     furrow: vec3<f32>,
@@ -1496,9 +1496,9 @@ fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) 
 // How to filter a nonlinear function f of noise: the pixel's filter leaves the value v of a noise of variance 1, and
 // removes the share r of its variance. The removed part is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
 // over normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution
-// function, a line along the zeros of a noise a normal curve, a change of tone an exponential, a profile of a phase a
-// mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals the mean
-// of the sharp one at every distance; leather and the weaves fade to a measured mean.
+// function; a line along the zeros of a noise, a normal curve; a change of tone, an exponential; and a profile of a
+// phase, a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals
+// the mean of the sharp one at every distance; leather and the weaves fade to a measured mean.
 
 fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
     if (pixel.period.x > 0f) {
@@ -1554,7 +1554,7 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
     return _e5;
 }
 
-// A sum of spots, each octave half as large with `gain` times the amplitude.
+// A sum of spots; each octave is half as large and has `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_5: vec2<f32>;
     var sum_15: vec3<f32> = vec3(0f);
@@ -1600,7 +1600,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
     return (_e44 / vec3<f32>(_e47.x, _e47.y, _e48));
 }
 
-// Moves the place by two noises, and its steps accordingly.
+// Moves the place by two noises, and changes its steps accordingly.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
     var field_14: GaborField;
     var along_x: vec2<f32>;
@@ -1623,9 +1623,9 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 }
 
 // Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines, p
-// repeats after 1: `other` completes a basis of the lattice of periods. The axes are then not quite at right angles, which
-// long kernels hide.
+// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines,
+// p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at right
+// angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;
@@ -1732,7 +1732,8 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     return GaborPixel(vec2<f32>(dot(_e150, pixel.p), dot(_e153, pixel.p)), vec2<f32>(dot(_e157, pixel.dx), dot(_e160, pixel.dx)), vec2<f32>(dot(_e164, pixel.dy), dot(_e167, pixel.dy)), pixel.filtered, _e172);
 }
 
-// Repetitions per unit along each axis: as many as asked, or the nearest for which a period has a multiple of `whole`.
+// Repetitions per unit along each axis: the requested number, or the nearest for which a period has a multiple of
+// `whole`.
 fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
     if (pixel.period.x > 0f) {
         return ((max(floor(((pixel.period * (count / whole)) + vec2(0.5f))), vec2(1f)) * whole) / pixel.period);
@@ -1772,12 +1773,13 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> f32 {
     return exp((contrast * (noise - ((0.5f * contrast) * (1f - removed)))));
 }
 
-// The unit vector of a complex noise's phase; shorter where it is a mean.
+// The unit vector of a complex noise's phase; where it is a mean over phases, it is shorter.
 fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
     return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
 }
 
-// The square of a sawtooth from 0 to 1, with mean 1/3, over the turns of gabor_impl_phase_of.
+// The square of a sawtooth from 0 to 1, with mean 1/3: its integral, and its mean over the width of
+// gabor_impl_phase_of.
 fn gabor_impl_rise_integral(x: f32) -> f32 {
     var turns_4: f32;
     var t_7: f32;
@@ -1810,8 +1812,8 @@ fn gabor_impl_material(colour: vec3<f32>, height: f32, roughness: f32, metalness
     return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height, roughness, metalness);
 }
 
-// A vein is every other zero line of a noise, where its other part is high enough: long lines that end. A core in the
-// middle of a halo, with their widths and strengths.
+// Adds veins: every other zero line of a noise, where the noise's other part is high enough. Such lines are long, but
+// end. Each has a core in the middle of a halo, with a width and a strength for both.
 fn gabor_impl_vein(colour: vec3<f32>, layer: vec3<f32>, threshold: f32, halo: vec3<f32>, core: vec3<f32>, width: vec2<f32>, strength: vec2<f32>) -> vec3<f32> {
     var strength_1: vec2<f32>;
     var open: f32;

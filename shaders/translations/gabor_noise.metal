@@ -3,7 +3,7 @@
 // Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
 // Use this file for the paper's own noise. gabor_lattice.metal has the same functions, is faster, and is normal at every
 // place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per
@@ -32,7 +32,7 @@ using namespace metal;
 #define GABOR_RADIUS 1.0 // R, cells per kernel radius: a float, at least 1. Loops cover ceil(2 R) + 1 cells per axis
 #endif
 #ifndef GABOR_WEIGHT_FLOOR
-#define GABOR_WEIGHT_FLOOR 0.675 // A: a weight's magnitude is A or 1, equally likely: a float in [0, 1]
+#define GABOR_WEIGHT_FLOOR 0.675 // A, a float in [0, 1]: weights have magnitude A or 1, equally likely
 #endif
 // Number of phases, evenly spread over a turn: a power of two up to 256. 2 gives sine kernels, which integrate to 0.
 #ifndef GABOR_PHASES
@@ -61,8 +61,8 @@ using namespace metal;
 //     nearly normal over all places together, less so at a single place of a cell; docs/recipes.md has both figures.
 //       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                    steps of 0.008
-//       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, impulses have too coarse
-//                    positions for the exact variance
+//       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
+//                    too coarse for the exact variance
 //       orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //       seed         any; different seeds give independent noises
 //     Frequency and orientation may vary with p: the noise is continuous wherever they are. NaN gives an unspecified
@@ -73,18 +73,18 @@ using namespace metal;
 
 // float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed)
 //     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
-//     each place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part has variance 1 only from
-//     frequency 1.5 up.
+//     each place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part has variance 1 only at
+//     frequencies of 1.5 and more.
 
 // float2 gabor_phasor(float2 value)
-//     (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
-//     width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
+//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
 // float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_RADIUS is whole, so is the distribution. Otherwise cells grow
-//     to fit, and values become less normal: for `one`, cvm is 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, and
-//     14 to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_RADIUS is whole, the distribution is also the same. Otherwise
+//     cells grow to fit, and values become less normal: for `one`, cvm is 1.1 with 5 % fewer cells per radius, 6.4 with
+//     10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
 
 // float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1. At any time it is an instance of gabor_noise. Its autocorrelation is
@@ -108,8 +108,8 @@ struct GaborPlace {
     int2 cell;   // any integers except the last few before 2^31, where the world wraps around
     float2 local;   // offset from that cell's corner in cells: small, most precise in [0, 1)^2
     float2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or down to half of that to fit a period
-    int2 period; // in cells, 0 for none
-    float time;   // in periods: only its fraction counts
+    int2 period; // period in cells, 0 for none
+    float time;   // time in periods: only its fraction counts
 };
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -163,7 +163,7 @@ inline uint gabor_impl_mix(uint word, uint salt) {
     return word ^ (word >> 15u);
 }
 
-// From the word of a seed follow those of the rows of cells, and from them those of the impulses.
+// The word of a seed determines those of the rows of cells, and these determine those of the impulses.
 inline uint gabor_impl_seed_word(uint seed) {
     return gabor_impl_mix(seed * GABOR_IMPL_CELL_STRIDE, 0x2545f491u);
 }
@@ -183,9 +183,9 @@ inline uint gabor_impl_impulse_word(int column, uint row_word, int index) {
 // The parts of an impulse's word. Positions in the cell have 1 added, in [1, 2)^2, to avoid a conversion from integers.
 struct GaborImpulse {
     float2 position_plus_one;
-    float phase;      // turns
-    float phase_rate; // turns while time goes by 1: -4 to -1 or 1 to 4
-    float magnitude;  // of the weight
+    float phase;      // phase in turns
+    float phase_rate; // turns per unit of time: -4 to -1 or 1 to 4
+    float magnitude;  // magnitude of the weight
 };
 
 inline GaborImpulse gabor_impl_impulse(uint word) {
@@ -196,7 +196,8 @@ inline GaborImpulse gabor_impl_impulse(uint word) {
                         rate < 0.0 ? rate : rate + 1.0, int(word) < 0 ? 1.0 : GABOR_WEIGHT_FLOOR};
 }
 
-// sin(2 pi t) by t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1], and as t is rounded beyond.
+// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond, the rounding of t
+// adds to the error.
 inline float gabor_impl_sine(float t) {
     t = fract(t) - 0.5;
     float s = t * t;
@@ -240,8 +241,8 @@ inline GaborEnergy gabor_impl_energy() {
 }
 
 // 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
-// a sine kernel of k cycles per radius, relative to that at high frequency. For small a from 1 - L_n by the power
-// series of L_7 and L_8 and downward recurrence; for large a by upward recurrence from L_0 = sin(a) / a:
+// a sine kernel of k cycles per radius, relative to that at high frequency. For small a it is computed from 1 - L_n, by
+// the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
 inline float gabor_impl_relative_energy(float k, GaborEnergy energy) {
     float a = 12.566371 * k;
@@ -275,7 +276,7 @@ inline float gabor_impl_relative_energy(float k, GaborEnergy energy) {
 }
 
 // ---- Kernels -------------------------------------------------------------------------------------------------------
-// The window q along one axis, 0 from |x| = 1 on, and its derivative.
+// The window q along one axis, which is 0 for |x| >= 1, and its derivative.
 inline float2 gabor_impl_window(float x) {
     float3 c = GABOR_WINDOW;
     float u = max(1.0 - x * x, 0.0);
@@ -290,8 +291,8 @@ inline int gabor_impl_wrap(int cell, int period) {
     return within < 0 ? within + period : within;
 }
 
-// Keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is multiplied by
-// 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
+// The gain that keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is
+// multiplied by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
 inline float gabor_impl_phase_gain(GaborKernel kernel_, float time) {
     if (GABOR_PHASES != 2 || time == 0.0)
         return 1.0;
@@ -360,7 +361,7 @@ inline GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) 
             }
         }
     }
-    // Fewer cells per radius mean fewer impulses.
+    // Compensates for fewer impulses if there are fewer cells per radius.
     float scale = kernel_.amplitude * GABOR_RADIUS * rsqrt(place.radius.x * place.radius.y)
                 * gabor_impl_phase_gain(kernel_, time);
     return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};

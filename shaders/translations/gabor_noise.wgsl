@@ -1,10 +1,10 @@
 // gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for WGSL.
 //
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 66bcc62ef13df868
+// Digest of the GLSL and of this file: 6f0046f4a843d64d
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
 // Use this file for the paper's own noise. gabor_lattice.wgsl has the same functions, is faster, and is normal at every
 // place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per
@@ -18,8 +18,8 @@ const GABOR_NOISE_VERSION: u32 = 20000u;
 // nearly normal over all places together, less so at a single place of a cell; docs/recipes.md has both figures.
 //   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                steps of 0.008
-//   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, impulses have too coarse
-//                positions for the exact variance
+//   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
+//                too coarse for the exact variance
 //   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
 //   seed         any; different seeds give independent noises
 // Frequency and orientation may vary with p: the noise is continuous wherever they are. NaN gives an unspecified
@@ -45,8 +45,8 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
 }
 
 // (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
-// each place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part has variance 1 only from
-// frequency 1.5 up.
+// each place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part has variance 1 only at
+// frequencies of 1.5 and more.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     let _e8 = gabor_place(vec2(0i), (p * 1f));
     let _e9 = gabor_kernel(frequency, orientation);
@@ -54,8 +54,8 @@ fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32
     return _e10.value;
 }
 
-// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
-// width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+// (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
+// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
     var local_10: f32;
@@ -85,9 +85,9 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 }
 
 // Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-// mean and variance of gabor_noise. If period * GABOR_RADIUS is whole, so is the distribution. Otherwise cells grow
-// to fit, and values become less normal: for `one`, cvm is 1.1 with 5 % fewer cells per radius, 6.4 with 10 %, and
-// 14 to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+// mean and variance of gabor_noise. If period * GABOR_RADIUS is whole, the distribution is also the same. Otherwise
+// cells grow to fit, and values become less normal: for `one`, cvm is 1.1 with 5 % fewer cells per radius, 6.4 with
+// 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var period_2: vec2<f32>;
     var cells: vec2<f32>;
@@ -428,7 +428,7 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e18 ^ (_e19 >> 15u));
 }
 
-// From the word of a seed follow those of the rows of cells, and from them those of the impulses.
+// The word of a seed determines those of the rows of cells, and these determine those of the impulses.
 fn gabor_impl_seed_word(seed: u32) -> u32 {
     let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
     return _e4;
@@ -488,7 +488,8 @@ fn gabor_impl_impulse(word: u32) -> GaborImpulse {
     return GaborImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
 }
 
-// sin(2 pi t) by t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1], and as t is rounded beyond.
+// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond, the rounding of t
+// adds to the error.
 fn gabor_impl_sine(t: f32) -> f32 {
     var t_1: f32;
     var s: f32;
@@ -623,8 +624,8 @@ fn gabor_impl_energy() -> GaborEnergy {
 }
 
 // 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
-// a sine kernel of k cycles per radius, relative to that at high frequency. For small a from 1 - L_n by the power
-// series of L_7 and L_8 and downward recurrence; for large a by upward recurrence from L_0 = sin(a) / a:
+// a sine kernel of k cycles per radius, relative to that at high frequency. For small a it is computed from 1 - L_n, by
+// the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
 fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
     var a_1: f32;
@@ -734,7 +735,7 @@ fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
 }
 
 // ---- Kernels -------------------------------------------------------------------------------------------------------
-// The window q along one axis, 0 from |x| = 1 on, and its derivative.
+// The window q along one axis, which is 0 for |x| >= 1, and its derivative.
 fn gabor_impl_window(x: f32) -> vec2<f32> {
     var c_1: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
     var u: f32;
@@ -777,8 +778,8 @@ fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
     return _e15;
 }
 
-// Keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is multiplied by
-// 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
+// The gain that keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is
+// multiplied by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
 fn gabor_impl_phase_gain(kernel: GaborKernel, time: f32) -> f32 {
     var kernel_1: GaborKernel;
     var sines: vec4<f32>;

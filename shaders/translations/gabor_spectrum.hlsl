@@ -16,7 +16,7 @@
 #ifndef GABOR_SPECTRUM_HLSL
 #define GABOR_SPECTRUM_HLSL
 
-// The capacity of a GaborLobes, to define before the file.
+// The capacity of a GaborLobes, defined before the file.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
 #endif
@@ -52,10 +52,10 @@ struct GaborLobes {
 
 // GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
 //     A lobe of waves around one wave vector.
-//       frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, independent of the radius
-//       radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
-//                               radius cycles per unit of p
-//       power                   relative to other lobes, not negative
+//       frequency, orientation  as in gabor_noise, in cycles per unit of p and radians, independent of the radius
+//       radius                  radius of its kernel, positive. The lobe's standard deviation along each axis is
+//                               1/sqrt(12) / radius cycles per unit of p
+//       power                   power relative to other lobes, not negative
 
 // GaborLobe gabor_lobe_elliptical(float frequency, float orientation, float2 radius, float power)
 //     The same with a kernel radius along x and another along y, at the same cost.
@@ -70,10 +70,10 @@ struct GaborLobes {
 //         lobes.count = 2;
 
 // float3 gabor_noise_lobes_gradient(float2 p, GaborLobes lobes, uint seed)
-//     With its analytic gradient: (noise, d/dx, d/dy).
+//     The noise with its analytic gradient: (noise, d/dx, d/dy).
 
 // float2 gabor_noise_lobes_complex(float2 p, GaborLobes lobes, uint seed)
-//     With its quadrature, as gabor_noise_complex.
+//     The noise with its quadrature, like gabor_noise_complex.
 
 // ---- A range of waves, up to isotropic noise -----------------------------------------------------------------------
 
@@ -90,11 +90,11 @@ struct GaborLobes {
 
 // float3 gabor_noise_spread_gradient(float2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
-//     With its analytic gradient: (noise, d/dx, d/dy).
+//     The noise with its analytic gradient: (noise, d/dx, d/dy).
 
 // float2 gabor_noise_spread_complex(float2 p, float frequency, float orientation, float frequency_spread,
 //                                 float orientation_spread, uint seed)
-//     With its quadrature, as gabor_noise_complex.
+//     The noise with its quadrature, like gabor_noise_complex.
 
 // ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
 
@@ -105,33 +105,34 @@ struct GaborLobes {
 //     distributions; those of gabor_noise_spread, a sum of directions, are jointly normal.
 
 // float3 gabor_noise_isotropic_gradient(float2 p, float frequency, uint seed)
-//     With its analytic gradient: (noise, d/dx, d/dy).
+//     The noise with its analytic gradient: (noise, d/dx, d/dy).
 
 // float gabor_noise_isotropic_tiled(float2 p, float2 period, float frequency, uint seed)
-//     With a period, as gabor_noise_tiled.
+//     The noise with a period, like gabor_noise_tiled.
 
 // float2 gabor_noise_isotropic_filtered(float2 p, float2 dx, float2 dy, float frequency, uint seed)
-//     (noise, removed), as gabor_noise_filtered, with GABOR_TAPS 3 and for about twice the cost. The error against
-//     exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4.
-//     For larger pixels only the variance is right.
+//     (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of the noise. The error
+//     against exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 %
+//     at 0.4. For larger pixels only the variance is right.
 
 // ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
 // float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 //     (noise, removed): Gabor noise at p averaged over a pixel, and the share of the variance that this removed. Add
-//     the removed share to a material's roughness: it is the contrast that is lost.
+//     the removed share, which is lost contrast, to a material's roughness.
 //       dx, dy  change of p from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel
 //               is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 //     The error against exactly filtered noise, in standard deviations of the noise, is at most 1 % (rms) while the
 //     pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
 //     a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
 //     and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
-//     0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2
-//     the first two both run. On CPUs, where compilers run both sides of a branch: 3 and 5.
+//     0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25 nodes); between 0.18 and
+//     0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch, it is 3 for small pixels
+//     and 5 for larger ones.
 
 // float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
-//     With its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows: its error is up
-//     to 7 %.
+//     The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
+//     error is up to 7 %.
 
 // float4 gabor_noise_four_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed,
 //                                out float removed)
@@ -141,16 +142,16 @@ struct GaborLobes {
 //     The noise of gabor_noise_lobes, filtered: (noise, removed).
 
 // float4 gabor_noise_lobes_filtered_gradient(float2 p, float2 dx, float2 dy, GaborLobes lobes, uint seed)
-//     With its gradient: (noise, d/dx, d/dy, removed).
+//     The noise with its gradient: (noise, d/dx, d/dy, removed).
 
 // float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave, float sharpness, uint seed)
 //     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
-//     So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
+//     So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
 
 // ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
 //
-// By phase in turns, averaged over `width` turns, 0.001 to 1: the change of the phase over a pixel, such as the
-// frequency times the length of dFdx(p).
+// The first five take a phase in turns and average over `width` turns, 0.001 to 1: the change of the phase over a
+// pixel, such as the frequency times the length of dFdx(p).
 
 // float gabor_profile_sine(float phase, float width)
 //     A sine wave from 0 at phase 0 to 1 at half a turn.
@@ -167,16 +168,16 @@ struct GaborLobes {
 // float gabor_profile_ridges(float phase, float width)
 //     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
 
-// By the (cosine, sine) of stripes, without a width. The profile is sharp where their length is 1. Where it is less,
-// because variance was removed or stripes fork, the profile is averaged over a range of phases whose mean has that
-// length.
+// The others take the (cosine, sine) of stripes, without a width. The profile is sharp where this vector has length 1.
+// Where it is shorter, because variance was removed or stripes fork, the profile is averaged over a range of phases
+// whose mean has that length.
 
 // float gabor_stripes_sine(float2 stripes)
 // float gabor_stripes_triangle(float2 stripes)
 // float gabor_stripes_sawtooth(float2 stripes)
 // float gabor_stripes_pulse(float2 stripes, float duty)
 // float gabor_stripes_ridges(float2 stripes)
-//     gabor_profile_sine and so on.
+//     The same profiles: gabor_profile_sine and so on.
 
 // ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
@@ -190,7 +191,7 @@ struct GaborLobes {
 
 // GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
 //                               float orientation_spread, uint seed)
-//     The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
+//     The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
 // GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
 //     Isotropic noise at a place, with quadrature and derivatives. At each place the quadrature is independent of the
@@ -208,7 +209,7 @@ struct GaborFootprint {
 //     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
 
 // float4 gabor_stripes_filtered_at(GaborPlace place, float2 wave, GaborFootprint footprint, float sharpness, uint seed)
-//     gabor_stripes_filtered at a place, with a footprint as for gabor_field_filtered.
+//     gabor_stripes_filtered at a place, with the footprint of gabor_field_filtered.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
@@ -270,16 +271,16 @@ GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
 
 // A range of waves is cut into equal pieces of at most 0.7 cycles, with a lobe in the middle of each. The power of
 // Hann's window has a standard deviation of 1/sqrt(12) cycles, so the sum is even. The number of pieces is the whole
-// part of a number c. While the fraction of c goes from 0.8 to 1, these pieces fade out while one piece more fades in,
-// so that the noise is continuous in frequency and spread.
+// part of a number c. As the fraction of c goes from 0.8 to 1, these pieces fade out and a set with one more piece
+// fades in, so that the noise is continuous in frequency and spread.
 
-// The power of a sum that replaces another as x goes from 0 to 1. With x itself, the amplitudes, its square roots,
-// would have infinite slopes at the ends.
+// The power of a sum that replaces another as x goes from 0 to 1. With x as the power, the amplitudes would be square
+// roots, with infinite slopes at the ends.
 float gabor_impl_takeover(float x) {
     return x * x / (x * x + (1.0 - x) * (1.0 - x));
 }
 
-// The number of lobes for `c`; both numbers added while one fades into the other.
+// The number of lobes for `c`, or the sum of both numbers while one set fades into the other.
 int gabor_impl_pieces(float c) {
     return frac(c) > 0.8 ? 2 * int(c) + 1 : int(c);
 }
@@ -329,21 +330,21 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
 //     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
 // Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
-// three waves a = -1, 0, 1 are h itself. Filtered, they are wrong only near its ends, by less than 1 % of the noise's
-// deviation for filters of at most 0.1 radii. The filter widens the kernel; the seven waves a = -3 ... 3 make room for
-// that: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five nodes beyond.
-// Between 0.09 and 0.1, seven waves gradually replace three. These are the windows of GABOR_TAPS 3.
+// three waves a = -1, 0, 1 are h itself. Filtered, these waves are wrong only near the ends of h, by less than 1 % of
+// the noise's deviation for filters of at most 0.1 radii. The filter widens the kernel; the seven waves a = -3 ... 3
+// make room for that: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five
+// nodes beyond. Between 0.09 and 0.1, seven waves gradually replace three. All of this is for GABOR_TAPS 3.
 //
 // The axes are coupled by exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy is
-// enough. For seven waves, because H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3
-// - 2/pi^2 the variance of h, Mehler's formula (DLMF 18.18.28) separates them: with M = S + v, the center c = -M^-1 S F
-// of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis,
-// g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
+// enough. For seven waves, we use that H is nearly a normal curve: H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v
+// = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF 18.18.28) then separates the axes: with M = S + v, the
+// center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r)
+// and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
-//                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...),
+//                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...).
 //
-// of which we use these three terms; |lambda| is at most 0.26.
+// We use these three terms; |lambda| is at most 0.26.
 
 #if GABOR_TAPS == 3
 // A symmetric matrix (xx, yy, xy) times a vector.
@@ -368,8 +369,8 @@ float gabor_impl_mean_angle(float q) {
 }
 
 // Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With its even and odd part at q = 1/2, and S along the axis, the window h
-// becomes 1/2 + even (h - 1/2) + i odd h' / pi.
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With the even and odd parts of this factor at q = 1/2, and S along the axis, the
+// window h becomes 1/2 + even (h - 1/2) + i odd h' / pi.
 float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 phase) {
     float2 wave = float2(value - 0.5, slope);
     float2 even = part.x * wave, odd = part.y * float2(-3.1415927, 0.31830989) * wave;
@@ -377,7 +378,7 @@ float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 ph
 }
 
 // Filters an axis with the given S and S F. Windows fade within half a deviation of their ends; the middle one never
-// does.
+// fades.
 void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
     float rise = exp(19.739209 * blurred);
     float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
@@ -432,13 +433,13 @@ struct GaborBand {
     float3 odd_2;
     float3 odd_3;
     float reach;  // w, in node spacings
-    float offset; // from the first of its nodes, in node spacings
-    int count;    // of nodes, 4 or 5
+    float offset; // offset of the point from the first node, in node spacings
+    int count;    // number of nodes, 4 or 5
     int first;
     int period;
     uint salt;
-    float2 turn_back; // of the wave of 1 / 2w cycles from one node to the next
-    float2 back;      // of the noise's wave
+    float2 turn_back; // turn of the wave of 1 / 2w cycles from one node to the next
+    float2 back;      // the same for the noise's wave
 };
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter of a given deviation along the axis. `m` is
@@ -458,8 +459,8 @@ GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float loc
     float g = 19.739209 * m, unit = 0.75 / b.reach;
     float fall = exp((2.5797363 - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = exp(2.0 * g * c * unit), sink = 1.0 / rise;
-    // For the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the factors of their
-    // cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
+    // For the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the leading factors of
+    // their cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
     float t = b.reach - 2.0;
     float3 wave = float3(0.25723323, 0.12732396, -0.03693604)
               + t * (float3(-0.03099653, 0.22852218, 0.10636504) - t * float3(0.0214304, 0.11618766, -0.1615392));
@@ -470,7 +471,7 @@ GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float loc
     float3 even = above + below, odd = above - below;
     float3 q = unit * float3(1.0, 2.0, 3.0);
     float quarter = 0.25 / g;
-    float3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // for the second factor
+    float3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // used by the second factor
     float3 even_2 = q * odd_1 - c * even_1 - quarter * even, odd_2 = q * even_1 - c * odd_1 - quarter * odd;
     b.even_2 = float3(even.y, even_1.y, even_2.y);
     b.even_3 = float3(even.z, even_1.z, even_2.z);
@@ -482,12 +483,12 @@ GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float loc
     return b;
 }
 
-// A column or a row of nodes: its word and its window for each factor, with the noise's wave.
+// A column or a row of nodes: its word, and for each factor its window times the noise's wave.
 struct GaborLine {
     uint word;
     GaborFactors window;
     float2 turn;  // e^(2 pi i d / 2w)
-    float2 phase; // of the noise's wave
+    float2 phase; // the same for the noise's wave
 };
 
 // The fade of the windows of line `index`, over a quarter of a node spacing.
@@ -515,7 +516,7 @@ GaborLine gabor_impl_next_line(GaborLine line_, GaborBand b, int index, float fa
                                     gabor_impl_product(line_.phase, b.back), fade);
 }
 
-// The columns of nodes that reach a point: four, or five.
+// The four or five columns of nodes that reach a point.
 struct GaborColumns {
     GaborLine column_0;
     GaborLine column_1;
@@ -569,7 +570,7 @@ GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, bool a
     return row;
 }
 
-// The factors from the second on.
+// The factors without the first, moved up by one.
 GaborFactors gabor_impl_next(GaborFactors f) {
     return GaborFactors_of(float3(f.real.yz, 0.0), float3(f.imaginary.yz, 0.0));
 }
@@ -600,9 +601,9 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     GaborColumns columns = gabor_impl_columns(across);
     GaborLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
-    int rows = wanted ? along.count : 0; // for compilers that run both sides of a branch
+    int rows = wanted ? along.count : 0; // because some compilers run both sides of a branch
     float2 value = (float2)(0.0), next_x = (float2)(0.0), next_y = (float2)(0.0);
-    int j = 0; // tested after each row: if a test comes first, some compilers run the body once more when it fails
+    int j = 0; // tested after each row, because some compilers run the body once more when a test before it fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
         GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.time);
@@ -612,7 +613,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     } while (++j < rows);
     float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis, (q - c) f_n
-    // is f_(n + 1), which is missing for the last, plus n / 4g times f_(n - 1).
+    // is f_(n + 1), which is missing for the last one, plus n / 4g times f_(n - 1).
     float2 mean = wave + c, before = lambda * sqrt(m.yx / m);
     float2 x = 6.2831853 * (mean.x * value + next_x - before.x * next_y);
     float2 y = 6.2831853 * (mean.y * value + next_y - before.y * next_x);
@@ -620,7 +621,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     return GaborField_of(scale * value, scale * float2(-x.y, x.x), scale * float2(-y.y, y.x));
 }
 
-// The share of seven waves in the filtered noise; the others are three.
+// The share of the form with seven waves in the filtered noise; the rest is the form with three.
 float gabor_impl_wide_share(GaborFootprint footprint) {
     return clamp(100.0 * sqrt(max(footprint.resolved.x, footprint.resolved.y)) - 9.0, 0.0, 1.0);
 }
@@ -657,9 +658,9 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFoot
 //
 // For gabor_lattice_3d.hlsl. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
 // D^(-1/2), B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), the coupling of three axes is again a sum of products:
-//     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...),
-// the exponential series of the last sum, with Hermite polynomials for powers of z and without B's diagonal, which is
-// at most 0.01. We use the terms up to the square of each factor.
+//     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...).
+// This is the exponential series of the last sum, with Hermite polynomials for powers of z and without B's diagonal,
+// which is at most 0.01. We use the terms up to the square of each factor.
 
 // A symmetric matrix.
 struct GaborMatrix {
@@ -687,13 +688,13 @@ GaborMatrix gabor_impl_adjugate(GaborMatrix m, out float determinant) {
     return a;
 }
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // salts the slices, as GABOR_IMPL_ROWS salts the rows
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// The multiplier of each factor along z, from the sums for each factor along x of each along y.
+// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y; their components are those along x.
 float3 gabor_impl_along_z(float3 y_0, float3 y_1, float3 y_2, float3 w) {
     return float3(y_0.x + w.z * (y_1.y + 0.5 * w.z * y_2.z),
                 w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
@@ -718,7 +719,7 @@ void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animat
     float3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
     float3 d = sqrt(m.diagonal * determinant / adjugate.diagonal);
     float3 pairs = sqrt(d.yzx * d.zxy);
-    adjugate = gabor_impl_adjugate(GaborMatrix_of(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
+    adjugate = gabor_impl_adjugate(GaborMatrix_of(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // that of 1 + C
     float3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborBand x = gabor_impl_band(sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
                                   gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -753,8 +754,8 @@ void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animat
         next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
         next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
     } while (++k < slices);
-    // As in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times the next of the other
-    // axes.
+    // As in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times the next factor of the
+    // other axes.
     float3 real = float3(next_x.x, next_y.x, next_z.x), imaginary = float3(next_x.y, next_y.y, next_z.y);
     float3 quarter = 0.012665148 / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix_of((float3)(0.0), w), real);
@@ -775,7 +776,7 @@ void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animat
 // K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 3/2. Value and gradient are
 // independent. Since none of this depends on the directions, both are also normal over random directions.
 
-// Mixes the words of rows again for each further use; their products with column words are equally random.
+// Four more words of a row, for further uses; their products with column words are equally random.
 uint4 gabor_impl_row(uint word) {
     uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;
@@ -785,7 +786,8 @@ uint4 gabor_impl_row(uint word) {
                  (fourth >> 8u) | 0x800001u);
 }
 
-// The windows of a node along both axes and their derivatives; filtered windows are middle + cosine, and sine.
+// The windows of a node along both axes, and their derivatives. A filtered window is middle + cosine, its derivative
+// sine.
 struct GaborWindows {
     float2 value;
     float2 slope;
@@ -794,7 +796,7 @@ struct GaborWindows {
     float2 sine;
 };
 
-// A filter with that covariance, and its effect on the windows' own waves.
+// The covariance of a filter, and how much it damps the windows' own waves.
 struct GaborFilter {
     bool used;
     float3 covariance;
@@ -819,7 +821,7 @@ void gabor_impl_add_wave_2d(inout GaborField sum, GaborWindows node, GaborFilter
     if (pixel.used) {
         float2 x = 19.739209 * gabor_impl_symmetric(pixel.covariance, wave);
         a *= exp(-max(dot(wave, x), 0.0));
-        x = clamp(x, -3.0, 3.0); // for any wave that the filter keeps
+        x = clamp(x, -3.0, 3.0); // allows any wave that the filter keeps
         float2 y = x * x;
         float2 even = 1.0 + y * (0.5 + 0.041666667 * y), odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
         float2 real = node.middle + even * node.cosine, imaginary = 0.31830989 * odd * node.sine;
@@ -838,7 +840,7 @@ void gabor_impl_add_wave_2d(inout GaborField sum, GaborWindows node, GaborFilter
     sum.slope_y += slope_y + wave.y * turned;
 }
 
-// Adds a node's three waves, at `d` node spacings from it. The third's phase is the difference of the others'.
+// Adds a node's three waves, at `d` node spacings from it. The phase of the third is the difference of the other two.
 void gabor_impl_add_star(inout GaborField sum, GaborPlace place, GaborWindows node, GaborFilter pixel, float2 d,
                          float frequency, uint4 words) {
     if (pixel.used) { // windows fade within half a deviation of their ends
@@ -861,7 +863,8 @@ void gabor_impl_add_star(inout GaborField sum, GaborPlace place, GaborWindows no
     gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
 }
 
-// The sum over all nodes, without its factor. Unrolling the loops by hand made it four times slower on lavapipe.
+// The sum over all nodes, without the factor GABOR_IMPL_STAR. Unrolling the loops by hand made them four times slower
+// on lavapipe.
 GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float frequency, GaborFilter pixel, uint seed) {
     uint salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, place.radius.x);
@@ -1070,8 +1073,8 @@ float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave, float
 }
 #endif // GABOR_TAPS == 3
 
-// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends.
-// Each whole turn adds the integral of a period.
+// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends,
+// over the width. Each whole turn adds the integral of a period.
 float3 gabor_impl_ends(float phase, float width) {
     width = clamp(width, 0.001, 1.0);
     phase -= floor(phase);
@@ -1123,8 +1126,8 @@ float gabor_profile_ridges(float phase, float width) {
     return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
 }
 
-// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); this
-// inverts it within 0.0025.
+// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); the
+// polynomial inverts this within 0.0025.
 float2 gabor_impl_phase_of(float2 stripes) {
     float2 phasor = gabor_phasor(stripes);
     float y = max(1.0 - phasor.y, 0.0);

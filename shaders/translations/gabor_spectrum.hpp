@@ -17,7 +17,7 @@
 #ifndef GABOR_SPECTRUM_HPP
 #define GABOR_SPECTRUM_HPP
 
-// The capacity of a GaborLobes, to define before the file.
+// The capacity of a GaborLobes, defined before the file.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
 #endif
@@ -43,10 +43,10 @@ struct GaborLobes {
 
 // GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
 //     A lobe of waves around one wave vector.
-//       frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, independent of the radius
-//       radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
-//                               radius cycles per unit of p
-//       power                   relative to other lobes, not negative
+//       frequency, orientation  as in gabor_noise, in cycles per unit of p and radians, independent of the radius
+//       radius                  radius of its kernel, positive. The lobe's standard deviation along each axis is
+//                               1/sqrt(12) / radius cycles per unit of p
+//       power                   power relative to other lobes, not negative
 
 // GaborLobe gabor_lobe_elliptical(float frequency, float orientation, vec2 radius, float power)
 //     The same with a kernel radius along x and another along y, at the same cost.
@@ -61,10 +61,10 @@ struct GaborLobes {
 //         lobes.count = 2;
 
 // vec3 gabor_noise_lobes_gradient(vec2 p, GaborLobes lobes, uint seed)
-//     With its analytic gradient: (noise, d/dx, d/dy).
+//     The noise with its analytic gradient: (noise, d/dx, d/dy).
 
 // vec2 gabor_noise_lobes_complex(vec2 p, GaborLobes lobes, uint seed)
-//     With its quadrature, as gabor_noise_complex.
+//     The noise with its quadrature, like gabor_noise_complex.
 
 // ---- A range of waves, up to isotropic noise -----------------------------------------------------------------------
 
@@ -81,11 +81,11 @@ struct GaborLobes {
 
 // vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
-//     With its analytic gradient: (noise, d/dx, d/dy).
+//     The noise with its analytic gradient: (noise, d/dx, d/dy).
 
 // vec2 gabor_noise_spread_complex(vec2 p, float frequency, float orientation, float frequency_spread,
 //                                 float orientation_spread, uint seed)
-//     With its quadrature, as gabor_noise_complex.
+//     The noise with its quadrature, like gabor_noise_complex.
 
 // ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
 
@@ -96,33 +96,34 @@ struct GaborLobes {
 //     distributions; those of gabor_noise_spread, a sum of directions, are jointly normal.
 
 // vec3 gabor_noise_isotropic_gradient(vec2 p, float frequency, uint seed)
-//     With its analytic gradient: (noise, d/dx, d/dy).
+//     The noise with its analytic gradient: (noise, d/dx, d/dy).
 
 // float gabor_noise_isotropic_tiled(vec2 p, vec2 period, float frequency, uint seed)
-//     With a period, as gabor_noise_tiled.
+//     The noise with a period, like gabor_noise_tiled.
 
 // vec2 gabor_noise_isotropic_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, uint seed)
-//     (noise, removed), as gabor_noise_filtered, with GABOR_TAPS 3 and for about twice the cost. The error against
-//     exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4.
-//     For larger pixels only the variance is right.
+//     (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of the noise. The error
+//     against exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 %
+//     at 0.4. For larger pixels only the variance is right.
 
 // ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
 // vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 //     (noise, removed): Gabor noise at p averaged over a pixel, and the share of the variance that this removed. Add
-//     the removed share to a material's roughness: it is the contrast that is lost.
+//     the removed share, which is lost contrast, to a material's roughness.
 //       dx, dy  change of p from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel
 //               is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 //     The error against exactly filtered noise, in standard deviations of the noise, is at most 1 % (rms) while the
 //     pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
 //     a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
 //     and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
-//     0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2
-//     the first two both run. On CPUs, where compilers run both sides of a branch: 3 and 5.
+//     0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25 nodes); between 0.18 and
+//     0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch, it is 3 for small pixels
+//     and 5 for larger ones.
 
 // vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
-//     With its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows: its error is up
-//     to 7 %.
+//     The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
+//     error is up to 7 %.
 
 // vec4 gabor_noise_four_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed,
 //                                out float removed)
@@ -132,16 +133,16 @@ struct GaborLobes {
 //     The noise of gabor_noise_lobes, filtered: (noise, removed).
 
 // vec4 gabor_noise_lobes_filtered_gradient(vec2 p, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
-//     With its gradient: (noise, d/dx, d/dy, removed).
+//     The noise with its gradient: (noise, d/dx, d/dy, removed).
 
 // vec4 gabor_stripes_filtered(vec2 p, vec2 dx, vec2 dy, vec2 wave, float sharpness, uint seed)
 //     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
-//     So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
+//     So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
 
 // ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
 //
-// By phase in turns, averaged over `width` turns, 0.001 to 1: the change of the phase over a pixel, such as the
-// frequency times the length of dFdx(p).
+// The first five take a phase in turns and average over `width` turns, 0.001 to 1: the change of the phase over a
+// pixel, such as the frequency times the length of dFdx(p).
 
 // float gabor_profile_sine(float phase, float width)
 //     A sine wave from 0 at phase 0 to 1 at half a turn.
@@ -158,16 +159,16 @@ struct GaborLobes {
 // float gabor_profile_ridges(float phase, float width)
 //     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
 
-// By the (cosine, sine) of stripes, without a width. The profile is sharp where their length is 1. Where it is less,
-// because variance was removed or stripes fork, the profile is averaged over a range of phases whose mean has that
-// length.
+// The others take the (cosine, sine) of stripes, without a width. The profile is sharp where this vector has length 1.
+// Where it is shorter, because variance was removed or stripes fork, the profile is averaged over a range of phases
+// whose mean has that length.
 
 // float gabor_stripes_sine(vec2 stripes)
 // float gabor_stripes_triangle(vec2 stripes)
 // float gabor_stripes_sawtooth(vec2 stripes)
 // float gabor_stripes_pulse(vec2 stripes, float duty)
 // float gabor_stripes_ridges(vec2 stripes)
-//     gabor_profile_sine and so on.
+//     The same profiles: gabor_profile_sine and so on.
 
 // ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
@@ -181,7 +182,7 @@ struct GaborLobes {
 
 // GaborField gabor_field_spread(GaborPlace place, float frequency, float orientation, float frequency_spread,
 //                               float orientation_spread, uint seed)
-//     The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
+//     The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
 // GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
 //     Isotropic noise at a place, with quadrature and derivatives. At each place the quadrature is independent of the
@@ -199,7 +200,7 @@ struct GaborFootprint {
 //     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
 
 // vec4 gabor_stripes_filtered_at(GaborPlace place, vec2 wave, GaborFootprint footprint, float sharpness, uint seed)
-//     gabor_stripes_filtered at a place, with a footprint as for gabor_field_filtered.
+//     gabor_stripes_filtered at a place, with the footprint of gabor_field_filtered.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
@@ -261,16 +262,16 @@ GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, st
 
 // A range of waves is cut into equal pieces of at most 0.7 cycles, with a lobe in the middle of each. The power of
 // Hann's window has a standard deviation of 1/sqrt(12) cycles, so the sum is even. The number of pieces is the whole
-// part of a number c. While the fraction of c goes from 0.8 to 1, these pieces fade out while one piece more fades in,
-// so that the noise is continuous in frequency and spread.
+// part of a number c. As the fraction of c goes from 0.8 to 1, these pieces fade out and a set with one more piece
+// fades in, so that the noise is continuous in frequency and spread.
 
-// The power of a sum that replaces another as x goes from 0 to 1. With x itself, the amplitudes, its square roots,
-// would have infinite slopes at the ends.
+// The power of a sum that replaces another as x goes from 0 to 1. With x as the power, the amplitudes would be square
+// roots, with infinite slopes at the ends.
 GABOR_INLINE float gabor_impl_takeover(float x) {
     return x * x / (x * x + (1.0f - x) * (1.0f - x));
 }
 
-// The number of lobes for `c`; both numbers added while one fades into the other.
+// The number of lobes for `c`, or the sum of both numbers while one set fades into the other.
 GABOR_INLINE int gabor_impl_pieces(float c) {
     return gabor_cpp_fract(c) > 0.8f ? 2 * int(c) + 1 : int(c);
 }
@@ -320,21 +321,21 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
 //     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
 // Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
-// three waves a = -1, 0, 1 are h itself. Filtered, they are wrong only near its ends, by less than 1 % of the noise's
-// deviation for filters of at most 0.1 radii. The filter widens the kernel; the seven waves a = -3 ... 3 make room for
-// that: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five nodes beyond.
-// Between 0.09 and 0.1, seven waves gradually replace three. These are the windows of GABOR_TAPS 3.
+// three waves a = -1, 0, 1 are h itself. Filtered, these waves are wrong only near the ends of h, by less than 1 % of
+// the noise's deviation for filters of at most 0.1 radii. The filter widens the kernel; the seven waves a = -3 ... 3
+// make room for that: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five
+// nodes beyond. Between 0.09 and 0.1, seven waves gradually replace three. All of this is for GABOR_TAPS 3.
 //
 // The axes are coupled by exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy is
-// enough. For seven waves, because H is nearly a normal curve, H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2) with v = 1/3
-// - 2/pi^2 the variance of h, Mehler's formula (DLMF 18.18.28) separates them: with M = S + v, the center c = -M^-1 S F
-// of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis,
-// g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
+// enough. For seven waves, we use that H is nearly a normal curve: H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v
+// = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF 18.18.28) then separates the axes: with M = S + v, the
+// center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r)
+// and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
-//                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...),
+//                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...).
 //
-// of which we use these three terms; |lambda| is at most 0.26.
+// We use these three terms; |lambda| is at most 0.26.
 
 #if GABOR_TAPS == 3
 // A symmetric matrix (xx, yy, xy) times a vector.
@@ -359,8 +360,8 @@ GABOR_INLINE float gabor_impl_mean_angle(float q) {
 }
 
 // Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With its even and odd part at q = 1/2, and S along the axis, the window h
-// becomes 1/2 + even (h - 1/2) + i odd h' / pi.
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With the even and odd parts of this factor at q = 1/2, and S along the axis, the
+// window h becomes 1/2 + even (h - 1/2) + i odd h' / pi.
 GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor_vec2 part, gabor_vec2 phase) {
     gabor_vec2 wave = gabor_vec2(value - 0.5f, slope);
     gabor_vec2 even = part.x * wave, odd = part.y * gabor_vec2(-3.1415927f, 0.31830989f) * wave;
@@ -368,7 +369,7 @@ GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor
 }
 
 // Filters an axis with the given S and S F. Windows fade within half a deviation of their ends; the middle one never
-// does.
+// fades.
 GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred) {
     float rise = gabor_cpp_exp(19.739209f * blurred);
     gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
@@ -415,13 +416,13 @@ struct GaborBand {
     gabor_vec3 odd_2;
     gabor_vec3 odd_3;
     float reach;  // w, in node spacings
-    float offset; // from the first of its nodes, in node spacings
-    int count;    // of nodes, 4 or 5
+    float offset; // offset of the point from the first node, in node spacings
+    int count;    // number of nodes, 4 or 5
     int first;
     int period;
     std::uint32_t salt;
-    gabor_vec2 turn_back; // of the wave of 1 / 2w cycles from one node to the next
-    gabor_vec2 back;      // of the noise's wave
+    gabor_vec2 turn_back; // turn of the wave of 1 / 2w cycles from one node to the next
+    gabor_vec2 back;      // the same for the noise's wave
 };
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter of a given deviation along the axis. `m` is
@@ -441,8 +442,8 @@ GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int ce
     float g = 19.739209f * m, unit = 0.75f / b.reach;
     float fall = gabor_cpp_exp((2.5797363f - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = gabor_cpp_exp(2.0f * g * c * unit), sink = 1.0f / rise;
-    // For the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the factors of their
-    // cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
+    // For the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the leading factors of
+    // their cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
     float t = b.reach - 2.0f;
     gabor_vec3 wave = gabor_vec3(0.25723323f, 0.12732396f, -0.03693604f)
               + t * (gabor_vec3(-0.03099653f, 0.22852218f, 0.10636504f) - t * gabor_vec3(0.0214304f, 0.11618766f, -0.1615392f));
@@ -453,7 +454,7 @@ GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int ce
     gabor_vec3 even = above + below, odd = above - below;
     gabor_vec3 q = unit * gabor_vec3(1.0f, 2.0f, 3.0f);
     float quarter = 0.25f / g;
-    gabor_vec3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // for the second factor
+    gabor_vec3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // used by the second factor
     gabor_vec3 even_2 = q * odd_1 - c * even_1 - quarter * even, odd_2 = q * even_1 - c * odd_1 - quarter * odd;
     b.even_2 = gabor_vec3(even.y, even_1.y, even_2.y);
     b.even_3 = gabor_vec3(even.z, even_1.z, even_2.z);
@@ -465,12 +466,12 @@ GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int ce
     return b;
 }
 
-// A column or a row of nodes: its word and its window for each factor, with the noise's wave.
+// A column or a row of nodes: its word, and for each factor its window times the noise's wave.
 struct GaborLine {
     std::uint32_t word;
     GaborFactors window;
     gabor_vec2 turn;  // e^(2 pi i d / 2w)
-    gabor_vec2 phase; // of the noise's wave
+    gabor_vec2 phase; // the same for the noise's wave
 };
 
 // The fade of the windows of line `index`, over a quarter of a node spacing.
@@ -498,7 +499,7 @@ GABOR_INLINE GaborLine gabor_impl_next_line(GaborLine line, GaborBand b, int ind
                                     gabor_impl_product(line.phase, b.back), fade);
 }
 
-// The columns of nodes that reach a point: four, or five.
+// The four or five columns of nodes that reach a point.
 struct GaborColumns {
     GaborLine column_0;
     GaborLine column_1;
@@ -552,7 +553,7 @@ GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uin
     return row;
 }
 
-// The factors from the second on.
+// The factors without the first, moved up by one.
 GABOR_INLINE GaborFactors gabor_impl_next(GaborFactors f) {
     return GaborFactors{gabor_vec3(f.real.yz(), 0.0f), gabor_vec3(f.imaginary.yz(), 0.0f)};
 }
@@ -583,9 +584,9 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     GaborColumns columns = gabor_impl_columns(across);
     GaborLine line = gabor_impl_line_before(
         along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
-    int rows = wanted ? along.count : 0; // for compilers that run both sides of a branch
+    int rows = wanted ? along.count : 0; // because some compilers run both sides of a branch
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f);
-    int j = 0; // tested after each row: if a test comes first, some compilers run the body once more when it fails
+    int j = 0; // tested after each row, because some compilers run the body once more when a test before it fails
     do {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
         GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.animated, place.time);
@@ -595,7 +596,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     } while (++j < rows);
     float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c));
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis, (q - c) f_n
-    // is f_(n + 1), which is missing for the last, plus n / 4g times f_(n - 1).
+    // is f_(n + 1), which is missing for the last one, plus n / 4g times f_(n - 1).
     gabor_vec2 mean = wave + c, before = lambda * gabor_cpp_sqrt(m.yx() / m);
     gabor_vec2 x = 6.2831853f * (mean.x * value + next_x - before.x * next_y);
     gabor_vec2 y = 6.2831853f * (mean.y * value + next_y - before.y * next_x);
@@ -603,7 +604,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     return GaborField{scale * value, scale * gabor_vec2(-x.y, x.x), scale * gabor_vec2(-y.y, y.x)};
 }
 
-// The share of seven waves in the filtered noise; the others are three.
+// The share of the form with seven waves in the filtered noise; the rest is the form with three.
 GABOR_INLINE float gabor_impl_wide_share(GaborFootprint footprint) {
     return gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(footprint.resolved.x, footprint.resolved.y)) - 9.0f, 0.0f, 1.0f);
 }
@@ -640,9 +641,9 @@ GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kerne
 //
 // For gabor_lattice_3d.hpp. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
 // D^(-1/2), B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), the coupling of three axes is again a sum of products:
-//     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...),
-// the exponential series of the last sum, with Hermite polynomials for powers of z and without B's diagonal, which is
-// at most 0.01. We use the terms up to the square of each factor.
+//     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...).
+// This is the exponential series of the last sum, with Hermite polynomials for powers of z and without B's diagonal,
+// which is at most 0.01. We use the terms up to the square of each factor.
 
 // A symmetric matrix.
 struct GaborMatrix {
@@ -662,13 +663,13 @@ GABOR_INLINE GaborMatrix gabor_impl_adjugate(GaborMatrix m, float& determinant) 
     return a;
 }
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // as GABOR_IMPL_ROWS
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // salts the slices, as GABOR_IMPL_ROWS salts the rows
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_t slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// The multiplier of each factor along z, from the sums for each factor along x of each along y.
+// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y; their components are those along x.
 GABOR_INLINE gabor_vec3 gabor_impl_along_z(gabor_vec3 y_0, gabor_vec3 y_1, gabor_vec3 y_2, gabor_vec3 w) {
     return gabor_vec3(y_0.x + w.z * (y_1.y + 0.5f * w.z * y_2.z),
                 w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
@@ -693,7 +694,7 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
     gabor_vec3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
     gabor_vec3 d = gabor_cpp_sqrt(m.diagonal * determinant / adjugate.diagonal);
     gabor_vec3 pairs = gabor_cpp_sqrt(d.yzx() * d.zxy());
-    adjugate = gabor_impl_adjugate(GaborMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // of 1 + C
+    adjugate = gabor_impl_adjugate(GaborMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // that of 1 + C
     gabor_vec3 w = 157.91367f / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborBand x = gabor_impl_band(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
                                   gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -728,8 +729,8 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
         next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
         next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
     } while (++k < slices);
-    // As in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times the next of the other
-    // axes.
+    // As in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times the next factor of the
+    // other axes.
     gabor_vec3 real = gabor_vec3(next_x.x, next_y.x, next_z.x), imaginary = gabor_vec3(next_x.y, next_y.y, next_z.y);
     gabor_vec3 quarter = 0.012665148f / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix{gabor_vec3(0.0f), w}, real);
@@ -750,7 +751,7 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
 // K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 3/2. Value and gradient are
 // independent. Since none of this depends on the directions, both are also normal over random directions.
 
-// Mixes the words of rows again for each further use; their products with column words are equally random.
+// Four more words of a row, for further uses; their products with column words are equally random.
 GABOR_INLINE gabor_uvec4 gabor_impl_row(std::uint32_t word) {
     std::uint32_t first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     std::uint32_t second = (first ^ (first >> 15u)) * 0xd35a2d97u;
@@ -760,7 +761,8 @@ GABOR_INLINE gabor_uvec4 gabor_impl_row(std::uint32_t word) {
                  (fourth >> 8u) | 0x800001u);
 }
 
-// The windows of a node along both axes and their derivatives; filtered windows are middle + cosine, and sine.
+// The windows of a node along both axes, and their derivatives. A filtered window is middle + cosine, its derivative
+// sine.
 struct GaborWindows {
     gabor_vec2 value;
     gabor_vec2 slope;
@@ -769,7 +771,7 @@ struct GaborWindows {
     gabor_vec2 sine;
 };
 
-// A filter with that covariance, and its effect on the windows' own waves.
+// The covariance of a filter, and how much it damps the windows' own waves.
 struct GaborFilter {
     bool used;
     gabor_vec3 covariance;
@@ -785,7 +787,7 @@ GABOR_INLINE void gabor_impl_add_wave_2d(GaborField& sum, GaborWindows node, Gab
     if (pixel.used) {
         gabor_vec2 x = 19.739209f * gabor_impl_symmetric(pixel.covariance, wave);
         a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave, x), 0.0f));
-        x = gabor_cpp_clamp(x, -3.0f, 3.0f); // for any wave that the filter keeps
+        x = gabor_cpp_clamp(x, -3.0f, 3.0f); // allows any wave that the filter keeps
         gabor_vec2 y = x * x;
         gabor_vec2 even = 1.0f + y * (0.5f + 0.041666667f * y), odd = x * (1.0f + y * (0.16666667f + 0.0083333333f * y));
         gabor_vec2 real = node.middle + even * node.cosine, imaginary = 0.31830989f * odd * node.sine;
@@ -804,7 +806,7 @@ GABOR_INLINE void gabor_impl_add_wave_2d(GaborField& sum, GaborWindows node, Gab
     sum.slope_y += slope_y + wave.y * turned;
 }
 
-// Adds a node's three waves, at `d` node spacings from it. The third's phase is the difference of the others'.
+// Adds a node's three waves, at `d` node spacings from it. The phase of the third is the difference of the other two.
 GABOR_INLINE void gabor_impl_add_star(GaborField& sum, GaborPlace place, GaborWindows node, GaborFilter pixel, gabor_vec2 d,
                          float frequency, gabor_uvec4 words) {
     if (pixel.used) { // windows fade within half a deviation of their ends
@@ -827,7 +829,8 @@ GABOR_INLINE void gabor_impl_add_star(GaborField& sum, GaborPlace place, GaborWi
     gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
 }
 
-// The sum over all nodes, without its factor. Unrolling the loops by hand made it four times slower on lavapipe.
+// The sum over all nodes, without the factor GABOR_IMPL_STAR. Unrolling the loops by hand made them four times slower
+// on lavapipe.
 GABOR_INLINE GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float frequency, GaborFilter pixel, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, place.radius.x);
@@ -1036,8 +1039,8 @@ GABOR_INLINE gabor_vec4 gabor_stripes_filtered(gabor_vec2 p, gabor_vec2 dx, gabo
 }
 #endif // GABOR_TAPS == 3
 
-// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends.
-// Each whole turn adds the integral of a period.
+// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends,
+// over the width. Each whole turn adds the integral of a period.
 GABOR_INLINE gabor_vec3 gabor_impl_ends(float phase, float width) {
     width = gabor_cpp_clamp(width, 0.001f, 1.0f);
     phase -= gabor_cpp_floor(phase);
@@ -1089,8 +1092,8 @@ GABOR_INLINE float gabor_profile_ridges(float phase, float width) {
     return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
 }
 
-// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); this
-// inverts it within 0.0025.
+// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); the
+// polynomial inverts this within 0.0025.
 GABOR_INLINE gabor_vec2 gabor_impl_phase_of(gabor_vec2 stripes) {
     gabor_vec2 phasor = gabor_phasor(stripes);
     float y = gabor_cpp_max(1.0f - phasor.y, 0.0f);

@@ -5,9 +5,9 @@
 // Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Values are normal to three standard deviations. Beyond 3.5, 13 % too few occur overall, and 56 % too few at a node.
+// Values are normal up to three standard deviations. Beyond 3.5, they are 13 % too rare overall, and 56 % at a node.
 //
 // Arguments of all functions:
 //     p            position in kernel radii: a wave fades out within one radius of its node. |p| < 2^31 / GABOR_RADIUS,
@@ -30,7 +30,7 @@ const GABOR_NOISE_VERSION: u32 = 20000u;
 // 3, 2 or 4: change it here, or give it to the pipeline as a constant.
 const GABOR_TAPS: i32 = 3;
 
-// The noise. It and its first derivatives are continuous.
+// The noise, continuous with its first derivatives.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_kernel(frequency, orientation);
@@ -242,8 +242,8 @@ fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f3
     }
 }
 
-// (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
-// width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+// (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
+// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
     var local_11: f32;
@@ -274,7 +274,7 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 
 // Stripes of even contrast across the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6; 2 is a good
 // value. With the complex noise z, the intensity is |z|, and (cosine, sine) is z scaled to length 1 where |z|
-// exceeds 1 / sharpness. Below, the length is sharpness |z|, so stripes fade where they fork.
+// exceeds 1 / sharpness. Where |z| is smaller, the length is sharpness |z|, so stripes fade where they fork.
 fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -653,14 +653,14 @@ fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u3
 //     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
 //
 // The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS of its shifts overlap at every x. Three or more evenly
-// spaced shifts of cos and of cos^2 sum to a constant over a period, so that
+// spaced shifts of cos and of cos^2 over a period sum to a constant, so that
 //
-//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x.
 //
-// and so do the squares of the derivatives. So the variances of the noise, its gradient and its second derivatives
-// depend neither on the place nor on the frequency. The second derivatives jump where windows end, midway between nodes
-// for 3 taps and at nodes for 4, by 0.16 standard deviations at frequency 1 and by 1.1 at 0. A sum of normal numbers is
-// normal.
+// The squares of the derivatives also sum to a constant. So the variances of the noise, its gradient and its second
+// derivatives depend neither on the place nor on the frequency. The second derivatives jump where windows end, midway
+// between nodes for 3 taps and at nodes for 4, by 0.16 standard deviations at frequency 1 and by 1.1 at 0. The noise is
+// normal because sums of normal numbers are.
 //
 // Each wave's phase starts at its own node, so the wave vector F may vary with the place. From one node to the next the
 // phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into both axes:
@@ -692,8 +692,8 @@ fn gabor_impl_salt(seed: u32) -> u32 {
     return _e4;
 }
 
-// The word of a column or row of nodes; a node's word is their product. Words are odd and have 24 bits with the highest
-// one set, so that products fill all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Multiplying a word by a
+// The word of a column or row of nodes; a node's word is their product. Words are odd and have 24 bits, which GPUs
+// multiply at a quarter of the cost; the highest bit is set, so that products fill all 32 bits. Multiplying a word by a
 // shifted copy of itself mixes better than a constant factor: two indices have equal words with probability 2^-22, at
 // any distance.
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
@@ -755,8 +755,8 @@ fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
     return vec2<f32>(((1f - (19.73917f * _e9)) + (_e12 * ((64.93459f - (85.24033f * _e15)) + (56.24243f * _e19)))), (t * ((6.283185f - (41.341656f * _e26)) + (_e29 * ((81.601006f - (76.54978f * _e32)) + (39.53671f * _e36))))));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to that. With t reduced to
-// half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to the error. With t reduced
+// to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
     var t_2: f32;
     var turn: vec2<f32>;
@@ -1152,8 +1152,8 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     }
 }
 
-// The amplitude of a node. With time it is a weighted sum of three, from its word and two words derived from it. The
-// squared weights sum to 1; at time 0 the weights are 1, 0, 0.
+// The amplitude of a node. With time it is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
 fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
     var second: u32;
@@ -1183,9 +1183,9 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     return ((((0.5f + (0.5f * _e25.x)) * _e29) + ((0.5f - (0.5f * _e33.x)) * _e38)) + ((0.70710677f * _e42.y) * _e46));
 }
 
-// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by their derivatives; zw has
-// the derivatives of the windows along x. Some compilers do not unroll or vectorize loops over nodes and rows, so there
-// are none.
+// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by their derivatives; zw of
+// both has the derivatives of the windows along x. Some compilers do not unroll or vectorize loops over nodes and rows,
+// so there are none.
 fn gabor_impl_add_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
     if GABOR_TAPS == 2 {
         var row: vec4<f32> = vec4(0f);

@@ -28,10 +28,10 @@ struct GaborLobes {
 }
 
 // A lobe of waves around one wave vector.
-//   frequency, orientation  as for gabor_noise, in cycles per unit of p and radians, independent of the radius
-//   radius                  of its kernel, positive. The lobe's standard deviation along each axis is 1/sqrt(12) /
-//                           radius cycles per unit of p
-//   power                   relative to other lobes, not negative
+//   frequency, orientation  as in gabor_noise, in cycles per unit of p and radians, independent of the radius
+//   radius                  radius of its kernel, positive. The lobe's standard deviation along each axis is
+//                           1/sqrt(12) / radius cycles per unit of p
+//   power                   power relative to other lobes, not negative
 fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
     return GaborLobe(frequency, orientation, vec2(radius), power);
 }
@@ -76,7 +76,7 @@ fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
     }
 }
 
-// With its analytic gradient: (noise, d/dx, d/dy).
+// The noise with its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_lobes_gradient(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var lobes_5: GaborLobes;
@@ -120,7 +120,7 @@ fn gabor_noise_lobes_gradient(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec
     }
 }
 
-// With its quadrature, as gabor_noise_complex.
+// The noise with its quadrature, like gabor_noise_complex.
 fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         var lobes_7: GaborLobes;
@@ -185,7 +185,7 @@ fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_
     }
 }
 
-// With its analytic gradient: (noise, d/dx, d/dy).
+// The noise with its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var place_15: GaborPlace;
@@ -229,7 +229,7 @@ fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, f
     }
 }
 
-// With its quadrature, as gabor_noise_complex.
+// The noise with its quadrature, like gabor_noise_complex.
 fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         var place_16: GaborPlace;
@@ -278,7 +278,7 @@ fn gabor_noise_isotropic(p: vec2<f32>, frequency: f32, seed: u32) -> f32 {
     }
 }
 
-// With its analytic gradient: (noise, d/dx, d/dy).
+// The noise with its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_isotropic_gradient(p: vec2<f32>, frequency: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var field_8: GaborField;
@@ -313,7 +313,7 @@ fn gabor_noise_isotropic_gradient(p: vec2<f32>, frequency: f32, seed: u32) -> ve
     }
 }
 
-// With a period, as gabor_noise_tiled.
+// The noise with a period, like gabor_noise_tiled.
 fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_17: GaborPlace;
@@ -342,9 +342,9 @@ fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, 
     }
 }
 
-// (noise, removed), as gabor_noise_filtered, with GABOR_TAPS 3 and for about twice the cost. The error against
-// exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4.
-// For larger pixels only the variance is right.
+// (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of the noise. The error
+// against exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 %
+// at 0.4. For larger pixels only the variance is right.
 fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var removed_4: f32;
     var field_11: GaborField;
@@ -359,15 +359,16 @@ fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fr
 }
 
 // (noise, removed): Gabor noise at p averaged over a pixel, and the share of the variance that this removed. Add
-// the removed share to a material's roughness: it is the contrast that is lost.
+// the removed share, which is lost contrast, to a material's roughness.
 //   dx, dy  change of p from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel
 //           is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 // The error against exactly filtered noise, in standard deviations of the noise, is at most 1 % (rms) while the
 // pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
 // a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
 // and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
-// 0.2 on (16 nodes), 3.4 from 0.66 on along x or y (20 nodes), 3.8 along both (25 nodes); between 0.18 and 0.2
-// the first two both run. On CPUs, where compilers run both sides of a branch: 3 and 5.
+// 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25 nodes); between 0.18 and
+// 0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch, it is 3 for small pixels
+// and 5 for larger ones.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var field_10: vec4<f32>;
 
@@ -378,8 +379,8 @@ fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f
     return vec2<f32>(_e8.x, _e10.w);
 }
 
-// With its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows: its error is up
-// to 7 %.
+// The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
+// error is up to 7 %.
 fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     var removed_3: f32;
     var field_9: GaborField;
@@ -449,7 +450,7 @@ fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes:
     return vec2<f32>(_e9.x, _e11.w);
 }
 
-// With its gradient: (noise, d/dx, d/dy, removed).
+// The noise with its gradient: (noise, d/dx, d/dy, removed).
 fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
     var lobes_9: GaborLobes;
     var sum_14: vec4<f32> = vec4(0f);
@@ -523,7 +524,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
 }
 
 // gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
-// So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
+// So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
 fn gabor_stripes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec4<f32> {
     let _e13 = gabor_place(vec2(0i), (p * 1.5f));
     let _e14 = gabor_footprint(dx, dy);
@@ -619,7 +620,7 @@ fn gabor_profile_ridges(phase: f32, width: f32) -> f32 {
     return (_e4.z * (_e8 - _e11));
 }
 
-// gabor_profile_sine and so on.
+// The same profiles: gabor_profile_sine and so on.
 fn gabor_stripes_sine(stripes: vec2<f32>) -> f32 {
     return (0.5f - (0.5f * stripes.x));
 }
@@ -978,7 +979,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
     }
 }
 
-// The noise of a range of waves, as gabor_noise_spread, with quadrature and derivatives per kernel radius.
+// The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
 fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> GaborField {
     var frequency_8: f32;
     var frequency_spread_1: f32;
@@ -1216,7 +1217,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     return _e141;
 }
 
-// gabor_stripes_filtered at a place, with a footprint as for gabor_field_filtered.
+// gabor_stripes_filtered at a place, with the footprint of gabor_field_filtered.
 fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
     var removed_7: f32;
     var value_10: vec2<f32>;
@@ -1324,13 +1325,13 @@ fn gabor_impl_lobe_kernel(lobe: GaborLobe) -> GaborKernel {
     return _e19;
 }
 
-// The power of a sum that replaces another as x goes from 0 to 1. With x itself, the amplitudes, its square roots,
-// would have infinite slopes at the ends.
+// The power of a sum that replaces another as x goes from 0 to 1. With x as the power, the amplitudes would be square
+// roots, with infinite slopes at the ends.
 fn gabor_impl_takeover(x: f32) -> f32 {
     return ((x * x) / ((x * x) + ((1f - x) * (1f - x))));
 }
 
-// The number of lobes for `c`; both numbers added while one fades into the other.
+// The number of lobes for `c`, or the sum of both numbers while one set fades into the other.
 fn gabor_impl_pieces(c: f32) -> i32 {
     var local_14: i32;
 
@@ -1409,8 +1410,8 @@ fn gabor_impl_mean_angle(q: f32) -> f32 {
 }
 
 // Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With its even and odd part at q = 1/2, and S along the axis, the window h
-// becomes 1/2 + even (h - 1/2) + i odd h' / pi.
+// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With the even and odd parts of this factor at q = 1/2, and S along the axis, the
+// window h becomes 1/2 + even (h - 1/2) + i odd h' / pi.
 fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2<f32>) -> vec4<f32> {
     var wave_11: vec2<f32>;
     var even: vec2<f32>;
@@ -1431,7 +1432,7 @@ fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2
 }
 
 // Filters an axis with the given S and S F. Windows fade within half a deviation of their ends; the middle one never
-// does.
+// fades.
 fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32) {
     var rise: f32;
     var part_1: vec2<f32>;
@@ -1721,7 +1722,7 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
     return _e301;
 }
 
-// A column or a row of nodes: its word and its window for each factor, with the noise's wave.
+// A column or a row of nodes: its word, and for each factor its window times the noise's wave.
 struct GaborLine {
     word: u32,
     window: GaborFactors,
@@ -1779,7 +1780,7 @@ fn gabor_impl_next_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) ->
     return _e10;
 }
 
-// The columns of nodes that reach a point: four, or five.
+// The four or five columns of nodes that reach a point.
 struct GaborColumns {
     column_0_: GaborLine,
     column_1_: GaborLine,
@@ -1868,7 +1869,7 @@ fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, animated: bool,
     return _e26;
 }
 
-// The factors from the second on.
+// The factors without the first, moved up by one.
 fn gabor_impl_next(f: GaborFactors) -> GaborFactors {
     let _e2 = f.real.yz;
     let _e8 = f.imaginary.yz;
@@ -2063,7 +2064,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     return GaborField((_e290 * _e291), (_e293 * vec2<f32>(-(_e294.y), _e297.x)), (_e301 * vec2<f32>(-(_e302.y), _e305.x)));
 }
 
-// The share of seven waves in the filtered noise; the others are three.
+// The share of the form with seven waves in the filtered noise; the rest is the form with three.
 fn gabor_impl_wide_share(footprint: GaborFootprint) -> f32 {
     return clamp(((100f * sqrt(max(footprint.resolved.x, footprint.resolved.y))) - 9f), 0f, 1f);
 }
@@ -2158,7 +2159,7 @@ fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
     return (((row * slice) >> 8u) | 8388609u);
 }
 
-// The multiplier of each factor along z, from the sums for each factor along x of each along y.
+// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y; their components are those along x.
 fn gabor_impl_along_z(y_0: vec3<f32>, y_1: vec3<f32>, y_2: vec3<f32>, w: vec3<f32>) -> vec3<f32> {
     return vec3<f32>((y_0.x + (w.z * (y_1.y + ((0.5f * w.z) * y_2.z)))), ((w.y * (y_0.y + (w.z * y_1.z))) + (w.x * (y_1.x + (w.z * y_2.y)))), ((0.5f * (((w.y * w.y) * y_0.z) + ((w.x * w.x) * y_2.x))) + ((w.x * w.y) * (y_1.y + (w.z * y_2.z)))));
 }
@@ -2458,7 +2459,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     return;
 }
 
-// Mixes the words of rows again for each further use; their products with column words are equally random.
+// Four more words of a row, for further uses; their products with column words are equally random.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
     if GABOR_TAPS == 2 {
         var first: u32;
@@ -2526,7 +2527,8 @@ fn gabor_impl_row(word: u32) -> vec4<u32> {
     }
 }
 
-// The windows of a node along both axes and their derivatives; filtered windows are middle + cosine, and sine.
+// The windows of a node along both axes, and their derivatives. A filtered window is middle + cosine, its derivative
+// sine.
 struct GaborWindows {
     value: vec2<f32>,
     slope: vec2<f32>,
@@ -2535,7 +2537,7 @@ struct GaborWindows {
     sine: vec2<f32>,
 }
 
-// A filter with that covariance, and its effect on the windows' own waves.
+// The covariance of a filter, and how much it damps the windows' own waves.
 struct GaborFilter {
     used: bool,
     covariance: vec3<f32>,
@@ -2698,7 +2700,7 @@ fn gabor_impl_add_wave_2d(sum: ptr<function, GaborField>, node: GaborWindows, pi
     }
 }
 
-// Adds a node's three waves, at `d` node spacings from it. The third's phase is the difference of the others'.
+// Adds a node's three waves, at `d` node spacings from it. The phase of the third is the difference of the other two.
 fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: GaborWindows, pixel: GaborFilter, d: vec2<f32>, frequency: f32, words: vec4<u32>) {
     if GABOR_TAPS == 2 {
         var node_2: GaborWindows;
@@ -2934,7 +2936,8 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
     }
 }
 
-// The sum over all nodes, without its factor. Unrolling the loops by hand made it four times slower on lavapipe.
+// The sum over all nodes, without the factor GABOR_IMPL_STAR. Unrolling the loops by hand made them four times slower
+// on lavapipe.
 fn gabor_impl_sum_isotropic_2d(place: GaborPlace, frequency: f32, pixel: GaborFilter, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var frequency_11: f32;
@@ -3206,8 +3209,8 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
     return ((exp(-(clamp((_e51 * _e52), 0f, 80f))) * _e64) * inverseSqrt(_e66));
 }
 
-// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends.
-// Each whole turn adds the integral of a period.
+// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends,
+// over the width. Each whole turn adds the integral of a period.
 fn gabor_impl_ends(phase: f32, width: f32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var phase_2: f32;
@@ -3419,8 +3422,8 @@ fn gabor_impl_ridges_integral(x: f32) -> f32 {
     }
 }
 
-// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); this
-// inverts it within 0.0025.
+// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); the
+// polynomial inverts this within 0.0025.
 fn gabor_impl_phase_of(stripes: vec2<f32>) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         var phasor: vec2<f32>;

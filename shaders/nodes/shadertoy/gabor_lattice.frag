@@ -8,9 +8,9 @@
 // it adds begins with gabor_, Gabor or GABOR_. Names with gabor_impl_ are private.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], to show
+//     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Values are normal to three standard deviations. Beyond 3.5, 13 % too few occur overall, and 56 % too few at a node.
+// Values are normal up to three standard deviations. Beyond 3.5, they are 13 % too rare overall, and 56 % at a node.
 //
 // Arguments of all functions:
 //     p            position in kernel radii: a wave fades out within one radius of its node. |p| < 2^31 / GABOR_RADIUS,
@@ -40,8 +40,8 @@ precision highp float;
 precision highp int;
 #endif
 
-// Quality, to define before the file: each point sums GABOR_TAPS^2 waves. 2 is fastest but shows columns and rows at
-// high frequencies; 4 makes the covariance depend less on the place.
+// Quality, defined before the file: each point sums GABOR_TAPS^2 waves. 2 is fastest but shows columns and rows at high
+// frequencies; 4 makes the covariance depend less on the place.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -53,7 +53,7 @@ precision highp int;
 // float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 // float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
-//     The noise. It and its first derivatives are continuous.
+//     The noise, continuous with its first derivatives.
 
 // float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1; time 0 gives gabor_noise. Its correlation over a time t is cos^2(pi
@@ -72,14 +72,14 @@ precision highp int;
 //     each place both are independent with variance 1.
 
 // vec2 gabor_phasor(vec2 value)
-//     (phase in turns within [0, 1), intensity) of such a complex value. A profile of the phase, such as step(phase,
-//     width), is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
+//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
+//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
 // vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed)
 // vec3 gabor_stripes_tiled(vec2 p, vec2 period, vec2 wave, float sharpness, uint seed)
 //     Stripes of even contrast across the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6; 2 is a good
 //     value. With the complex noise z, the intensity is |z|, and (cosine, sine) is z scaled to length 1 where |z|
-//     exceeds 1 / sharpness. Below, the length is sharpness |z|, so stripes fade where they fork.
+//     exceeds 1 / sharpness. Where |z| is smaller, the length is sharpness |z|, so stripes fade where they fork.
 
 // vec3 gabor_stripes_of(vec2 value, float sharpness)
 //     The stripes of any complex value.
@@ -104,9 +104,9 @@ struct GaborPlace {
     ivec2 cell;    // any integers except the last few before 2^31, where the world wraps around
     vec2 local;    // offset from that cell's corner in node spacings: small, most precise in [0, 1)^2
     vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
-    ivec2 period;  // in nodes, 0 for none
+    ivec2 period;  // period in nodes, 0 for none
     bool animated; // whether to use time
-    float time;    // in periods
+    float time;    // time in periods
 };
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -148,14 +148,14 @@ struct GaborField {
 //     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
 //
 // The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS of its shifts overlap at every x. Three or more evenly
-// spaced shifts of cos and of cos^2 sum to a constant over a period, so that
+// spaced shifts of cos and of cos^2 over a period sum to a constant, so that
 //
-//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x,
+//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x.
 //
-// and so do the squares of the derivatives. So the variances of the noise, its gradient and its second derivatives
-// depend neither on the place nor on the frequency. The second derivatives jump where windows end, midway between nodes
-// for 3 taps and at nodes for 4, by 0.16 standard deviations at frequency 1 and by 1.1 at 0. A sum of normal numbers is
-// normal.
+// The squares of the derivatives also sum to a constant. So the variances of the noise, its gradient and its second
+// derivatives depend neither on the place nor on the frequency. The second derivatives jump where windows end, midway
+// between nodes for 3 taps and at nodes for 4, by 0.16 standard deviations at frequency 1 and by 1.1 at 0. The noise is
+// normal because sums of normal numbers are.
 //
 // Each wave's phase starts at its own node, so the wave vector F may vary with the place. From one node to the next the
 // phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into both axes:
@@ -184,8 +184,8 @@ uint gabor_impl_salt(uint seed) {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
-// The word of a column or row of nodes; a node's word is their product. Words are odd and have 24 bits with the highest
-// one set, so that products fill all 32 bits: GPUs multiply 24 bits at a quarter of the cost. Multiplying a word by a
+// The word of a column or row of nodes; a node's word is their product. Words are odd and have 24 bits, which GPUs
+// multiply at a quarter of the cost; the highest bit is set, so that products fill all 32 bits. Multiplying a word by a
 // shifted copy of itself mixes better than a constant factor: two indices have equal words with probability 2^-22, at
 // any distance.
 uint gabor_impl_line_word(int index, uint salt) {
@@ -223,21 +223,22 @@ vec2 gabor_impl_half_turn(float t) {
                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to that. With t reduced to
-// half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to the error. With t reduced
+// to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 vec2 gabor_impl_wave(float t) {
     t -= floor(t + 0.5);
     vec2 turn = gabor_impl_half_turn(0.25 - abs(t));
     return vec2(turn.y, t < 0.0 ? -turn.x : turn.x);
 }
 
-// The windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their derivatives per
-// kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and [-1, 0] for two.
+// Computes the windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their
+// derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
+// [-1, 0] for two.
 #define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of their squares
 void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 #if GABOR_TAPS == 2
-    // Two shifts of Hann's window have no constant energy. 1 - s and s do, divided by the root of their sum of squares,
-    // with s = t^2 (3 - 2 t), but the variances of their derivatives vary.
+    // Two shifts of Hann's window do not have a constant energy. With s = t^2 (3 - 2 t), the windows 1 - s and s do,
+    // divided by the root of their sum of squares, but the variances of their derivatives vary.
     float t = x + 1.0, s = t * t * (3.0 - 2.0 * t);
     float scale = inversesqrt(1.0 - 2.0 * s * (1.0 - s));
     value = scale * vec4(1.0 - s, s, 0.0, 0.0);
@@ -251,7 +252,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
     value = vec4(a - s, 0.5 + c, a + s, 0.0);
     slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over sqrt(8), and c and s half those of pi/2 x
+    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z over sqrt(8). c and s are half those of pi/2 x
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;
@@ -276,8 +277,8 @@ int gabor_impl_next_node(int index, int period) {
 
 // The nodes along an axis that reach a point.
 struct GaborAxis {
-    float offset; // of the point from node 0, in node spacings
-    float turns;  // of the wave from a node to the next
+    float offset; // offset of the point from node 0, in node spacings
+    float turns;  // turns of the wave from one node to the next
     uint word[4];
     vec4 node[4]; // factors of the amplitudes: e^(-i u i) times the window, and times its derivative
 };
@@ -308,8 +309,8 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     return axis;
 }
 
-// The amplitude of a node. With time it is a weighted sum of three, from its word and two words derived from it. The
-// squared weights sum to 1; at time 0 the weights are 1, 0, 0.
+// The amplitude of a node. With time it is a weighted sum of three amplitudes, from the node's word and two words
+// derived from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
 vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
     vec2 amplitude = gabor_impl_amplitude(word);
     if (!animated) return amplitude;
@@ -320,9 +321,9 @@ vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
          + 0.70710678 * turn.y * gabor_impl_amplitude(third);
 }
 
-// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by their derivatives; zw has
-// the derivatives of the windows along x. Some compilers do not unroll or vectorize loops over nodes and rows, so there
-// are none.
+// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by their derivatives; zw of
+// both has the derivatives of the windows along x. Some compilers do not unroll or vectorize loops over nodes and rows,
+// so there are none.
 void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
     vec4 row = vec4(0.0);
     gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
