@@ -87,7 +87,8 @@ std::vector<float> translated(const Set& set, std::size_t calls) {
 // How much more than others a result changes with the rounding of its arguments.
 double sensitivity(const std::string& call, std::size_t point) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
-    if ((has("filtered") || has(".w")) && point % 16 == 15) // pixels a thousand times as long as wide
+    if ((has("filtered") || has(".w") || call == "removed") &&
+        point % 16 == 15) // pixels a thousand times as long as wide
         return 1000;
     if (has("gabor_er") && point / 4 % 4 == 3) // far away its octaves round their place
         return 400;
