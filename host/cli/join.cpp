@@ -25,7 +25,7 @@ struct JoinOptions {
 
 void join(const JoinOptions& options) {
     if (options.half && !options.texture)
-        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+        throw RequestError("--half is for --texture: pictures have 32-bit floats");
     const std::filesystem::path extension = std::filesystem::path(options.output).extension();
     if (!extension.empty() && extension != ".exr")
         throw RequestError(

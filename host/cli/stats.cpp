@@ -33,7 +33,7 @@ using statistics::SpectrumSummary;
 // The smallest cvm at which a deviation from the normal distribution is visible.
 constexpr double visible_cvm = 0.5;
 
-// Our JSON is flat. Deeper JSON is ignored, because writing it could overflow the stack.
+// gabor's own JSON is flat. Deeper JSON is ignored, because writing it could overflow the stack.
 constexpr int deepest_parameters = 16;
 
 struct StatsOptions {
@@ -50,17 +50,17 @@ struct Measured {
     json parameters;             // null without a `gabor` attribute
     std::optional<double> scale; // pixels per kernel radius
     statistics::NormalDistribution expected;
-    std::uint64_t outside = 0; // excluded pixels, which the body does not cover entirely
+    std::uint64_t outside = 0; // pixels excluded because the body does not cover them entirely
     PictureReport report;
 };
 
-// One file may be any EXR; several are regions.
+// Opens the picture. A single file may be any EXR; several must be regions of one picture.
 image::ExrReader open_picture(const StatsOptions& options, const std::vector<std::string>& channels) {
     return options.files.size() == 1 ? image::ExrReader(options.files.front(), channels)
                                      : image::ExrReader(std::span(options.files), channels);
 }
 
-// Reads a channel. Sets pixels to NaN where a channel A is below 1, and returns their number.
+// Reads a channel. If there is a channel A, sets pixels with A below 1 to NaN and returns their number.
 template <typename Use>
 std::uint64_t read_bands(const StatsOptions& options, const image::ExrReader& header, Progress& progress,
                          Use use) {
@@ -142,7 +142,7 @@ double reference_variance(const Measured& measured) {
     return measured.expected.deviation * measured.expected.deviation;
 }
 
-// Perspective distorts the frequencies on a body.
+// False for pictures of a body: perspective distorts its frequencies.
 bool has_spectrum(const Measured& measured) {
     return measured.report.spectrum && measured.outside == 0;
 }
@@ -167,7 +167,7 @@ json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale
             {"radial", std::move(radial)}};
 }
 
-// NaN and infinity become null. A channel's name may be invalid UTF-8.
+// Writes NaN and infinity as null, and replaces invalid UTF-8, which a channel's name may contain.
 std::string to_json(const Measured& measured) {
     const PictureReport& report = measured.report;
     const statistics::Moments& moments = report.moments;
@@ -218,11 +218,11 @@ void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>
         fmt::print("  {:<18}{:>13}  indistinguishable from 0\n", "peak frequency", "none");
     }
     print_line("bandwidth", spectrum.bandwidth, "cycles per pixel" + per_radius(spectrum.bandwidth));
-    print_line("resolution", spectrum.resolution, "cycles per pixel; narrower peaks look as wide");
-    print_line("spectral power", spectrum.power, "the variance again, from the spectrum");
+    print_line("resolution", spectrum.resolution, "cycles per pixel; narrower peaks look this wide");
+    print_line("spectral power", spectrum.power, "the variance, computed from the spectrum");
 }
 
-// In a small picture, chance hides a visible deviation.
+// False for small pictures, in which chance can hide a visible deviation.
 bool has_cvm(const std::optional<BlockEstimates>& blocks) {
     return blocks && !(blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm);
 }
@@ -250,8 +250,9 @@ void print_limits(const Measured& measured) {
         fmt::print("  Intervals come from {0} x {0} blocks; pixels correlate over about {1:.0f} pixels.\n",
                    blocks->blocks_per_side, report.spectrum->correlation);
         if (!has_cvm(blocks))
-            fmt::print("  The picture is too small to test its distribution; render {0} x {0} for that.\n",
-                       side_for_cvm(measured, *blocks));
+            fmt::print(
+                "  The picture is too small to test its distribution; render at least {0} x {0} pixels.\n",
+                side_for_cvm(measured, *blocks));
     }
 }
 
@@ -269,7 +270,7 @@ void print_report(const StatsOptions& options, const Measured& measured) {
     fmt::print("{}: channel {}, {} x {} pixels, {} not finite{}\n", from, measured.channel, measured.width,
                measured.height, report.not_finite,
                measured.outside == 0 ? ""
-                                     : fmt::format(", {} left out as outside (A below 1)", measured.outside));
+                                     : fmt::format(", {} excluded as outside (A below 1)", measured.outside));
     if (moments.count() == 0)
         return;
     print_line("mean", moments.mean(), between(&BlockEstimates::mean));
@@ -329,7 +330,7 @@ void add_stats_command(CLI::App& app) {
         ->type_name("NAME");
     command
         ->add_option("--json", options->json,
-                     "Also write the numbers here as JSON; '-': to stdout, instead of text")
+                     "Also write the numbers to this file as JSON; '-' prints JSON instead of text")
         ->type_name("FILE");
     command->callback([options] { report_statistics(*options); });
 }

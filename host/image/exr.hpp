@@ -41,9 +41,10 @@ class ExrWriter {
         std::string_view compression = "none";
         std::string parameters = {}; ///< stored as the string attribute `gabor`
         std::string software = {};   ///< the program and driver; stored as `software` unless empty
-        std::string colour_space =
-            {}; ///< of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty
-        std::optional<Texture> texture = {}; ///< of a whole picture at 0, 0
+        /// The colour space of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty.
+        std::string colour_space = {};
+        /// If set, writes a texture; the window must be the whole picture at 0, 0.
+        std::optional<Texture> texture = {};
     };
 
     /// Throws RequestError for an unknown compression or a path that cannot be created.
@@ -79,7 +80,7 @@ class ExrReader {
     /// Throws RequestError when the file is missing, truncated, not an EXR, lacks a channel, or is larger
     /// than 65536 x 65536 pixels.
     explicit ExrReader(const std::filesystem::path& path, const std::vector<std::string>& channels = {});
-    /// Reads regions that cover their picture, in any order; without `channels`, all of them. Throws
+    /// Reads regions that cover their picture, in any order; without `channels`, reads all channels. Throws
     /// RequestError as join_exr does.
     explicit ExrReader(std::span<const std::filesystem::path> paths,
                        const std::vector<std::string>& channels = {});
@@ -103,8 +104,8 @@ class ExrReader {
     /// Returns the compression's name; empty if ExrWriter does not offer it.
     std::string_view compression() const;
 
-    /// Returns the next rows, at most `rows`; empty after the last. The span is valid until the next call.
-    /// Throws RequestError when the data is damaged.
+    /// Returns the next `rows` rows, or as many as are left; empty after the last. The span is valid until
+    /// the next call. Throws RequestError when the data is damaged.
     std::span<const float> read_rows(int rows);
 
   private:

@@ -27,8 +27,8 @@ namespace fs = std::filesystem;
 struct ExrRegion {
     fs::path path;
     Imath::Box2i window;
-    int threads;                          // that may decode it
-    std::unique_ptr<Imf::InputFile> file; // while it is being read
+    int threads;                          // threads that may decode the file
+    std::unique_ptr<Imf::InputFile> file; // open while the region is being read
 };
 
 namespace {
@@ -113,7 +113,7 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
 
 // ---- Placement ----
 
-// Each pixel of the picture must be in one region.
+// Checks that each pixel of the picture is in exactly one region.
 void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture) {
     std::set<int> rows{picture.min.y};
     for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -124,7 +124,7 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
                                         described(regions[i].path, regions[i].window)));
         rows.insert(regions[i].window.max.y + 1);
     }
-    // A gap begins at the top, or below a region. In a row that has none, regions touch from left to right.
+    // A gap begins at the top, or below a region. In a row without gaps, regions touch from left to right.
     for (auto y = rows.begin(); y != rows.end() && *y <= picture.max.y; ++y) {
         std::map<int, int> ends; // ends of the regions in this row, by their beginnings
         for (const ExrRegion& region : regions)
@@ -178,7 +178,7 @@ struct ExrReader::State {
     void read(const Imf::FrameBuffer& frame, int first, int last);
 
     std::vector<ExrRegion> regions; // sorted by their upper left corners
-    Imf::Header header;             // as the whole picture would have it in one file
+    Imf::Header header;             // what a single file would have
     Rect picture;
     Rect window;
     std::string parameters;

@@ -24,7 +24,7 @@ class Raw16 : public PictureReader {
         const std::uintmax_t wanted =
             std::uintmax_t{2} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
         if (size != wanted)
-            throw RequestError(fmt::format("'{}' has {} bytes, but {} x {} heights of 16 bits take {}",
+            throw RequestError(fmt::format("'{}' has {} bytes, but {} x {} 16-bit heights take {}",
                                            path.string(), size, width, height, wanted));
         format_ = {width, height, 1, false};
         bytes_.resize(2 * static_cast<std::size_t>(width));

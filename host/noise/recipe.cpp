@@ -109,7 +109,7 @@ std::vector<Macro> macros(const Recipe& recipe) {
 
 bool acceptable(const Recipe& recipe) {
     const auto& c = recipe.window;
-    // q^2 at 0 and in between: a window without energy cannot be normalized.
+    // A window without energy cannot be normalized.
     const double energy = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
     return recipe.impulses >= 1 && recipe.impulses <= most_impulses && recipe.radius >= 1 &&
            recipe.radius <= largest_radius && recipe.weight_floor >= 0 && recipe.weight_floor <= 1 &&

@@ -91,7 +91,7 @@ Request preset(std::string_view name) {
         return load_request(std::string(name)).request;
     const auto found = std::ranges::find(presets(), name, &Preset::name);
     if (found == presets().end())
-        throw RequestError(fmt::format("unknown preset '{}': the presets are {}, and files NAME.json", name,
+        throw RequestError(fmt::format("unknown preset '{}': expected {} or a file NAME.json", name,
                                        fmt::join(preset_names(), ", ")));
     return from_json(found->json);
 }

@@ -48,7 +48,8 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
     chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
     const std::array layers{"VK_LAYER_KHRONOS_validation"};
     std::vector<const char*> extensions = presentation.instance_extensions;
-    // Instrumented shaders take many times as long, and the other checks must not see their buffers.
+    // GPU-assisted validation runs alone: other checks must not see its buffers, and its shaders take many
+    // times as long.
     using Check = vk::ValidationFeatureEnableEXT;
     const std::vector<Check> features =
         validation() == "gpu" ? std::vector{Check::eGpuAssisted}

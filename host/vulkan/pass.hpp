@@ -10,7 +10,7 @@
 
 namespace gabor::vulkan {
 
-/// The 32 bits of a specialization constant, int, uint or float.
+/// The 32 bits of a specialization constant of type int, uint or float.
 template <typename T>
 constexpr std::uint32_t constant(T value) {
     return std::bit_cast<std::uint32_t>(value);
@@ -26,15 +26,15 @@ class Pass {
         bool statistics = false; ///< whether to allow calls of `statistics`
     };
 
-    /// `constants`: the specialization constants with ids 0, 1, 2, ...
+    /// `constants` are the specialization constants with ids 0, 1, 2, ...
     Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface interface,
          std::span<const std::uint32_t> constants = {});
     ~Pass();
     Pass(Pass&&) noexcept;
     Pass& operator=(Pass&&) noexcept;
 
-    /// Returns the compiler's statistics of its code under the driver's names, such as "Instructions". Throws
-    /// RequestError on a device without VK_KHR_pipeline_executable_properties.
+    /// Returns the compiler's statistics for the code under the driver's names, such as "Instructions".
+    /// Throws RequestError on a device without VK_KHR_pipeline_executable_properties.
     std::map<std::string, std::uint64_t> statistics(const Device& device) const;
 
     struct State;
@@ -84,7 +84,7 @@ class Job {
     }
 
     /// Waits for the submission and makes its results visible to the host. Returns the seconds that the pass
-    /// took on the device, NaN if the device cannot measure them.
+    /// took on the device; NaN if the device cannot measure them.
     double wait();
 
   private:

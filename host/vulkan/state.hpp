@@ -34,7 +34,7 @@ struct Device::State {
     vk::raii::Device device;
     vk::raii::Queue queue;
     double timestamp_seconds = 0;     ///< length of a timestamp's tick
-    std::uint64_t timestamp_mask = 0; ///< its valid bits
+    std::uint64_t timestamp_mask = 0; ///< valid bits of a timestamp
     bool unified = false;
     bool executable_properties = false; ///< whether VK_KHR_pipeline_executable_properties is enabled
 };

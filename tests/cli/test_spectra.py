@@ -187,7 +187,7 @@ class Spectra(SpectraTest):
             (["'sideways'", "flat", "horizon"], ["--view=sideways"]),
             (["--values", "1 to 4"], ["--values=x"]),
             (["values", "4"], ["--values=5"]),
-            (["tileable", "the views flat and terrain"], ["--view=horizon", "--tileable"]),
+            (["tileable", "the flat or terrain view"], ["--view=horizon", "--tileable"]),
             (["'woood'", "marble"], ["--preset=woood"]),
             (["--preset", "--like"], ["--preset=wood", f"--like={good}"]),
             (["slice", "recipe"], ["--view=slice", "--recipe=pure"]),

@@ -1,4 +1,4 @@
-// For passes/places.glsl and host/lab/study.
+// Shared by passes/places.glsl and host/lab/study.
 
 #ifndef GABOR_PLACES_INTERFACE_H
 #define GABOR_PLACES_INTERFACE_H
@@ -13,11 +13,11 @@ GABOR_PUSH_CONSTANTS(PlacesPush) {
     vec2 wave;       // cycles per kernel radius
     vec2 corner;     // where the grid starts, in cells
     float amplitude; // K
-    float spacing;   // of the grid, in cells
-    float within;    // 1: adds a random offset of up to a cell to the corner
+    float spacing;   // between places of the grid, in cells
+    float within;    // 1 adds a random offset of up to a cell to the corner, 0 nothing
     uint grid_bits;
-    uint first; // instance
-    uint count; // values
+    uint first; // first instance
+    uint count; // number of values
     uint place_seed;
     uint noise_seed;
 };
