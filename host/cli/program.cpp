@@ -24,12 +24,12 @@ namespace gabor::cli {
 
 namespace {
 
-// Prints one line on stderr. Replaces control characters, which names in files may contain, by spaces.
+// Prints one line on stderr. Replaces control characters, which names in files may contain, with spaces.
 int fail(const Program& program, int status, std::string message) {
     std::ranges::replace_if(
         message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
     std::fputs(fmt::format("{}: {}\n", program.name, message).c_str(),
-               stderr); // if this fails, the exit status still tells
+               stderr); // if this fails, the exit status still reports the error
     return status;
 }
 
@@ -94,8 +94,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
         const std::vector<std::string> words = app.remaining(true);
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
             app.exit(error);     // prints --help or --version
-        else if (!words.empty()) // first, even if a required option is missing: the word may be a misspelling
-                                 // of it
+        else if (!words.empty()) // reported first: it may be a misspelled required option
             return fail(program, 2,
                         fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
                                     where_to_look(app)));

@@ -33,7 +33,7 @@ using Kind = render::Parameter::Kind;
 static_assert(render::most_frames == 9999);
 constexpr std::string_view frames_accepted = "a whole number from 1 to 9999";
 
-// The options on the command line. Others come from --like or --preset, or have their defaults.
+// The command-line options. Those not given come from --like or --preset, or have defaults.
 struct RenderOptions {
     std::optional<std::string> output;
     std::optional<std::string> png;
@@ -56,7 +56,7 @@ struct RenderOptions {
     std::vector<std::pair<const render::Parameter*, const CLI::Option*>> parameters; // the whole table
 };
 
-// What to render, and which region.
+// The request to render, and the region.
 struct Work {
     render::Request request;
     image::Rect region;
@@ -183,7 +183,7 @@ void warn_above_nyquist(const render::Request& request) {
                    highest);
 }
 
-// Compares files that may not exist yet, however their paths are written.
+// Tells whether two paths name the same file, even if it does not exist yet.
 bool same_file(const std::string& a, const std::string& b) {
     namespace fs = std::filesystem;
     std::error_code ignored;

@@ -142,7 +142,7 @@ double reference_variance(const Measured& measured) {
     return measured.expected.deviation * measured.expected.deviation;
 }
 
-// False for pictures of a body: perspective distorts its frequencies.
+// Returns false for pictures of a body: perspective distorts its frequencies.
 bool has_spectrum(const Measured& measured) {
     return measured.report.spectrum && measured.outside == 0;
 }
@@ -222,7 +222,7 @@ void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>
     print_line("spectral power", spectrum.power, "the variance, computed from the spectrum");
 }
 
-// False for small pictures, in which chance can hide a visible deviation.
+// Returns false for small pictures, in which chance can hide a visible deviation.
 bool has_cvm(const std::optional<BlockEstimates>& blocks) {
     return blocks && !(blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm);
 }

@@ -36,7 +36,7 @@ class ExrWriter {
 
     struct Description {
         Rect picture;                      ///< EXR's display window: the whole picture
-        Rect window;                       ///< EXR's data window: the part of it in this file
+        Rect window;                       ///< EXR's data window: the part of the picture in this file
         std::vector<std::string> channels; ///< one float channel each
         std::string_view compression = "none";
         std::string parameters = {}; ///< stored as the string attribute `gabor`
@@ -53,7 +53,7 @@ class ExrWriter {
     ExrWriter(ExrWriter&&) noexcept;
 
     /// Appends whole rows from top to bottom; `pixels` interleaves the channels. The rows of a texture's
-    /// level follow those of the level before. Throws std::runtime_error when the disk fails.
+    /// level follow those of the previous level. Throws std::runtime_error when the disk fails.
     void write_rows(std::span<const float> pixels);
 
     /// Publishes the file after the last row. Throws std::runtime_error when the disk fails.
@@ -76,9 +76,9 @@ Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesys
 /// spread over several files.
 class ExrReader {
   public:
-    /// Reads `channels`, interleaved; without any, `Y`, else `R`, else the first float or half channel.
-    /// Throws RequestError when the file is missing, truncated, not an EXR, lacks a channel, or is larger
-    /// than 65536 x 65536 pixels.
+    /// Reads `channels`, interleaved; if there are none, reads `Y`, else `R`, else the first float or half
+    /// channel. Throws RequestError when the file is missing, truncated or not an EXR, lacks a channel, or is
+    /// larger than 65536 x 65536 pixels.
     explicit ExrReader(const std::filesystem::path& path, const std::vector<std::string>& channels = {});
     /// Reads regions that cover their picture, in any order; without `channels`, reads all channels. Throws
     /// RequestError as join_exr does.
@@ -87,13 +87,13 @@ class ExrReader {
     ~ExrReader();
     ExrReader(ExrReader&&) noexcept;
 
-    /// Returns the files, from the top of the picture down, and the part that each holds.
+    /// Returns the files and the part of the picture in each, from top to bottom.
     std::vector<std::pair<std::filesystem::path, Rect>> regions() const;
     const Rect& picture() const;
     const Rect& window() const;
     /// Returns the channels that are read.
     const std::vector<std::string>& channels() const;
-    /// Tells whether the file has a channel of that name.
+    /// Tells whether the file has a channel with that name.
     bool has_channel(const std::string& name) const;
     /// Returns the `gabor` attribute; empty if there is none.
     const std::string& parameters() const;

@@ -23,7 +23,7 @@ namespace gabor::image {
 
 namespace fs = std::filesystem;
 
-// A file, and the part of the picture that it holds.
+// A file and the part of the picture in it.
 struct ExrRegion {
     fs::path path;
     Imath::Box2i window;
@@ -54,7 +54,7 @@ std::string described(const fs::path& path, const Imath::Box2i& window) {
 
 // ---- Common attributes ----
 
-// Returns a header's attributes as serialized, without the data window.
+// Returns a header's attributes in serialized form, without the data window.
 std::map<std::string, std::string> common_attributes(const Imf::Header& header) {
     std::map<std::string, std::string> values;
     for (auto i = header.begin(); i != header.end(); ++i) {
@@ -126,7 +126,7 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
     }
     // A gap begins at the top, or below a region. In a row without gaps, regions touch from left to right.
     for (auto y = rows.begin(); y != rows.end() && *y <= picture.max.y; ++y) {
-        std::map<int, int> ends; // ends of the regions in this row, by their beginnings
+        std::map<int, int> ends; // right ends of the regions in this row by their left ends
         for (const ExrRegion& region : regions)
             if (region.window.min.y <= *y && *y <= region.window.max.y)
                 ends[region.window.min.x] = region.window.max.x + 1;
@@ -178,7 +178,7 @@ struct ExrReader::State {
     void read(const Imf::FrameBuffer& frame, int first, int last);
 
     std::vector<ExrRegion> regions; // sorted by their upper left corners
-    Imf::Header header;             // what a single file would have
+    Imf::Header header;             // header of a single file with all pixels
     Rect picture;
     Rect window;
     std::string parameters;

@@ -71,8 +71,8 @@ int open_nameless(const fs::path& folder) {
     return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, everyone);
 }
 
-/// Creates and locks a file with that name. If `remove_abandoned` deletes it before the lock, the name counts
-/// as taken.
+/// Creates and locks a file with that name. If `remove_abandoned` deletes it before it is locked, the name
+/// counts as taken.
 int open_locked(const char* name) {
     const int descriptor = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, everyone);
     struct stat status {};
@@ -84,8 +84,7 @@ int open_locked(const char* name) {
     return -1;
 }
 
-/// Removes hidden files that killed processes left behind while writing `target`: hidden files without a
-/// lock.
+/// Removes hidden files without a lock, which killed processes left behind while writing `target`.
 void remove_abandoned(const fs::path& target) {
     const std::string stem = hidden_stem(target);
     std::error_code ignored;

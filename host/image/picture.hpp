@@ -17,7 +17,7 @@ class PictureReader {
         int height = 0;
         int channels = 0;    ///< 1, or 3 for red, green, blue
         bool alpha = false;  ///< whether the file also has alpha
-        bool linear = false; ///< linear light, as in an EXR that does not say otherwise, instead of sRGB
+        bool linear = false; ///< linear light instead of sRGB; true for an EXR unless it says otherwise
     };
 
     virtual ~PictureReader() = default;
@@ -46,7 +46,7 @@ class PictureReader {
     std::vector<float> alpha_;
 };
 
-/// Opens a PNG, JPEG, TGA or OpenEXR file; the content decides the format, not the name. If an EXR has a
+/// Opens a PNG, JPEG, TGA or OpenEXR file; the content, not the name, decides the format. If an EXR has a
 /// channel named `channel`, reads only that. Throws RequestError for other formats, colours other than grey
 /// or RGB, and unreadable files.
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
@@ -55,7 +55,7 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
 /// Throws RequestError, "cannot read 'PATH': REASON".
 [[noreturn]] void refuse_picture(const std::filesystem::path& path, std::string_view reason);
 
-/// These open a file of one format.
+/// Each of these opens a file of its format.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path);
 /// Returns nothing if the file is not a TGA.

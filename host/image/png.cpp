@@ -73,7 +73,7 @@ void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t co
     } catch (...) {
         state.failure = std::current_exception();
     }
-    png_error(png, "the file cannot be written"); // outside the handler, because this jumps over destructors
+    png_error(png, "the file cannot be written"); // after the handler, because it jumps over destructors
 }
 
 PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits) {

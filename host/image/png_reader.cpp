@@ -14,7 +14,7 @@ namespace gabor::image {
 namespace {
 
 constexpr std::size_t most_interlaced = std::size_t{1}
-                                        << 28; ///< bytes: interlaced pictures are decoded in memory
+                                        << 28; ///< limit in bytes: interlaced pictures are decoded in memory
 
 class PngPicture : public PictureReader {
   public:
@@ -72,8 +72,7 @@ PngPicture::PngPicture(const std::filesystem::path& path)
     }
 }
 
-// Reads the header and lets libpng convert every format to 16-bit grey or RGB, with alpha where the file has
-// it.
+// Reads the header and lets libpng convert every format to 16-bit grey or RGB, with alpha if the file has it.
 void PngPicture::read_header() {
     guarded([this] {
         png_set_user_limits(png_, widest_png, widest_png);

@@ -22,8 +22,8 @@ struct Piece {
     int index;    // determines its seed
 };
 
-// Returns as many pieces as the whole part of `count`. As its fraction goes from 0.8 to 1, one more piece
-// fades them out, so that the noise is continuous in `count`: amplitudes are proportional to `left` and 1 -
+// Returns as many pieces as the whole part of `count`. As its fraction goes from 0.8 to 1, these give way to
+// one piece more, so that the noise is continuous in `count`: amplitudes are proportional to `left` and 1 -
 // left.
 std::vector<Piece> pieces(double count) {
     const int fewer = static_cast<int>(count);
@@ -38,8 +38,8 @@ std::vector<Piece> pieces(double count) {
     return all;
 }
 
-// A kernel's bandwidth, inversely proportional to its radius, fills the gaps between pieces. This many give
-// an even range.
+// A kernel's bandwidth, inversely proportional to its radius, fills the gaps between pieces. This many pieces
+// cover the range evenly.
 std::vector<Piece> frequencies(const Lobe& lobe) {
     return pieces(
         std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.longest_radius() + 0.8, 1.0, 16.0));

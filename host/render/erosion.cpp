@@ -15,8 +15,8 @@ namespace gabor::render {
 
 namespace {
 
-// The rows of a map; each is read once if requests go down the map. Beyond the edges, a tile repeats and
-// other maps keep the height of the edge.
+// The rows of a map. Reads each row once if rows are requested from top to bottom. Beyond the edges, a tile
+// repeats and other maps keep the height of the edge.
 class MapRows {
   public:
     explicit MapRows(const HeightMap& map) : map_(map), heights_(static_cast<std::size_t>(map.width)) {}

@@ -34,8 +34,8 @@ Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t se
                   const image::Rect& region);
 
 /// Erodes a region band by band, so that memory does not grow with the map's height, and passes the rows to
-/// `write`, with interleaved channels. A region has the same pixels as the whole. Throws RequestError for a
-/// map that is damaged or contains NaN or infinity.
+/// `write`, with interleaved channels. A region has the same pixels as in the whole map. Throws RequestError
+/// for a map that is damaged or contains NaN or infinity.
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
            const image::Rect& region, const std::function<void(std::span<const float>)>& write);
 

@@ -55,8 +55,8 @@ struct Files {
     std::function<std::span<const float>(std::span<const float>)> colours = {};
 };
 
-/// Renders `region` of a checked request to files. Calls `advance` with the number of pixels
-/// in each band before writing it; if that throws, no file is left.
+/// Renders `region` of a checked request to files. Calls `advance` with the number of pixels in each band
+/// before writing it; if `advance` throws, no file is left.
 FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance);
 

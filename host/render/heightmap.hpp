@@ -30,7 +30,7 @@ class HeightWriter {
     HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
                  double pixel);
 
-    /// Writes rows of pixels with `channels` channels, of which number `height` has the heights.
+    /// Writes rows of pixels with `channels` channels; `height` is the index of the channel with the heights.
     void write_rows(std::span<const float> rows, std::size_t channels, std::size_t height);
     void commit();
 

@@ -185,7 +185,7 @@ constexpr const char* exr_name = "maps.exr";
 constexpr const char* materialx_name = "material.mtlx";
 constexpr const char* gltf_name = "material.gltf";
 
-// Creates the folder if there is none; if it is empty in the end, removes it again.
+// Creates the folder if there is none. In the end, removes a new folder that is still empty.
 class Folder {
   public:
     explicit Folder(const std::filesystem::path& path) : path_(path) {

@@ -97,7 +97,7 @@ Parameter flag(std::string_view name, std::string_view applies_to, std::string_v
     return row(name, Kind::flag, "", none, none, applies_to, help, find);
 }
 
-// Finds a value that only one kind of view has.
+// Returns a function that finds a value of one kind of view.
 template <typename OneView, typename T>
 auto in_view(T OneView::*member) {
     return [member](auto& request) {
@@ -106,7 +106,7 @@ auto in_view(T OneView::*member) {
     };
 }
 
-// Finds a value of the camera of a body or landscape.
+// Returns a function that finds a value of the camera of a body or landscape.
 auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
     return [=](auto& request) {
         auto* body = std::get_if<Body>(&request.view);
@@ -115,7 +115,7 @@ auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
     };
 }
 
-// Finds a value of the light.
+// Returns a function that finds a value of the light.
 auto if_lit(double Request::*member) {
     return [member](auto& request) { return has_material(request) ? &(request.*member) : nullptr; };
 }
@@ -497,7 +497,7 @@ std::string option_name(const Parameter& parameter) {
 
 std::vector<const Parameter*> erosion_parameters() {
     std::vector<const Parameter*> found;
-    bool reached = false; // the last rows of the table that only terrain has
+    bool reached = false; // whether the loop has come to the rows of erosion
     for (const Parameter& p : parameters())
         if ((reached |= p.name == "octaves") && p.applies_to == terrains)
             found.push_back(&p);
@@ -512,7 +512,7 @@ const Parameter& parameter(std::string_view name) {
     const auto found = std::ranges::find(parameters(), name, &Parameter::name);
     if (found != parameters().end())
         return *found;
-    std::vector<std::string_view> names; // parameters of the same material, or of noise
+    std::vector<std::string_view> names; // names of the same material's parameters, or of the noise's
     for (const Parameter& p : parameters())
         if (is_of_one_material(p) ? name.starts_with(fmt::format("{}.", material_of(p.name)))
                                   : name.find('.') == name.npos)

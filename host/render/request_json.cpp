@@ -193,7 +193,7 @@ Request from_json(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object())
         throw RequestError("the parameters are not a JSON object");
-    Values deciding; // they decide which other parameters exist
+    Values deciding; // decide which other parameters exist
     Values others;
     bool has_lobes = false;
     Request request;

@@ -24,9 +24,9 @@ class Moments {
     double variance() const { return state_.m2 / static_cast<double>(state_.count); }
     /// Sum of (x - mean)^2; 0 without values.
     double squared_deviations() const { return state_.m2; }
-    /// NaN if the variance is 0, like the kurtosis.
+    /// Returns NaN if the variance is 0, as does `excess_kurtosis`.
     double skewness() const;
-    /// 0 for a normal distribution.
+    /// Returns 0 for a normal distribution.
     double excess_kurtosis() const;
     double minimum() const { return state_.minimum; }
     double maximum() const { return state_.maximum; }

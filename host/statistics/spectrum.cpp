@@ -157,8 +157,8 @@ double lobe_width(std::span<const double> profile) {
 }
 
 /// Finds the mode of the periodogram under a kernel of the given radius, by mean shift from its largest cell
-/// (Fukunaga and Hostetler, 1975). Cells scatter by their mean divided by the root of the number of segments,
-/// so a parabola through three cells would only fit the scatter.
+/// (Fukunaga and Hostetler, 1975). The standard deviation of a cell is its mean divided by the root of the
+/// number of segments, so a parabola through three cells would only fit the scatter.
 Cell find_peak(const Plane& plane, double radius) {
     Cell peak{0, 0};
     double largest = 0;

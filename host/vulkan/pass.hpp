@@ -23,7 +23,7 @@ class Pass {
     struct Interface {
         std::uint32_t buffers = 1;
         std::uint32_t push_bytes = 0;
-        bool statistics = false; ///< whether to allow calls of `statistics`
+        bool statistics = false; ///< whether to allow calls to `statistics`
     };
 
     /// `constants` are the specialization constants with ids 0, 1, 2, ...

@@ -16,7 +16,7 @@ struct Subject {
     std::string name;
     double visited = 0; ///< impulses visited per pixel; 0 if there are none
     std::span<const std::uint32_t> spirv;
-    const noise::Recipe* recipe = nullptr;   ///< recipe of the drop-in, if it is one
+    const noise::Recipe* recipe = nullptr;   ///< the drop-in's recipe; null for other noises
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
     bool measure_cvm = false;                ///< whether to measure the Gaussianity of its values
     bool has_loops = false; ///< whether compilers keep its loops, so that its code cannot be counted

@@ -13,7 +13,7 @@ GABOR_PUSH_CONSTANTS(PlacesPush) {
     vec2 wave;       // cycles per kernel radius
     vec2 corner;     // where the grid starts, in cells
     float amplitude; // K
-    float spacing;   // between places of the grid, in cells
+    float spacing;   // distance between places of the grid, in cells
     float within;    // 1 adds a random offset of up to a cell to the corner, 0 nothing
     uint grid_bits;
     uint first; // first instance

@@ -15,7 +15,7 @@ struct PlaneWave {
     double orientation = std::numbers::pi / 4; ///< radians
 };
 
-/// In the order of passes/gabor_ingredients.glsl.
+/// The ingredients, numbered as in passes/gabor_ingredients.glsl.
 enum class Points { poisson, stratified, jittered, jittered_hex, sobol, scrambled_sobol };
 enum class Weights { uniform, bernoulli, none };
 enum class Kernel { cosine, sine, random_phase };
@@ -59,7 +59,7 @@ std::string key(const Ingredients& ingredients);
 /// cells are equal hexagons that tile the plane, as regular as possible if the lattice repeats in each cell.
 struct HexagonalLattice {
     int step = 0;
-    std::array<double, 2> a{}; ///< a reduced basis, a.b >= 0
+    std::array<double, 2> a{}; ///< a reduced basis with a.b >= 0
     std::array<double, 2> b{};
     double overhang = 0; ///< how far hexagons extend beyond the unit cell, at most 1/2
 };

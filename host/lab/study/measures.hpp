@@ -40,7 +40,7 @@ struct PlaceStatistics {
     /// necessary.
     statistics::Estimate mean_cvm() const;
 };
-/// Measures places of a cell with a side of `cell` kernel radii.
+/// Measures values at places of a cell, whose side is `cell` kernel radii.
 PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
                                std::uint32_t seed);
 

@@ -48,7 +48,7 @@ class Noise {
     double cells_per_radius_;
     vulkan::Pass pass_;
     vulkan::Buffer values_;
-    std::optional<vulkan::Buffer> staging_; ///< if the host cannot read the device's memory
+    std::optional<vulkan::Buffer> staging_; ///< used if the host cannot read the device's memory
     vulkan::Job job_;
 };
 

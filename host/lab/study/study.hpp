@@ -11,7 +11,7 @@
 
 namespace gabor::study {
 
-/// The numbers of samples.
+/// How many samples to take.
 struct Effort {
     std::uint64_t samples;     ///< values of independent instances, per row
     std::uint64_t windows;     ///< windows of independent instances, per row

@@ -30,7 +30,7 @@ struct Table {
     std::function<void(std::vector<Numbers>&)> derive = {}; ///< appends them to each row
 };
 
-/// Rows that this process has measured, by their table's columns and their key.
+/// Rows that this process has measured, indexed by their table's columns and their key.
 using MeasuredRows = std::map<std::string, Numbers>;
 
 /// Measures a table and writes `folder`/NAME.csv, then NAME.json with `conditions`: everything else that the

@@ -25,6 +25,6 @@ float value(vec2 p, uint instance) {
     case 7:
         return seminal_noise(p, frequency, orientation, instance);
     default:
-        return p.x * 1.0e-9; // only writes to the picture's memory
+        return p.x * 1.0e-9; // measures only the writing of pixels
     }
 }
