@@ -221,7 +221,7 @@ render::Files files_of(const RenderOptions& options) {
             files.elevation = render::Elevation{options.elevation[0], options.elevation[1]};
     }
     if (!options.elevation.empty() && !options.heightmap)
-        throw RequestError("--elevation is for --heightmap");
+        throw RequestError("--elevation requires --heightmap");
     if (!options.output) {
         if (options.png)
             files.png = *options.png;
@@ -284,13 +284,13 @@ void render_map_set(const RenderOptions& options) {
 void render_pictures(const RenderOptions& options, Clock::time_point start) {
     note_interrupts();
     if (options.half && !options.texture)
-        throw RequestError("--half is for --texture: pictures have 32-bit floats");
+        throw RequestError("--half requires --texture: pictures have 32-bit floats");
     if (options.maps)
         return render_map_set(options);
     if (!options.output && !options.png && !options.heightmap)
         throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material or terrain");
     if (options.directx)
-        throw RequestError("--directx is for --maps");
+        throw RequestError("--directx requires --maps");
     const Work work = make_work(options);
     const image::Rect& region = work.region;
     const render::Files files = files_of(options);

@@ -244,7 +244,7 @@ void print_limits(const Measured& measured) {
         fmt::print("  No spectrum, intervals or cvm: the picture is smaller than 16 x 16 pixels.\n");
     } else if (!blocks) {
         fmt::print("  No intervals and no cvm: pixels correlate over about {:.0f} pixels, and the picture is "
-                   "less than 8 times as long.\n",
+                   "shorter than 8 times that.\n",
                    report.spectrum->correlation);
     } else {
         fmt::print("  Intervals come from {0} x {0} blocks; pixels correlate over about {1:.0f} pixels.\n",
@@ -280,10 +280,11 @@ void print_report(const StatsOptions& options, const Measured& measured) {
     print_line("minimum", moments.minimum());
     print_line("maximum", moments.maximum());
     if (has_cvm(report.blocks))
-        print_line("cvm", report.blocks->cvm.value,
-                   fmt::format("{}, against a normal law of {} mean {:.6g} and variance {:.6g}",
-                               between(&BlockEstimates::cvm), reference_name(measured),
-                               measured.expected.mean, reference_variance(measured)));
+        print_line(
+            "cvm", report.blocks->cvm.value,
+            fmt::format("{}, compared with a normal distribution of {} mean {:.6g} and variance {:.6g}",
+                        between(&BlockEstimates::cvm), reference_name(measured), measured.expected.mean,
+                        reference_variance(measured)));
     if (has_spectrum(measured) && report.spectrum->power > 0)
         print_spectrum(*report.spectrum, measured.scale);
     if (measured.outside > 0)

@@ -75,7 +75,7 @@ void check_region(const fs::path& path, const Imf::Header& header) {
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
         floats &= i.channel() == Imf::Channel(Imf::FLOAT);
     if (!floats)
-        refuse_join(fmt::format("'{}' has tiles, a lossy compression, or values other than 32-bit floats; "
+        refuse_join(fmt::format("'{}' has tiles, lossy compression, or values other than 32-bit floats; "
                                 "expected regions of flat "
                                 "pictures",
                                 path.string()));

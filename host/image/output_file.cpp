@@ -148,7 +148,7 @@ void OutputFile::open() {
     }
     auto [name, descriptor] = claim_name(target_, open_locked);
     if (descriptor < 0)
-        refuse(path_, fmt::format("folder {}: {}; expected a file in an existing folder that can be written",
+        refuse(path_, fmt::format("folder {}: {}; expected a file in an existing, writable folder",
                                   folder.string(), reason(errno)));
     temporary_ = std::move(name);
     descriptor_ = descriptor;

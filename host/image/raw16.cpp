@@ -32,7 +32,7 @@ class Raw16 : public PictureReader {
 
     void read_row(std::span<float> row) override {
         if (!file_.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size())))
-            refuse_picture(path_, "it ended early");
+            refuse_picture(path_, "it ends early");
         const char* at = bytes_.data();
         fill(row, [&at] {
             const auto low = static_cast<std::uint8_t>(at[0]), high = static_cast<std::uint8_t>(at[1]);

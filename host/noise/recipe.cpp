@@ -75,7 +75,7 @@ std::string accepted_recipes() {
     std::vector<std::string_view> names;
     std::ranges::transform(known, std::back_inserter(names), &Recipe::name);
     return fmt::format(
-        "{}, or any like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
+        "{}, or a recipe like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
         "or 256 phases",
         fmt::join(names, ", "), fields(sparse_recipes().front()), most_impulses, largest_radius);
 }

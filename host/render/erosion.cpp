@@ -34,7 +34,7 @@ class MapRows {
                 height = static_cast<float>(map_.offset + map_.scale * height);
                 if (!std::isfinite(height))
                     throw RequestError(
-                        fmt::format("row {} of the map holds a value that is not finite", read_));
+                        fmt::format("row {} of the map has a value that is not finite", read_));
             }
         }
         return heights_;

@@ -97,7 +97,7 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     std::optional<HeightWriter> heights;
     if (files.heightmap) {
         if (!has_terrain(request) || !is_flat(request.view))
-            throw RequestError("--heightmap requires --view terrain");
+            throw RequestError("a heightmap requires the terrain view");
         const double unit = terrain_unit(request);
         const double reach = unit * (hill_reach + erosion_reach(std::get<Terrain>(request.view).erosion));
         heights.emplace(*files.heightmap, region, files.elevation.value_or(Elevation{-reach, reach}),

@@ -36,8 +36,8 @@ std::string read_text(const std::string& path) {
 void check_paint_size(const std::string& path, int width, int height) {
     constexpr std::size_t most = std::size_t{1} << 24;
     if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > most)
-        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in all are accepted", path,
-                                       width, height, most));
+        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in total are accepted",
+                                       path, width, height, most));
 }
 
 Paint load_directions(const std::string& path) {

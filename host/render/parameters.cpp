@@ -349,7 +349,7 @@ const std::array exclusions{
               },
               "stretched kernels require a lattice recipe"},
     Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
-              "in a plane, the filter requires the lattice recipe"},
+              "in the plane, the filter requires the lattice recipe"},
     Exclusion{"view", "recipe",
               [](const Request& r) {
                   return in_space(r) && r.recipe != noise::recipes().front() &&
@@ -450,10 +450,10 @@ void check_lobes(const std::vector<Lobe>& lobes) {
     for (const Lobe& lobe : lobes)
         for (const LobeParameter& p : of_lobe)
             if (!within(lobe.*p.member, p.range))
-                throw RequestError(fmt::format("{} of a lobe {}: expected {}", p.name, lobe.*p.member,
+                throw RequestError(fmt::format("{} {} of a lobe: expected {}", p.name, lobe.*p.member,
                                                accepted_number(p.kind, p.range, p.unit)));
     if (std::ranges::none_of(lobes, [](const Lobe& lobe) { return lobe.power > 0; }))
-        throw RequestError("no lobe has power: at least one must");
+        throw RequestError("no lobe has power: at least one must have power");
 }
 
 void check_value(const Parameter& p, const Value& value) {
@@ -713,7 +713,7 @@ void check(const Request& request) {
                                            described(exclusion.other), exclusion.because));
         }
     for (const Parameter* p : unused_by_material(request))
-        throw RequestError(fmt::format("{} conflicts with {}: it is a parameter of the noise", p->name,
+        throw RequestError(fmt::format("{} conflicts with {}: only the noise has this parameter", p->name,
                                        has_terrain(request) ? fmt::format("view {}", name_of(request.view))
                                                             : "material " + request.material));
     if (request.colour && !are_of_colour(request.lobes, *request.colour))
@@ -725,18 +725,18 @@ void check(const Request& request) {
     if (const Terrain* terrain = std::get_if<Terrain>(&request.view);
         terrain && terrain->tileable && std::min(request.width, request.height) < 4 * request.scale)
         throw RequestError(
-            fmt::format("a tile of terrain of {} x {} pixels at scale {}: each side must be at "
+            fmt::format("a terrain tile of {} x {} pixels at scale {} is too small: each side must be at "
                         "least four kernel radii, {} pixels",
                         request.width, request.height, request.scale, std::ceil(4 * request.scale)));
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::longest_radius).longest_radius();
     const double least = std::ceil(2 * radius * request.scale);
     if (plane && plane->tileable && !has_material(request) && std::min(request.width, request.height) < least)
-        throw RequestError(
-            fmt::format("a tileable picture of {} x {} pixels at scale {}: each side must be at least two "
-                        "kernel radii{}, {} pixels",
-                        request.width, request.height, request.scale,
-                        request.lobes.size() > 1 ? " of its widest lobe" : "", least));
+        throw RequestError(fmt::format(
+            "a tileable picture of {} x {} pixels at scale {} is too small: each side must be at least two "
+            "kernel radii{}, {} pixels",
+            request.width, request.height, request.scale,
+            request.lobes.size() > 1 ? " of its widest lobe" : "", least));
 }
 
 } // namespace gabor::render

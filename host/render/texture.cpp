@@ -34,10 +34,10 @@ void check_texture(const Request& request, const image::Rect& region) {
                                        region.width, region.height));
     if (region.x % region.width != 0 || region.y % region.height != 0 || request.width % region.width != 0 ||
         request.height % region.height != 0)
-        throw RequestError(fmt::format(
-            "--texture with --region {},{},{},{}: the region must be one of equal tiles of the picture "
-            "of {} x {} pixels",
-            region.x, region.y, region.width, region.height, request.width, request.height));
+        throw RequestError(fmt::format("--texture with --region {},{},{},{}: the region must be one of the "
+                                       "equal tiles that make up the picture of {} x {} pixels",
+                                       region.x, region.y, region.width, region.height, request.width,
+                                       request.height));
 }
 
 int drawn_levels(const image::Rect& region) {

@@ -178,7 +178,7 @@ class Spectra(SpectraTest):
             (["power", "number"], ["--lobes", self.write_lobes([{"power": "x"}], "text.json")]),
             (["power"], ["--lobes", self.write_lobes([{"power": 0}], "powerless.json")]),
             (["frequency", "0.001"], ["--lobes", self.write_lobes([{"frequency": -1}], "negative.json")]),
-            (["radius of a lobe 0", "0.01 to 100", "kernel radii"],
+            (["radius 0 of a lobe", "0.01 to 100", "kernel radii"],
              ["--lobes", self.write_lobes([{"radius": 0}], "pointlike.json")]),
             (["values", "recipe", "a lattice recipe"], ["--values=3", "--recipe=paper"]),
             (["filter", "recipe", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),

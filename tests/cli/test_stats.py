@@ -159,7 +159,7 @@ class Laws(StatsTest):
         self.assertLess(stats["cvm"]["low"], 0.5)
         text = self.succeed("stats", "in.exr", "--channel", channel)
         if "too small to test its distribution" not in text:
-            self.assertIn(f"against a normal law of analytic mean 0 and variance {stats['reference_variance']:.6g}", text)
+            self.assertIn(f"compared with a normal distribution of analytic mean 0 and variance {stats['reference_variance']:.6g}", text)
 
     def test_gradients(self):
         """The wave's and the windows' contributions to the slope; the latter is the energy of a window's derivative
