@@ -96,7 +96,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
     }
 }
 
-// If a channel's variance is unknown, reads the channel twice: first for its mean and variance.
+// Measures a channel. If its variance is unknown, reads the channel twice: first for its mean and variance.
 Measured measure(const StatsOptions& options) {
     const std::string channel =
         options.channel ? *options.channel : image::ExrReader(options.files.front()).channels().front();

@@ -31,7 +31,7 @@ class ExrWriter {
     /// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx.
     struct Texture {
         bool half = false;     ///< 16-bit floats instead of 32-bit
-        bool periodic = false; ///< wraps around; otherwise black beyond its edges
+        bool periodic = false; ///< whether it wraps around; otherwise it is black beyond its edges
     };
 
     struct Description {
@@ -66,9 +66,9 @@ class ExrWriter {
 
 /// Joins regions of one picture, written by ExrWriter, into the file that a single render would have written.
 /// Copies the compressed blocks of full-width regions unchanged and decodes other regions a few rows at a
-/// time. Calls `advance` with the number of pixels written; an exception from it aborts and
-/// leaves no file. Returns the picture's rectangle. Throws RequestError if a file is not such a region, if
-/// regions differ in more than their position, or if they overlap or leave a gap.
+/// time. Calls `advance` with the number of pixels written; an exception from it aborts and leaves no file.
+/// Returns the picture's rectangle. Throws RequestError if a file is not a region from ExrWriter, if regions
+/// differ in more than their position, or if they overlap or leave a gap.
 Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
               const std::function<void(std::uint64_t)>& advance);
 

@@ -94,7 +94,7 @@ std::uint64_t inspect(const ExrContext& file) {
     exr_storage_t storage;
     file.require(exr_get_storage(file, 0, &storage));
     if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-        refuse_exr(file.path(), "it holds deep data; only flat scanlines and tiles are supported");
+        refuse_exr(file.path(), "it contains deep data; only flat scanlines and tiles are supported");
     exr_attr_box2i_t window;
     file.require(exr_get_data_window(file, 0, &window));
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;

@@ -224,8 +224,8 @@ void ExrReader::State::choose(std::vector<std::string> names) {
             refuse_exr(path, fmt::format("there is no channel '{}'; the file has {}", name,
                                          fmt::join(names_of(all), ", ")));
         if (found->type == Imf::UINT)
-            refuse_exr(path,
-                       fmt::format("channel '{}' holds integers; only half and float are supported", name));
+            refuse_exr(
+                path, fmt::format("channel '{}' contains integers; only half and float are supported", name));
         if (found->xSampling != 1 || found->ySampling != 1)
             refuse_exr(
                 path,

@@ -49,7 +49,7 @@ struct PngWriter::State {
     std::vector<png_byte> row;
     int rows_left;
     PngErrors errors;           ///< libpng's errors
-    std::exception_ptr failure; ///< or the disk's error
+    std::exception_ptr failure; ///< the disk's error, if any
 };
 
 PngWriter::State::State(const std::filesystem::path& path, int width, int height, int channels, int bits_)

@@ -21,7 +21,7 @@ double window_slope_energy(const Recipe& lattice);
 /// Variances of a wave of the three-tap lattice along one axis.
 struct AxisVariance {
     double noise;
-    double slope; ///< per kernel radius squared
+    double slope; ///< variance of the slope, per kernel radius squared
 };
 
 /// Returns the variances after a Gaussian filter. `frequency` is in cycles per kernel radius along the axis;

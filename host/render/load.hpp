@@ -13,7 +13,7 @@ namespace gabor::render {
 struct Loaded {
     Request request;
     std::optional<image::Rect> region;
-    std::string json; ///< the request's text in the file
+    std::string json; ///< text of the request in the file
 };
 
 /// Reads the `gabor` attribute of an EXR, or a file whose name ends in `.json`. Throws RequestError, naming

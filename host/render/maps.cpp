@@ -94,7 +94,7 @@ std::vector<float> maps_from(std::span<const float> averaged) {
         float* const normal = pixel + normal_channel;
         const float right = normal[0];
         const float down = normal[1];
-        const float lost = std::max(normal[2] - right * right - down * down, 0.0f); // along both axes
+        const float lost = std::max(normal[2] - right * right - down * down, 0.0f); // sum over both axes
         pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + lost, 1.0f), 0.25f);
         const float length = std::sqrt(right * right + down * down + 1);
         normal[0] = -right / length;

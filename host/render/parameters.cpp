@@ -358,7 +358,7 @@ const std::array exclusions{
               "noise in space always uses the lattice recipe"},
 };
 
-// Parameters that materials and terrain use.
+// The parameters that materials and terrain use besides their own.
 constexpr std::array of_material{
     "width"sv,    "height"sv, "scale"sv, "recipe"sv, "seed"sv,     "view"sv,          "filter"sv,
     "material"sv, "yaw"sv,    "pitch"sv, "zoom"sv,   "tileable"sv, "light_azimuth"sv, "light_elevation"sv};

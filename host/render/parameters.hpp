@@ -47,7 +47,7 @@ std::string option_name(const Parameter& parameter);
 /// The rows for the members of GaborErosion.
 std::vector<const Parameter*> erosion_parameters();
 
-/// Returns the row of that name. Throws RequestError, listing the names, if there is none.
+/// Returns the parameter with that name. Throws RequestError, listing the names, if there is none.
 const Parameter& parameter(std::string_view name);
 
 /// A value of a lobe, described as in Parameter.
@@ -64,7 +64,7 @@ struct LobeParameter {
 /// The values of a lobe, in the order in which files list them.
 std::span<const LobeParameter> lobe_parameters();
 
-/// The values of a choice or a recipe.
+/// The accepted values of a choice or a recipe.
 std::vector<std::string_view> choices(const Parameter& parameter);
 
 /// Describes what is accepted, as in "a number from 2 to 4096 (pixels per kernel radius)".

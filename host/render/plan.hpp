@@ -48,7 +48,7 @@ struct Band {
 struct Step {
     std::string shader; ///< PASS or PASS@VARIANT, as listed in shaders/CMakeLists.txt
     Constants constants{};
-    Bytes push;     ///< starts with passes::Band of the whole region
+    Bytes push;     ///< push constants; they start with passes::Band for the whole region
     int across = 0; ///< invocations along a row
     Block group;    ///< invocations in a work group
     /// First row and number of rows of each row of groups; if empty, each has group.rows.

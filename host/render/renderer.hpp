@@ -45,7 +45,7 @@ constexpr std::uint32_t groups(int invocations, std::uint32_t group) {
     return (static_cast<std::uint32_t>(invocations) + group - 1) / group;
 }
 
-/// The memory for values: the device's, or the host's if both are the same.
+/// The memory for values: the device's, or the host's if they share memory.
 vulkan::Memory values_memory(const vulkan::Device& device);
 
 /// Tells whether a device is a CPU or a GPU.

@@ -39,7 +39,7 @@ enum class Shape { sphere, torus };
 /// applies at the nearest point of a sphere.
 struct Body {
     Shape shape = Shape::sphere;
-    bool solid = false; ///< carved out of noise in space; otherwise waves lie in the tangent plane
+    bool solid = false; ///< carve it out of noise in space; otherwise waves lie in the tangent plane
     double yaw = 0;     ///< camera azimuth, in degrees
     double pitch = 30;  ///< camera elevation above the equator, in degrees
     double zoom = 1;    ///< 1 fits the picture
@@ -65,7 +65,7 @@ struct Erosion {
 
 /// Eroded hills, which are about four kernel radii wide.
 struct Terrain {
-    bool perspective = false; ///< under a sky; otherwise from above
+    bool perspective = false; ///< shown in perspective under a sky; otherwise from above
     Erosion erosion = {};
     double extent = 0;     ///< width of the picture in the unit of heights; 0 gives heights in kernel radii
     bool tileable = false; ///< opposite edges match; only from above
@@ -99,7 +99,7 @@ struct Request {
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
                             ///< load_paint; empty for none
 
-    // Additional channels.
+    // The following add channels.
     bool quadrature = false; ///< the noise with cosines instead of sines
     bool gradient = false;   ///< derivatives to the right and down, per kernel radius
     bool phasor = false;     ///< phase, in turns, and intensity

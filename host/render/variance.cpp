@@ -19,7 +19,8 @@ struct Variances {
     double slope_y = 0;
 };
 
-// A wave along one axis, in its own kernel radii. Its slope and that of its windows are uncorrelated.
+// Returns the variances of a wave along one axis, in its own kernel radii. Its slope and that of its windows
+// are uncorrelated.
 noise::AxisVariance along_axis(const Request& request, double frequency, double deviation) {
     if (request.filter)
         return noise::filtered_variance(frequency, deviation);

@@ -13,8 +13,8 @@ namespace gabor::statistics {
 
 namespace {
 
-constexpr int finest = 16;  ///< blocks per side
-constexpr int coarsest = 8; ///< 64 blocks, 16 groups
+constexpr int finest = 16;  ///< largest number of blocks per side
+constexpr int coarsest = 8; ///< smallest number: 64 blocks in 16 groups
 constexpr std::size_t bins_per_block =
     256; ///< enough, because deviations from a normal distribution are smooth: see test_blocks.cpp
 
@@ -60,7 +60,7 @@ double t_quantile() {
     return boost::math::quantile(boost::math::students_t(groups - 1), 0.975);
 }
 
-/// The mean of a quantity over all pixels; `excess` holds each block's sum minus its expected share. Across
+/// The mean of a quantity over all pixels; `excess` has each block's sum minus its expected share. Across
 /// borders, noise is as often anticorrelated as correlated, so the interval is on the safe side.
 Estimate mean_interval(double value, double pixels, std::span<const double> excess, const Grid& grid) {
     std::vector<double> sums(groups);

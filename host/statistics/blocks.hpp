@@ -25,7 +25,7 @@ struct BlockEstimates {
     int blocks_per_side = 0;
     Estimate mean;
     Estimate variance;
-    Estimate cvm;            ///< index as in Gaussianity
+    Estimate cvm;            ///< index as defined in Gaussianity
     double smallest_cvm = 0; ///< 95 % of normal pictures of this size are below this
 
     bool operator==(const BlockEstimates&) const = default;

@@ -23,7 +23,7 @@ double normal_density(double x);
 /// Phi(x), the probability that a standard normal variable is at most x.
 double normal_cdf(double x);
 
-/// The x with Phi(x) = p. -inf at 0, +inf at 1, NaN outside [0, 1].
+/// The x with Phi(x) = p: -inf at 0, +inf at 1, NaN outside [0, 1].
 double normal_quantile(double p);
 
 } // namespace gabor::statistics

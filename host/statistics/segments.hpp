@@ -7,7 +7,7 @@
 namespace gabor::statistics {
 
 /// Overlapping squares of a picture under a Hann window, for Welch's method (Welch, 1967). The picture is
-/// read row by row; memory holds as many rows as a segment has.
+/// read row by row; only as many rows as a segment has are kept in memory.
 class Segments {
   public:
     /// Segments are at most `hop` pixels apart; larger pictures have 64 along each axis. They are spread

@@ -11,7 +11,7 @@ namespace gabor::statistics {
 
 /// The power spectrum of a picture, averaged over square segments under a Hann window (Welch, 1967). Segments
 /// overlap by at least half, except in pictures so large that 64 x 64 segments are enough. The picture is
-/// read row by row; memory holds as many rows as a segment has, at most 128 MiB.
+/// read row by row; only as many rows as a segment has are kept in memory, at most 128 MiB.
 class Spectrum {
   public:
     /// Throws std::invalid_argument for pictures without a `segment_side`.

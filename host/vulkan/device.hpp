@@ -37,8 +37,8 @@ int validation_messages();
 /// Requirements for showing pictures in windows; none by default.
 struct Presentation {
     std::vector<const char*> instance_extensions;
-    /// Tells whether a queue family of a device can present. If set, only devices qualify that have a
-    /// swapchain and can present from a family that also draws.
+    /// If set, tells whether a queue family of a device can present. A device must then support swapchains
+    /// and have a family that can both present and draw.
     std::function<bool(VkInstance_T*, VkPhysicalDevice_T*, std::uint32_t family)> can_present;
 };
 

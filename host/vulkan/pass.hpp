@@ -60,21 +60,21 @@ class Job {
     ~Job();
     Job(Job&&) noexcept;
 
-    /// Copies after the pass, from the start of one buffer to the start of another.
+    /// A copy after the pass, from the start of one buffer to the start of another.
     struct Copy {
         const Buffer& from;
         const Buffer& to;
         std::size_t bytes;
     };
 
-    /// Dispatches the pass, or another one with the same interface, with these push constants.
+    /// A dispatch of the pass, or of another one with the same interface, with these push constants.
     struct Dispatch {
         std::span<const std::byte> push;
         Groups groups;
         const Pass* other = nullptr;
     };
 
-    /// Each dispatch sees the results of earlier ones.
+    /// Submits the dispatches. Each one sees the results of earlier ones.
     void submit(std::span<const Dispatch> dispatches, const std::optional<Copy>& copy = {});
 
     template <typename Push>

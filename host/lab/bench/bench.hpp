@@ -52,7 +52,7 @@ int steps(const Effort& effort);
 /// The compiler's statistics for a pipeline, from VK_KHR_pipeline_executable_properties.
 struct Code {
     std::string name;
-    double instructions = 0; ///< per pixel
+    double instructions = 0; ///< instructions per pixel
     double throughput = 0;   ///< estimated inverse throughput, cycles per pixel
     int registers = 0;       ///< vector registers of an invocation
 };

@@ -64,7 +64,7 @@ enum class SpaceFunction : std::uint32_t {
 /// A function of gabor_lattice_3d.glsl.
 Subject in_space(SpaceFunction function);
 
-/// The size and the frequency of a timed picture.
+/// The size, scale and frequency of a timed picture.
 struct Setting {
     int side;         ///< pixels
     double scale;     ///< pixels per kernel radius

@@ -132,7 +132,7 @@ Tables frontier(const vulkan::Device& device, const Effort& effort) {
                     Variant variant{window, n, radius, lattice};
                     if (visited(variant) > most_visited)
                         continue;
-                    table.rows.push_back(recipe_row(device, variant, effort)); // Bernoulli
+                    table.rows.push_back(recipe_row(device, variant, effort)); // with Bernoulli weights
                     for (const Magnitudes magnitudes : {Magnitudes::uniform, Magnitudes::two_point}) {
                         variant.magnitudes = magnitudes;
                         variant.floor = best_floor(variant);

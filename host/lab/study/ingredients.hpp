@@ -35,7 +35,7 @@ std::string_view name(Weights weights);
 std::string_view name(Kernel kernel);
 std::string_view name(Envelope envelope);
 
-/// A noise of the comparison in [TNVT19]; the default is the seminal noise. A cell's side is the kernel
+/// One of the noises compared in [TNVT19]; the default is the seminal noise. A cell's side is the kernel
 /// radius.
 struct Ingredients {
     Points points = Points::poisson;

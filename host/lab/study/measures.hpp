@@ -53,7 +53,8 @@ std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64
 /// the medians of `timings` interleaved rounds, so that other load affects all noises alike.
 std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings);
 
-/// Returns the pixels of such a picture, row by row, with `scale` pixels per kernel radius.
+/// Returns the pixels of a picture of 2^bits x 2^bits pixels, row by row, with `scale` pixels per kernel
+/// radius.
 std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed, double scale = 32);
 
 } // namespace gabor::study

@@ -24,7 +24,7 @@ struct Effort {
 
     /// The paper's seven million samples, and N up to 30: every N up to 10, then only some.
     static Effort full();
-    /// Runs everything in two minutes on a software device.
+    /// Few enough samples to run everything in two minutes on a software device.
     static Effort quick();
 };
 

@@ -27,7 +27,7 @@ struct Table {
     std::string columns; ///< comma-separated, text columns first; tables with the same columns share rows
     std::vector<Row> rows;
     std::string derived = {};                               ///< names of columns that need all rows
-    std::function<void(std::vector<Numbers>&)> derive = {}; ///< appends them to each row
+    std::function<void(std::vector<Numbers>&)> derive = {}; ///< appends these columns to each row
 };
 
 /// Rows that this process has measured, indexed by their table's columns and their key.
