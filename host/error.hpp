@@ -11,7 +11,7 @@ class RequestError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Returns the result of `work`; if it throws RequestError, puts a prefix before the message.
+/// Returns the result of `work`. If `work` throws RequestError, adds a prefix to the message.
 template <typename Work>
 auto with_prefix(const std::string& prefix, Work work) {
     try {

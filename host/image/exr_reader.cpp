@@ -178,7 +178,7 @@ struct ExrReader::State {
     void read(const Imf::FrameBuffer& frame, int first, int last);
 
     std::vector<ExrRegion> regions; // sorted by their upper left corners
-    Imf::Header header;             // header of a single file with all pixels
+    Imf::Header header;             // the header of one file with the whole picture
     Rect picture;
     Rect window;
     std::string parameters;

@@ -497,7 +497,7 @@ std::string option_name(const Parameter& parameter) {
 
 std::vector<const Parameter*> erosion_parameters() {
     std::vector<const Parameter*> found;
-    bool reached = false; // whether the loop has come to the rows of erosion
+    bool reached = false; // whether the loop has reached the rows of erosion
     for (const Parameter& p : parameters())
         if ((reached |= p.name == "octaves") && p.applies_to == terrains)
             found.push_back(&p);

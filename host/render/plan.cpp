@@ -68,8 +68,8 @@ Push push_of(const image::Rect& region) {
 
 // ---- The plane, pixel by pixel ----
 
-// The length of a pixel in kernel radii; in perspective, the height of the camera that gives the bottom one
-// of `height` rows the request's scale.
+// The length of a pixel in kernel radii; in perspective, the height of the camera at which the bottom of
+// `height` rows has the request's scale.
 double pixel_length(const Request& request, int height) {
     return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
 }

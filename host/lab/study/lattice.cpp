@@ -18,7 +18,7 @@ double lattice_window(int taps, double x) {
 }
 
 CovarianceOverCell lattice_covariance(int taps, const std::array<double, 2>& lag, int side) {
-    const double spacing = 2.0 / taps; // distance of nodes, in kernel radii
+    const double spacing = 2.0 / taps; // distance between nodes, in kernel radii
     // Along an axis: the normalized sum over its nodes at each place.
     const auto along = [&](double distance) {
         std::vector<double> sums;

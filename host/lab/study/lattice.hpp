@@ -11,7 +11,7 @@ double lattice_window(int taps, double x);
 /// The covariance of two values a lag apart without the wave: the sum of the products of their windows.
 /// Differences are over the places of a cell for which the two values are in different cells.
 struct CovarianceOverCell {
-    double mean = 0;    ///< over the whole cell
+    double mean = 0;    ///< mean over the whole cell
     double rms = 0;     ///< root mean square difference from the mean
     double largest = 0; ///< largest difference from the mean
 };
