@@ -22,7 +22,7 @@ struct Lobe {
     double frequency = 4;          ///< cycles per kernel radius
     double orientation = 0;        ///< direction of the wave vector, in degrees from right towards down
     double frequency_spread = 0;   ///< 0 to 1: waves are spread evenly within frequency (1 +- this)
-    double orientation_spread = 0; ///< 0 to 90 degrees: likewise within orientation +- this; 90 is isotropic
+    double orientation_spread = 0; ///< 0 to 90 degrees (isotropic): waves are spread evenly within +- this
     double power = 1;              ///< relative to the other lobes
     /// The kernel's radius along x, in kernel radii; inversely proportional to the bandwidth.
     double radius = 1;

@@ -3,7 +3,7 @@
 // place: a wave under a round window, with the direction needed at the point. The benchmark compares this
 // filter with gabor_eroded; structs and parameters are the same.
 
-// Two random numbers in [0, 1) for a cell: PCG2D of Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
+// Two random numbers in [0, 1) for a cell: PCG2D by Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
 vec2 gabor_splat_place(ivec2 cell, uint seed) {
     uvec2 word = uvec2(cell) * 1664525u + (1013904223u + seed);
     word.x += word.y * 1664525u;
