@@ -5,13 +5,13 @@
 
 namespace gabor {
 
-/// The request itself was wrong: the message says what was wrong and what is accepted. Exit status 2.
-/// Every other exception means that a correct request failed while working. Exit status 1.
+/// Means that the request itself was wrong. The message says what was wrong and what is accepted. Exit status
+/// 2. Every other exception means that a correct request failed while working. Exit status 1.
 class RequestError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What `work` returns; puts a prefix before the message of the RequestError that it throws.
+/// Returns the result of `work`. If `work` throws RequestError, adds a prefix to the message.
 template <typename Work>
 auto with_prefix(const std::string& prefix, Work work) {
     try {

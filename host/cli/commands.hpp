@@ -11,7 +11,7 @@ struct Rect;
 
 namespace gabor::cli {
 
-/// Each adds one subcommand, whose callback does the work.
+/// Each of these functions adds one subcommand, whose callback does the work.
 void add_render_command(CLI::App& app);
 void add_join_command(CLI::App& app);
 void add_erode_command(CLI::App& app);
@@ -21,7 +21,8 @@ void add_devices_command(CLI::App& app);
 void add_materials_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
 
-/// Throws RequestError, naming `whose` region it is, unless it lies within the `whole` of that size.
+/// Throws RequestError, which says `whose` region it is, unless `region` lies within the `whole` of `width` x
+/// `height` pixels.
 void check_within(const image::Rect& region, int width, int height, std::string_view whose,
                   std::string_view whole);
 

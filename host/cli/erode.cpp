@@ -30,16 +30,16 @@ namespace {
 using render::has_extension;
 
 constexpr int most_side = 16384;
-constexpr double preset_hill = 4; // the width of the hills that presets are for
+constexpr double preset_hill = 4; // the width of the hills that presets are designed for
 
-// The options for gullies: a preset, and single members that override it.
+// The options for gullies: a preset, and single parameters that override it.
 struct GullyOptions {
     std::string preset = "alps";
-    std::vector<std::string> members; // in the order of render::erosion_parameters; empty if not given
+    std::vector<std::string> members; // values in the order of render::erosion_parameters; empty if not given
 
     void add_to(CLI::App& command);
-    // The gullies where hills are `hill` wide. Throws RequestError for an unknown preset or a number out of
-    // range.
+    // Returns gullies for hills that are `hill` wide. Throws RequestError for an unknown preset or a number
+    // out of range.
     render::Erosion erosion(double hill) const;
 };
 
@@ -93,8 +93,8 @@ render::HeightMap map_of(const ErodeOptions& options) {
     render::HeightMap map;
     const bool raw = has_extension(options.map, ".r16");
     if (raw != !options.size.empty())
-        throw RequestError(raw ? "a .r16 file has no header: --size says its WIDTHxHEIGHT"
-                               : "--size is for .r16 files: others say their size");
+        throw RequestError(raw ? "a .r16 file has no header: give its WIDTHxHEIGHT with --size"
+                               : "--size is for .r16 files: other files store their size");
     if (raw && (options.size[0] < 1 || options.size[1] < 1))
         throw RequestError("--size takes WIDTHxHEIGHT, each at least 1");
     map.open = [options] {
@@ -105,9 +105,9 @@ render::HeightMap map_of(const ErodeOptions& options) {
     const image::PictureReader::Format format = map.open()->format();
     if (format.channels != 1)
         throw RequestError(
-            fmt::format("'{}' has colours: a heightmap has one channel", options.map.string()));
+            fmt::format("'{}' is in colour: a heightmap has one channel", options.map.string()));
     if (std::max(format.width, format.height) > most_side)
-        throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} a side are supported",
+        throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} per side are supported",
                                        options.map.string(), format.width, format.height, most_side));
     map.width = format.width;
     map.height = format.height;
@@ -137,7 +137,7 @@ void erode(const ErodeOptions& options) {
     const bool floats = has_extension(options.map, ".exr");
     if (floats && !to_exr && options.elevation.empty())
         throw RequestError(
-            "of an EXR, which holds heights, --elevation says which of them are 0 and 65535 in 16 bits");
+            "an EXR stores heights: say with --elevation which of them become 0 and 65535 in 16 bits");
     render::Elevation elevation{0, options.extent / 8};
     if (!options.elevation.empty())
         elevation = {options.elevation[0], options.elevation[1]};
@@ -147,7 +147,7 @@ void erode(const ErodeOptions& options) {
         map.scale = elevation.high - elevation.low;
         map.offset = elevation.low;
     }
-    // The range holds whatever erosion makes of heights in the map's own.
+    // Erosion keeps heights from the map's range within this one.
     const double reach = render::erosion_reach(erosion) * erosion.gully_weight;
     const render::Elevation range{elevation.low - reach, elevation.high + reach};
 
@@ -188,13 +188,13 @@ void erode(const ErodeOptions& options) {
 void add_erode_command(CLI::App& app) {
     auto options = std::make_shared<ErodeOptions>();
     CLI::App* command = app.add_subcommand("erode", "Add gullies and ridges to a heightmap");
-    command->add_option("MAP", options->map, "EXR with heights, PNG of 16 bits, or .r16 with --size")
+    command->add_option("MAP", options->map, "EXR with heights, 16-bit PNG, or .r16 with --size")
         ->type_name("FILE")
         ->required();
     command
         ->add_option(
             "-o,--output", options->output,
-            "EXR with height, slope, ridge and erosion; or heights of 16 bits in a PNG or .r16, with their "
+            "EXR with height, slope, ridge and erosion; or 16-bit heights in a PNG or .r16, with their "
             "scale in a .json file beside it")
         ->type_name("FILE")
         ->required();
@@ -212,13 +212,13 @@ void add_erode_command(CLI::App& app) {
         ->type_name("NUMBER");
     command
         ->add_option("--elevation", options->elevation,
-                     "LOW,HIGH: heights of 0 and 65535 in a map of 16 bits [0 and an eighth of --extent]")
+                     "LOW,HIGH: heights of 0 and 65535 in a 16-bit map [0 and an eighth of --extent]")
         ->type_name("RANGE")
         ->delimiter(',')
         ->expected(2);
     options->gullies.add_to(*command);
     command->add_option("--seed", options->seed, "Another seed gives other gullies [0]")->type_name("NUMBER");
-    command->add_flag("--tileable", options->tileable, "The map is a tile, and so is what comes out");
+    command->add_flag("--tileable", options->tileable, "The map tiles, and so does the output");
     add_device_option(*command, options->device);
     command->callback([options] { erode(*options); });
 }

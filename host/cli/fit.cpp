@@ -35,7 +35,7 @@ void save(image::OutputFile& file, const std::string& text) {
     file.commit();
 }
 
-// Reports a share of the whole progress.
+// Returns a function that reports the part of the whole progress from `from` to `to`.
 fit::Advance part_of(Progress& progress, double from, double to) {
     return [&progress, from, to, shown = std::uint64_t{0}](double share) mutable {
         check_interrupt();
@@ -61,7 +61,7 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
     fmt::print("  spectrum         within {:.3f} (L1) and {:.3f} (L2) of the exemplar's\n", error.l1,
                error.l2);
     if (error.low > 0)
-        fmt::print("  long waves       within {:.3f} (L1), of more than {} pixels\n", error.low,
+        fmt::print("  long waves       within {:.3f} (L1), for waves longer than {} pixels\n", error.low,
                    fit::window_side);
     fmt::print("  autocorrelation  within {:.3f} up to lags of {} pixels, a quarter of the exemplar\n",
                error.autocorrelation, error.furthest_lag);
@@ -109,12 +109,12 @@ void add_fit_command(CLI::App& app) {
         ->required();
     command
         ->add_option("--lobes", options->lobes,
-                     fmt::format("Largest number of lobes, 1 to {}; each costs as much as one noise [{}]",
+                     fmt::format("Maximum number of lobes, 1 to {}; each costs as much as one noise [{}]",
                                  fit::most_lobes, options->lobes))
         ->type_name("NUMBER");
     command
         ->add_option("--glsl", options->glsl,
-                     "Also write NAME.glsl with vec3 NAME(vec2 p) and its filtered form, to put after "
+                     "Also write NAME.glsl with vec3 NAME(vec2 p) and its filtered form, to include after "
                      "gabor_lattice.glsl and gabor_spectrum.glsl")
         ->type_name("FILE");
     command->callback([options] { fit_picture(*options); });

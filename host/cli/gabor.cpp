@@ -5,7 +5,7 @@ namespace gabor::cli {
 
 Program gabor_program() {
     return {"gabor",
-            "Renders Gabor noise, and measures it.",
+            "Renders Gabor noise and measures it.",
             {add_render_command, add_erode_command, add_join_command, add_stats_command,
 #if GABOR_FIT
              add_fit_command,

@@ -25,7 +25,7 @@ struct JoinOptions {
 
 void join(const JoinOptions& options) {
     if (options.half && !options.texture)
-        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+        throw RequestError("--half requires --texture: pictures have 32-bit floats");
     const std::filesystem::path extension = std::filesystem::path(options.output).extension();
     if (!extension.empty() && extension != ".exr")
         throw RequestError(
@@ -53,8 +53,8 @@ void join(const JoinOptions& options) {
 
 void add_join_command(CLI::App& app) {
     auto options = std::make_shared<JoinOptions>();
-    CLI::App* command =
-        app.add_subcommand("join", "Join regions of one picture, exactly as if rendered at once");
+    CLI::App* command = app.add_subcommand(
+        "join", "Join regions of one picture into the file that a single render would write");
     command->add_option("REGION", options->regions, "EXR files of `gabor render --region`, in any order")
         ->type_name("FILE")
         ->required();

@@ -25,7 +25,7 @@ void print_devices() {
         fmt::print("   Vulkan          {}\n", device.api);
         fmt::print("   memory          {} MiB\n", device.memory >> 20);
         fmt::print("   storage buffer  {} MiB at most\n", device.storage_buffer >> 20);
-        fmt::print("   workgroup       {} invocations at most, {} to a subgroup\n", device.group_invocations,
+        fmt::print("   workgroup       {} invocations at most, {} per subgroup\n", device.group_invocations,
                    device.subgroup);
         fmt::print("   GPU times       {}\n", device.timestamps ? "yes" : "no");
     }
@@ -86,7 +86,7 @@ void add_recipes_command(CLI::App& app) {
     auto as_json = std::make_shared<bool>(false);
     CLI::App* command =
         app.add_subcommand("recipes", "List the recipes, and the macros to define for them in GLSL");
-    command->add_flag("--json", *as_json, "As JSON");
+    command->add_flag("--json", *as_json, "Print JSON");
     command->callback([as_json] { print_recipes(*as_json); });
 }
 

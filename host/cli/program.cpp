@@ -24,16 +24,16 @@ namespace gabor::cli {
 
 namespace {
 
-// Prints one line on stderr, without control characters, which names in files may contain.
+// Prints one line on stderr. Replaces control characters, which names in files may contain, with spaces.
 int fail(const Program& program, int status, std::string message) {
     std::ranges::replace_if(
         message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
     std::fputs(fmt::format("{}: {}\n", program.name, message).c_str(),
-               stderr); // if this fails, the exit status remains
+               stderr); // if this fails, the exit status still reports the error
     return status;
 }
 
-// Removes what CLI11 adds to negated flags in the help: --no-filter{false}.
+// Removes the suffix that CLI11 adds to negated flags in the help, as in --no-filter{false}.
 class Formatter : public CLI::Formatter {
     std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
         const std::string name = CLI::Formatter::make_option_name(option, is_positional);
@@ -41,7 +41,7 @@ class Formatter : public CLI::Formatter {
     }
 };
 
-// The edit distance between two words: letters to change, add or remove.
+// The edit distance between two words: how many letters to change, add or remove.
 std::size_t edits(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -56,7 +56,7 @@ std::size_t edits(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-// The option or subcommand that is most similar to an unknown word, if any is similar enough.
+// Suggests the option or subcommand most similar to an unknown word; empty if none is similar enough.
 std::string suggestion(const CLI::App& app, const std::string& word) {
     std::vector<std::string> known;
     const std::vector<CLI::App*> chosen = app.get_subcommands();
@@ -83,7 +83,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
     app.formatter(std::make_shared<Formatter>());
     app.set_version_flag("--version", program.name + " " GABOR_VERSION);
     app.option_defaults()->disable_flag_override(); // reject --verbose=3
-    app.require_subcommand(0, 1);                   // (1, 1) would hide the unknown word in CLI11's message
+    app.require_subcommand(0, 1); // with (1, 1), CLI11's message would not name the unknown word
     for (const auto& add : program.commands)
         add(app);
     try {
@@ -94,8 +94,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
         const std::vector<std::string> words = app.remaining(true);
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
             app.exit(error);     // prints --help or --version
-        else if (!words.empty()) // first, even if a required option is missing: the word may be a misspelling
-                                 // of it
+        else if (!words.empty()) // reported first: it may be a misspelled required option
             return fail(program, 2,
                         fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
                                     where_to_look(app)));
@@ -116,8 +115,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
 } // namespace
 
 void add_device_option(CLI::App& command, std::string& device) {
-    command
-        .add_option("--device", device, "Vulkan device: its index, or a part of its name [the fastest kind]")
+    command.add_option("--device", device, "Vulkan device: its index or part of its name [the fastest kind]")
         ->type_name("NAME");
 }
 
@@ -132,7 +130,7 @@ int run(const Program& program, int argc, const char* const* argv) {
     try {
         return parse_and_work(program, argc, argv);
     } catch (const Interrupted& interrupted) {
-        fail(program, 1, "interrupted; nothing half-done was kept");
+        fail(program, 1, "interrupted; no half-written file was kept");
         // Terminate by the same signal, so that shells and queues see the reason.
         std::signal(interrupted.signal, SIG_DFL);
         std::raise(interrupted.signal);

@@ -12,7 +12,7 @@ namespace gabor::cli {
 /// A command-line program. Each of `commands` adds one subcommand, whose callback does the work.
 struct Program {
     std::string name;
-    std::string description; ///< one sentence, for its help
+    std::string description; ///< one sentence for the help text
     std::vector<void (*)(CLI::App&)> commands;
 };
 

@@ -33,7 +33,7 @@ using Kind = render::Parameter::Kind;
 static_assert(render::most_frames == 9999);
 constexpr std::string_view frames_accepted = "a whole number from 1 to 9999";
 
-// The options on the command line. Others come from --like or --preset, or have their defaults.
+// The command-line options. Those not given come from --like or --preset, or have defaults.
 struct RenderOptions {
     std::optional<std::string> output;
     std::optional<std::string> png;
@@ -44,7 +44,7 @@ struct RenderOptions {
     std::optional<std::string> like;
     std::optional<std::string> preset;
     std::optional<std::string> frames;
-    std::string compression = "none"; // zip saves 2.5 % of a noise and takes ten times as long
+    std::string compression = "none"; // zip saves 2.5 % on noise and takes ten times as long
     std::optional<std::string> level;
     std::string device;
     std::optional<std::string> heightmap;
@@ -53,14 +53,14 @@ struct RenderOptions {
     bool texture = false;
     bool half = false;
     bool verbose = false;
-    std::vector<std::pair<const render::Parameter*, const CLI::Option*>> parameters; ///< all of the table
+    std::vector<std::pair<const render::Parameter*, const CLI::Option*>> parameters; // the whole table
 };
 
-// What to render, and which region.
+// The request to render, and the region.
 struct Work {
     render::Request request;
     image::Rect region;
-    bool scaled = false; ///< by an option, a preset or another file
+    bool scaled = false; ///< whether an option, a preset or another file sets the scale
 };
 
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted) {
@@ -143,7 +143,7 @@ Work make_work(const RenderOptions& options) {
     render::set(work.request, given);
     work.scaled = options.preset || options.like ||
                   std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
-    if (options.terrain && !work.scaled) // two hills
+    if (options.terrain && !work.scaled) // shows two hills
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     work.request.filter |= options.texture || options.level; // mip levels are filtered
     render::check(work.request);
@@ -179,11 +179,11 @@ void warn_above_nyquist(const render::Request& request) {
     if (highest > 0.5)
         fmt::print(stderr,
                    "gabor: warning: the frequency is {:.3g} cycles per pixel, above the picture's limit of "
-                   "0.5: it shows as a lower one, unless --filter takes it away\n",
+                   "0.5, so it shows as a lower one; --filter removes it\n",
                    highest);
 }
 
-// Compares files that may not exist yet, however their paths are written.
+// Tells whether two paths name the same file, even if it does not exist yet.
 bool same_file(const std::string& a, const std::string& b) {
     namespace fs = std::filesystem;
     std::error_code ignored;
@@ -197,7 +197,7 @@ void print_times(const render::FileTimes& times, const vulkan::Device& device, d
     fmt::print("  driver                  {}\n", device.info().driver);
     fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.rendering.first_dispatch);
     fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", gpu, gpu / pixels * 1e9);
-    fmt::print("  compression and writing {:8.3f} s, then {:.3f} s until on the disk\n", times.writing,
+    fmt::print("  compression and writing {:8.3f} s, then {:.3f} s to reach the disk\n", times.writing,
                times.closing);
     fmt::print("  everything              {:8.3f} s\n", wall);
     fmt::print("  host overhead           {:8.3f} s\n",
@@ -205,7 +205,7 @@ void print_times(const render::FileTimes& times, const vulkan::Device& device, d
     fmt::print("  resident memory         {:8} MiB at most\n", peak_memory() >> 20);
 }
 
-// Tells an EXR (.exr or no extension) from a PNG (.png) by its name.
+// Tells whether a file is a PNG. Without an extension, it is an EXR.
 bool is_png(const std::string& path) {
     return std::filesystem::path(path).extension() == ".png";
 }
@@ -221,7 +221,7 @@ render::Files files_of(const RenderOptions& options) {
             files.elevation = render::Elevation{options.elevation[0], options.elevation[1]};
     }
     if (!options.elevation.empty() && !options.heightmap)
-        throw RequestError("--elevation is for --heightmap");
+        throw RequestError("--elevation requires --heightmap");
     if (!options.output) {
         if (options.png)
             files.png = *options.png;
@@ -257,12 +257,11 @@ int frames_of(const RenderOptions& options) {
     return frames;
 }
 
-// Without a scale, a set shows four by four units, or eight by eight of terrain.
+// Renders a set of maps: 4 x 4 units of a material or 8 x 8 of terrain, unless a scale is given.
 void render_map_set(const RenderOptions& options) {
     if (options.output || options.png || options.region || options.frames || options.level)
         throw RequestError(
-            "--maps writes whole sets alone: give it without -o, --png, --region, --frames and "
-            "--level");
+            "--maps writes whole sets: it cannot be combined with -o, --png, --region, --frames or --level");
     Work work = make_work(options);
     const bool terrain = render::has_terrain(work.request);
     if (!work.scaled)
@@ -285,13 +284,13 @@ void render_map_set(const RenderOptions& options) {
 void render_pictures(const RenderOptions& options, Clock::time_point start) {
     note_interrupts();
     if (options.half && !options.texture)
-        throw RequestError("--half is for --texture: pictures are of 32-bit floats");
+        throw RequestError("--half requires --texture: pictures have 32-bit floats");
     if (options.maps)
         return render_map_set(options);
     if (!options.output && !options.png && !options.heightmap)
         throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material or terrain");
     if (options.directx)
-        throw RequestError("--directx is for --maps");
+        throw RequestError("--directx requires --maps");
     const Work work = make_work(options);
     const image::Rect& region = work.region;
     const render::Files files = files_of(options);
@@ -410,19 +409,19 @@ void add_render_command(CLI::App& app) {
     const render::Request defaults;
 
     command
-        ->add_option(
-            "-o,--output", options->output,
-            "Output: NAME.exr, whose 32-bit float channel Y is the noise, or NAME.png, where -2 to 2 "
-            "standard deviations become black to white")
+        ->add_option("-o,--output", options->output,
+                     "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, with -2 "
+                     "to 2 standard deviations from black to white")
         ->type_name("FILE");
     command->add_option("--png", options->png, "Also write a PNG")->type_name("FILE");
     command
-        ->add_option("--maps", options->maps,
-                     "Instead of -o: a folder for the maps of a material or of terrain. PNGs of base colour, "
-                     "normals, height, "
-                     "roughness, metalness and occlusion, one EXR with all, material.mtlx and material.gltf")
+        ->add_option(
+            "--maps", options->maps,
+            "Instead of -o: a folder for the maps of a material or of terrain. PNGs of base colour, "
+            "normals, height, "
+            "roughness, metalness and occlusion, one EXR with all of them, material.mtlx and material.gltf")
         ->type_name("FOLDER");
-    command->add_flag("--directx", options->directx, "With --maps: also normals for DirectX");
+    command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
     command
         ->add_option("--size", options->size,
                      fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
@@ -456,7 +455,8 @@ void add_render_command(CLI::App& app) {
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be "
-        "powers of two. With --maps: maps.exr is one, whose roughness grows as its normals flatten");
+        "powers of two. With --maps: make maps.exr such a texture, rougher where filtering flattens its "
+        "normals");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
     command
         ->add_option(
@@ -466,9 +466,9 @@ void add_render_command(CLI::App& app) {
     command->add_flag("--terrain", options->terrain,
                       "Draw eroded mountains: --view terrain, with two hills across unless --scale is given");
     command
-        ->add_option(
-            "--heightmap", options->heightmap,
-            "Of terrain: heights of 16 bits, a PNG or .r16, with their scale in a .json file beside it")
+        ->add_option("--heightmap", options->heightmap,
+                     "For terrain: also write 16-bit heights to a PNG or .r16, with their scale in a .json "
+                     "file beside it")
         ->type_name("FILE");
     command
         ->add_option("--elevation", options->elevation,

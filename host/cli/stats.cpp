@@ -33,7 +33,7 @@ using statistics::SpectrumSummary;
 // The smallest cvm at which a deviation from the normal distribution is visible.
 constexpr double visible_cvm = 0.5;
 
-// Our JSON is flat. Deeper JSON is ignored, because writing it could overflow the stack.
+// gabor's own JSON is flat. Deeper JSON is ignored, because writing it could overflow the stack.
 constexpr int deepest_parameters = 16;
 
 struct StatsOptions {
@@ -50,17 +50,17 @@ struct Measured {
     json parameters;             // null without a `gabor` attribute
     std::optional<double> scale; // pixels per kernel radius
     statistics::NormalDistribution expected;
-    std::uint64_t outside = 0; // excluded pixels, which the body does not cover entirely
+    std::uint64_t outside = 0; // pixels excluded because the body does not cover them entirely
     PictureReport report;
 };
 
-// One file may be any EXR; several are regions.
+// Opens the picture. A single file may be any EXR; several must be regions of one picture.
 image::ExrReader open_picture(const StatsOptions& options, const std::vector<std::string>& channels) {
     return options.files.size() == 1 ? image::ExrReader(options.files.front(), channels)
                                      : image::ExrReader(std::span(options.files), channels);
 }
 
-// Reads a channel. Sets pixels to NaN where a channel A is below 1, and returns their number.
+// Reads a channel. If there is a channel A, sets pixels with A below 1 to NaN and returns their number.
 template <typename Use>
 std::uint64_t read_bands(const StatsOptions& options, const image::ExrReader& header, Progress& progress,
                          Use use) {
@@ -96,7 +96,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
     }
 }
 
-// If a channel's variance is unknown, reads the channel twice: first for its mean and variance.
+// Measures a channel. If its variance is unknown, reads the channel twice: first for its mean and variance.
 Measured measure(const StatsOptions& options) {
     const std::string channel =
         options.channel ? *options.channel : image::ExrReader(options.files.front()).channels().front();
@@ -142,7 +142,7 @@ double reference_variance(const Measured& measured) {
     return measured.expected.deviation * measured.expected.deviation;
 }
 
-// Perspective distorts the frequencies on a body.
+// Returns false for pictures of a body: perspective distorts its frequencies.
 bool has_spectrum(const Measured& measured) {
     return measured.report.spectrum && measured.outside == 0;
 }
@@ -167,7 +167,7 @@ json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale
             {"radial", std::move(radial)}};
 }
 
-// NaN and infinity become null. A channel's name may be invalid UTF-8.
+// Writes NaN and infinity as null, and replaces invalid UTF-8, which a channel's name may contain.
 std::string to_json(const Measured& measured) {
     const PictureReport& report = measured.report;
     const statistics::Moments& moments = report.moments;
@@ -218,11 +218,11 @@ void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>
         fmt::print("  {:<18}{:>13}  indistinguishable from 0\n", "peak frequency", "none");
     }
     print_line("bandwidth", spectrum.bandwidth, "cycles per pixel" + per_radius(spectrum.bandwidth));
-    print_line("resolution", spectrum.resolution, "cycles per pixel; narrower peaks look as wide");
-    print_line("spectral power", spectrum.power, "the variance again, from the spectrum");
+    print_line("resolution", spectrum.resolution, "cycles per pixel; narrower peaks look this wide");
+    print_line("spectral power", spectrum.power, "the variance, computed from the spectrum");
 }
 
-// In a small picture, chance hides a visible deviation.
+// Returns false for small pictures, in which chance can hide a visible deviation.
 bool has_cvm(const std::optional<BlockEstimates>& blocks) {
     return blocks && !(blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm);
 }
@@ -244,14 +244,15 @@ void print_limits(const Measured& measured) {
         fmt::print("  No spectrum, intervals or cvm: the picture is smaller than 16 x 16 pixels.\n");
     } else if (!blocks) {
         fmt::print("  No intervals and no cvm: pixels correlate over about {:.0f} pixels, and the picture is "
-                   "less than 8 times as long.\n",
+                   "shorter than 8 times that.\n",
                    report.spectrum->correlation);
     } else {
         fmt::print("  Intervals come from {0} x {0} blocks; pixels correlate over about {1:.0f} pixels.\n",
                    blocks->blocks_per_side, report.spectrum->correlation);
         if (!has_cvm(blocks))
-            fmt::print("  The picture is too small to test its distribution; render {0} x {0} for that.\n",
-                       side_for_cvm(measured, *blocks));
+            fmt::print(
+                "  The picture is too small to test its distribution; render at least {0} x {0} pixels.\n",
+                side_for_cvm(measured, *blocks));
     }
 }
 
@@ -269,7 +270,7 @@ void print_report(const StatsOptions& options, const Measured& measured) {
     fmt::print("{}: channel {}, {} x {} pixels, {} not finite{}\n", from, measured.channel, measured.width,
                measured.height, report.not_finite,
                measured.outside == 0 ? ""
-                                     : fmt::format(", {} left out as outside (A below 1)", measured.outside));
+                                     : fmt::format(", {} excluded as outside (A below 1)", measured.outside));
     if (moments.count() == 0)
         return;
     print_line("mean", moments.mean(), between(&BlockEstimates::mean));
@@ -279,10 +280,11 @@ void print_report(const StatsOptions& options, const Measured& measured) {
     print_line("minimum", moments.minimum());
     print_line("maximum", moments.maximum());
     if (has_cvm(report.blocks))
-        print_line("cvm", report.blocks->cvm.value,
-                   fmt::format("{}, against a normal law of {} mean {:.6g} and variance {:.6g}",
-                               between(&BlockEstimates::cvm), reference_name(measured),
-                               measured.expected.mean, reference_variance(measured)));
+        print_line(
+            "cvm", report.blocks->cvm.value,
+            fmt::format("{}, compared with a normal distribution of {} mean {:.6g} and variance {:.6g}",
+                        between(&BlockEstimates::cvm), reference_name(measured), measured.expected.mean,
+                        reference_variance(measured)));
     if (has_spectrum(measured) && report.spectrum->power > 0)
         print_spectrum(*report.spectrum, measured.scale);
     if (measured.outside > 0)
@@ -329,7 +331,7 @@ void add_stats_command(CLI::App& app) {
         ->type_name("NAME");
     command
         ->add_option("--json", options->json,
-                     "Also write the numbers here as JSON; '-': to stdout, instead of text")
+                     "Also write the numbers to this file as JSON; '-' prints JSON instead of text")
         ->type_name("FILE");
     command->callback([options] { report_statistics(*options); });
 }

@@ -35,7 +35,7 @@ class Progress {
 /// Makes SIGINT and SIGTERM set a flag instead of terminating the process.
 void note_interrupts();
 
-/// Throws Interrupted after such a signal, for work without progress.
+/// Throws Interrupted after one of these signals. Work without a Progress calls this itself.
 void check_interrupt();
 
 /// The largest resident memory of this process so far, in bytes.

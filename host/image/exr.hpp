@@ -31,19 +31,20 @@ class ExrWriter {
     /// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx.
     struct Texture {
         bool half = false;     ///< 16-bit floats instead of 32-bit
-        bool periodic = false; ///< wraps around; otherwise black beyond its edges
+        bool periodic = false; ///< whether it wraps around; otherwise it is black beyond its edges
     };
 
     struct Description {
         Rect picture;                      ///< EXR's display window: the whole picture
-        Rect window;                       ///< EXR's data window: the part of it in this file
+        Rect window;                       ///< EXR's data window: the part of the picture in this file
         std::vector<std::string> channels; ///< one float channel each
         std::string_view compression = "none";
         std::string parameters = {}; ///< stored as the string attribute `gabor`
         std::string software = {};   ///< the program and driver; stored as `software` unless empty
-        std::string colour_space =
-            {}; ///< of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty
-        std::optional<Texture> texture = {}; ///< of a whole picture at 0, 0
+        /// The colour space of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty.
+        std::string colour_space = {};
+        /// If set, writes a texture; the window must be the whole picture at 0, 0.
+        std::optional<Texture> texture = {};
     };
 
     /// Throws RequestError for an unknown compression or a path that cannot be created.
@@ -52,7 +53,7 @@ class ExrWriter {
     ExrWriter(ExrWriter&&) noexcept;
 
     /// Appends whole rows from top to bottom; `pixels` interleaves the channels. The rows of a texture's
-    /// level follow those of the level before. Throws std::runtime_error when the disk fails.
+    /// level follow those of the previous level. Throws std::runtime_error when the disk fails.
     void write_rows(std::span<const float> pixels);
 
     /// Publishes the file after the last row. Throws std::runtime_error when the disk fails.
@@ -65,9 +66,9 @@ class ExrWriter {
 
 /// Joins regions of one picture, written by ExrWriter, into the file that a single render would have written.
 /// Copies the compressed blocks of full-width regions unchanged and decodes other regions a few rows at a
-/// time. Calls `advance` with the number of pixels written; an exception from it aborts and
-/// leaves no file. Returns the picture's rectangle. Throws RequestError if a file is not such a region, if
-/// regions differ in more than their position, or if they overlap or leave a gap.
+/// time. Calls `advance` with the number of pixels written; an exception from it aborts and leaves no file.
+/// Returns the picture's rectangle. Throws RequestError if a file is not a region from ExrWriter, if regions
+/// differ in more than their position, or if they overlap or leave a gap.
 Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
               const std::function<void(std::uint64_t)>& advance);
 
@@ -75,24 +76,24 @@ Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesys
 /// spread over several files.
 class ExrReader {
   public:
-    /// Reads `channels`, interleaved; without any, `Y`, else `R`, else the first float or half channel.
-    /// Throws RequestError when the file is missing, truncated, not an EXR, lacks a channel, or is larger
-    /// than 65536 x 65536 pixels.
+    /// Reads `channels`, interleaved; if there are none, reads `Y`, else `R`, else the first float or half
+    /// channel. Throws RequestError when the file is missing, truncated or not an EXR, lacks a channel, or is
+    /// larger than 65536 x 65536 pixels.
     explicit ExrReader(const std::filesystem::path& path, const std::vector<std::string>& channels = {});
-    /// Reads regions that cover their picture, in any order; without `channels`, all of them. Throws
+    /// Reads regions that cover their picture, in any order; without `channels`, reads all channels. Throws
     /// RequestError as join_exr does.
     explicit ExrReader(std::span<const std::filesystem::path> paths,
                        const std::vector<std::string>& channels = {});
     ~ExrReader();
     ExrReader(ExrReader&&) noexcept;
 
-    /// Returns the files, from the top of the picture down, and the part that each holds.
+    /// Returns the files and the part of the picture in each, from top to bottom.
     std::vector<std::pair<std::filesystem::path, Rect>> regions() const;
     const Rect& picture() const;
     const Rect& window() const;
     /// Returns the channels that are read.
     const std::vector<std::string>& channels() const;
-    /// Tells whether the file has a channel of that name.
+    /// Tells whether the file has a channel with that name.
     bool has_channel(const std::string& name) const;
     /// Returns the `gabor` attribute; empty if there is none.
     const std::string& parameters() const;
@@ -103,8 +104,8 @@ class ExrReader {
     /// Returns the compression's name; empty if ExrWriter does not offer it.
     std::string_view compression() const;
 
-    /// Returns the next rows, at most `rows`; empty after the last. The span is valid until the next call.
-    /// Throws RequestError when the data is damaged.
+    /// Returns the next `rows` rows, or as many as are left; empty after the last. The span is valid until
+    /// the next call. Throws RequestError when the data is damaged.
     std::span<const float> read_rows(int rows);
 
   private:

@@ -20,7 +20,8 @@ void refuse_exr(const std::filesystem::path& path, std::string_view what) {
 }
 
 void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how) {
-    if (const auto named = how.rfind("\". "); named != how.npos) // OpenEXR names the file first
+    if (const auto named = how.rfind("\". ");
+        named != how.npos) // OpenEXR's message begins with the file's name
         how.remove_prefix(named + 3);
     refuse_exr(path, fmt::format("it is truncated or damaged ({}); expected a complete OpenEXR file", how));
 }
@@ -31,15 +32,15 @@ constexpr std::int64_t widest = 65536;
 constexpr std::uint64_t largest_block = 256u << 20;
 constexpr std::uint64_t decoding_memory = 4 * largest_block;
 
-// OpenEXR's C++ classes decode in parallel but trust sizes in the file when they allocate. So check the file
-// with the C library first, which compares them with the file's own size.
+// OpenEXR's C++ classes decode in parallel but trust sizes in the file when they allocate. So this class
+// checks the file first with the C library, which compares those sizes with the file's own.
 class ExrContext {
   public:
     // Keeps a reference to `path`.
     explicit ExrContext(const std::filesystem::path& path) : path_(path) {
         exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
         settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-        // Strict mode reports what the C++ classes cannot handle, and unfinished files.
+        // Strict mode reports unfinished files and whatever the C++ classes cannot handle.
         settings.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
         require(exr_start_read(&context_, path.c_str(), &settings));
     }
@@ -93,7 +94,7 @@ std::uint64_t inspect(const ExrContext& file) {
     exr_storage_t storage;
     file.require(exr_get_storage(file, 0, &storage));
     if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-        refuse_exr(file.path(), "it holds deep data; only flat scanlines and tiles are supported");
+        refuse_exr(file.path(), "it contains deep data; only flat scanlines and tiles are supported");
     exr_attr_box2i_t window;
     file.require(exr_get_data_window(file, 0, &window));
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;

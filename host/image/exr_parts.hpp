@@ -1,6 +1,6 @@
 #pragma once
 
-// What the reader and the writer of EXR files share.
+// Shared by the reader and the writer of EXR files.
 
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
@@ -24,7 +24,7 @@ inline void start_exr_threads() {
                    [] { Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())); });
 }
 
-/// Describes rows of interleaved channels, whose first value is of the pixel `corner`.
+/// Describes rows of interleaved channels. The first value belongs to the pixel `corner`.
 template <typename Value>
 Imf::FrameBuffer frame_buffer(Imf::PixelType type, const Value* values,
                               const std::vector<std::string>& channels, const Imath::V2i& corner, int width,
@@ -71,7 +71,7 @@ class ExrStream final : public Imf::OStream {
     std::exception_ptr failure_;
 };
 
-/// Returns the header of such a file.
+/// Returns the header of a file with this description.
 Imf::Header exr_header(const ExrWriter::Description& description);
 
 /// Returns the name of a lossless method; empty for a lossy one.

@@ -23,12 +23,12 @@ namespace gabor::image {
 
 namespace fs = std::filesystem;
 
-// A file, and the part of the picture that it holds.
+// A file and the part of the picture in it.
 struct ExrRegion {
     fs::path path;
     Imath::Box2i window;
-    int threads;                          // that may decode it
-    std::unique_ptr<Imf::InputFile> file; // while it is being read
+    int threads;                          // threads that may decode the file
+    std::unique_ptr<Imf::InputFile> file; // open while the region is being read
 };
 
 namespace {
@@ -54,7 +54,7 @@ std::string described(const fs::path& path, const Imath::Box2i& window) {
 
 // ---- Common attributes ----
 
-// Returns a header's attributes as serialized, without the data window.
+// Returns a header's attributes in serialized form, without the data window.
 std::map<std::string, std::string> common_attributes(const Imf::Header& header) {
     std::map<std::string, std::string> values;
     for (auto i = header.begin(); i != header.end(); ++i) {
@@ -75,7 +75,7 @@ void check_region(const fs::path& path, const Imf::Header& header) {
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
         floats &= i.channel() == Imf::Channel(Imf::FLOAT);
     if (!floats)
-        refuse_join(fmt::format("'{}' has tiles, a lossy compression, or values other than 32-bit floats; "
+        refuse_join(fmt::format("'{}' has tiles, lossy compression, or values other than 32-bit floats; "
                                 "expected regions of flat "
                                 "pictures",
                                 path.string()));
@@ -113,7 +113,7 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
 
 // ---- Placement ----
 
-// Each pixel of the picture must be in one region.
+// Checks that each pixel of the picture is in exactly one region.
 void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture) {
     std::set<int> rows{picture.min.y};
     for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -124,9 +124,9 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
                                         described(regions[i].path, regions[i].window)));
         rows.insert(regions[i].window.max.y + 1);
     }
-    // A gap begins at the top, or below a region. In a row that has none, regions touch from left to right.
+    // A gap begins at the top, or below a region. In a row without gaps, regions touch from left to right.
     for (auto y = rows.begin(); y != rows.end() && *y <= picture.max.y; ++y) {
-        std::map<int, int> ends; // ends of the regions in this row, by their beginnings
+        std::map<int, int> ends; // right ends of the regions in this row by their left ends
         for (const ExrRegion& region : regions)
             if (region.window.min.y <= *y && *y <= region.window.max.y)
                 ends[region.window.min.x] = region.window.max.x + 1;
@@ -178,7 +178,7 @@ struct ExrReader::State {
     void read(const Imf::FrameBuffer& frame, int first, int last);
 
     std::vector<ExrRegion> regions; // sorted by their upper left corners
-    Imf::Header header;             // as the whole picture would have it in one file
+    Imf::Header header;             // the header of one file with the whole picture
     Rect picture;
     Rect window;
     std::string parameters;
@@ -224,8 +224,8 @@ void ExrReader::State::choose(std::vector<std::string> names) {
             refuse_exr(path, fmt::format("there is no channel '{}'; the file has {}", name,
                                          fmt::join(names_of(all), ", ")));
         if (found->type == Imf::UINT)
-            refuse_exr(path,
-                       fmt::format("channel '{}' holds integers; only half and float are supported", name));
+            refuse_exr(
+                path, fmt::format("channel '{}' contains integers; only half and float are supported", name));
         if (found->xSampling != 1 || found->ySampling != 1)
             refuse_exr(
                 path,

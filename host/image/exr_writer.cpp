@@ -18,7 +18,7 @@ namespace gabor::image {
 
 namespace {
 
-// Only lossless methods for 32-bit floats.
+// Only methods that are lossless for 32-bit floats.
 constexpr std::array<std::string_view, 5> names = {"none", "rle", "zips", "zip", "piz"};
 constexpr std::array methods = {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
                                 Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
@@ -110,10 +110,10 @@ struct ExrWriter::State {
 
     const Description description;
     const Imf::Header header;
-    std::vector<double> sums; ///< per channel of a texture's first level
+    std::vector<double> sums; ///< sum of each channel over a texture's first level
     int level = 0;
     int row = 0;             ///< next row of the level
-    std::vector<float> rows; ///< of an incomplete row of tiles
+    std::vector<float> rows; ///< values of an incomplete row of tiles
     std::vector<half> halves;
     OutputFile file;
     ExrStream stream;
@@ -121,7 +121,7 @@ struct ExrWriter::State {
     std::optional<Imf::TiledOutputFile> tiles;
 };
 
-// Writes rows, of a texture a whole row of tiles.
+// Writes rows; for a texture, `values` must be a whole row of tiles.
 void ExrWriter::State::write(std::span<const float> values) {
     const auto count = static_cast<int>(values.size() / row_values());
     const Imath::V2i corner(description.window.x, description.window.y + row);

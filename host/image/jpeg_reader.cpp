@@ -77,7 +77,7 @@ void JpegPicture::read_header() {
     });
     const int colours = jpeg_.num_components;
     if (colours != 1 && colours != 3)
-        refuse_picture(path_, fmt::format("it has {} colours{}; only grey and RGB are supported", colours,
+        refuse_picture(path_, fmt::format("it has {} channels{}; only grey and RGB are supported", colours,
                                           colours == 4 ? ", CMYK" : ""));
     jpeg_.out_color_space = colours == 1 ? JCS_GRAYSCALE : JCS_RGB;
     guarded([this] { jpeg_start_decompress(&jpeg_); });

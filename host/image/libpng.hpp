@@ -20,8 +20,8 @@ struct PngErrors {
     static void on_warning(png_structp, png_const_charp) {}
 };
 
-/// Runs `calls` and returns whether libpng reported no error. libpng reports by a longjmp to here, so `calls`
-/// must not own objects with destructors.
+/// Runs `calls` and returns whether libpng reported no error. libpng reports errors by a longjmp to here, so
+/// `calls` must not own objects with destructors.
 template <class Calls>
 [[nodiscard]] bool succeeds(png_structp png, Calls calls) {
     if (setjmp(png_jmpbuf(png)) != 0)

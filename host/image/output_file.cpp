@@ -71,8 +71,8 @@ int open_nameless(const fs::path& folder) {
     return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, everyone);
 }
 
-/// Creates and locks a file of that name. If `remove_abandoned` deletes it before the lock, the name counts
-/// as taken.
+/// Creates and locks a file with that name. If `remove_abandoned` deletes it before it is locked, the name
+/// counts as taken.
 int open_locked(const char* name) {
     const int descriptor = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, everyone);
     struct stat status {};
@@ -84,7 +84,7 @@ int open_locked(const char* name) {
     return -1;
 }
 
-/// Removes hidden files that killed processes left behind while writing `target`: those without a lock.
+/// Removes hidden files without a lock, which killed processes left behind while writing `target`.
 void remove_abandoned(const fs::path& target) {
     const std::string stem = hidden_stem(target);
     std::error_code ignored;
@@ -104,8 +104,8 @@ void remove_abandoned(const fs::path& target) {
     }
 }
 
-/// Syncs the folder so that a rename survives a power cut. Failure is no error: at worst the intact old file
-/// comes back.
+/// Syncs the folder so that a rename survives a power cut. Failure is not an error: at worst the intact old
+/// file comes back.
 void sync_folder(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
@@ -148,7 +148,7 @@ void OutputFile::open() {
     }
     auto [name, descriptor] = claim_name(target_, open_locked);
     if (descriptor < 0)
-        refuse(path_, fmt::format("folder {}: {}; expected a file in an existing folder that can be written",
+        refuse(path_, fmt::format("folder {}: {}; expected a file in an existing, writable folder",
                                   folder.string(), reason(errno)));
     temporary_ = std::move(name);
     descriptor_ = descriptor;

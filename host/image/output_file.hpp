@@ -18,7 +18,7 @@ namespace gabor::image {
 /// or a FIFO, are written to directly.
 class OutputFile {
   public:
-    /// Throws RequestError if no file of that name can be created.
+    /// Throws RequestError if no file with that name can be created.
     explicit OutputFile(std::filesystem::path path);
     ~OutputFile();
     OutputFile(OutputFile&& other) noexcept;

@@ -70,7 +70,7 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, c
         return open_jpeg(path);
     if (head.starts_with("\x76\x2f\x31\x01"sv))
         return std::make_unique<ExrPicture>(path, channel);
-    if (auto tga = open_tga(path)) // which starts with no signature
+    if (auto tga = open_tga(path)) // TGA files have no signature
         return tga;
     throw RequestError(
         fmt::format("'{}' is not a readable picture: expected PNG, JPEG, TGA or OpenEXR", path.string()));

@@ -17,17 +17,17 @@ class PictureReader {
         int height = 0;
         int channels = 0;    ///< 1, or 3 for red, green, blue
         bool alpha = false;  ///< whether the file also has alpha
-        bool linear = false; ///< linear light instead of sRGB: an EXR that does not say otherwise
+        bool linear = false; ///< linear light instead of sRGB; true for an EXR unless it says otherwise
     };
 
     virtual ~PictureReader() = default;
     const Format& format() const { return format_; }
 
-    /// Returns the next row, channels interleaved: 0 to 1 for PNG (8 and 16 bits), JPEG and TGA, raw values
-    /// for EXR. Throws RequestError, naming the file, if it is damaged or truncated.
+    /// Returns the next row with interleaved channels: 0 to 1 for PNG (8 and 16 bits), JPEG and TGA, raw
+    /// values for EXR. Throws RequestError, naming the file, if it is damaged or truncated.
     virtual void read_row(std::span<float> row) = 0;
 
-    /// The alpha of each pixel of the row that was read last; empty without an alpha channel.
+    /// The alpha of each pixel in the row read last; empty without an alpha channel.
     std::span<const float> alpha() const { return alpha_; }
 
   protected:
@@ -46,16 +46,16 @@ class PictureReader {
     std::vector<float> alpha_;
 };
 
-/// Opens a PNG, JPEG, TGA or OpenEXR file; the content decides, not the name. If an EXR has a channel of that
-/// name, only this channel is read. Throws RequestError for other formats, colours other than grey or RGB,
-/// and unreadable files.
+/// Opens a PNG, JPEG, TGA or OpenEXR file; the content, not the name, decides the format. If an EXR has a
+/// channel named `channel`, reads only that. Throws RequestError for other formats, colours other than grey
+/// or RGB, and unreadable files.
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
                                             const std::string& channel = {});
 
 /// Throws RequestError, "cannot read 'PATH': REASON".
 [[noreturn]] void refuse_picture(const std::filesystem::path& path, std::string_view reason);
 
-/// Opens a file of that format.
+/// Each of these opens a file of its format.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path);
 /// Returns nothing if the file is not a TGA.

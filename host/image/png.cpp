@@ -44,12 +44,12 @@ struct PngWriter::State {
     OutputFile file;
     png_structp png = nullptr;
     png_infop info = nullptr;
-    std::size_t values; ///< in a row
+    std::size_t values; ///< number of values in a row
     int bits;
     std::vector<png_byte> row;
     int rows_left;
     PngErrors errors;           ///< libpng's errors
-    std::exception_ptr failure; ///< or the disk's error
+    std::exception_ptr failure; ///< the disk's error, if any
 };
 
 PngWriter::State::State(const std::filesystem::path& path, int width, int height, int channels, int bits_)
@@ -73,13 +73,13 @@ void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t co
     } catch (...) {
         state.failure = std::current_exception();
     }
-    png_error(png, "the file cannot be written"); // only now, when no C++ object is left to destroy
+    png_error(png, "the file cannot be written"); // after the handler, because it jumps over destructors
 }
 
 PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits) {
     if (width < 1 || height < 1 || (channels != 1 && channels != 3) || (bits != 8 && bits != 16))
         throw std::logic_error(
-            "PngWriter takes 8 or 16 bits of pictures that are not empty, of one or three channels");
+            "PngWriter takes non-empty pictures with one or three channels of 8 or 16 bits");
     state_ = std::make_unique<State>(path, width, height, channels, bits);
     if (!state_->info)
         throw std::bad_alloc();

@@ -6,17 +6,17 @@
 
 namespace gabor::image {
 
-/// Writes a PNG of 8 or 16 bits from top to bottom, grey for one channel and RGB for three. Like ExrWriter,
-/// it shows nothing under the name before `commit`.
+/// Writes an 8-bit or 16-bit PNG from top to bottom, grey for one channel and RGB for three. Like ExrWriter,
+/// it shows no file under that name before `commit`.
 class PngWriter {
   public:
-    /// Accepts up to 65536 pixels a side. Throws RequestError for a path that cannot be created.
+    /// Accepts up to 65536 pixels per side. Throws RequestError for a path that cannot be created.
     PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits = 8);
     ~PngWriter();
     PngWriter(PngWriter&&) noexcept;
 
-    /// Appends whole rows of values in [0, 1], clamped outside; NaN is written as 0.
-    /// Throws std::runtime_error when the disk fails.
+    /// Appends whole rows of values, clamped to [0, 1]; NaN is written as 0. Throws std::runtime_error when
+    /// the disk fails.
     void write_rows(std::span<const float> values);
     /// Publishes the file after the last row. Throws std::runtime_error when the disk fails.
     void commit();

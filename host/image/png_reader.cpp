@@ -14,7 +14,7 @@ namespace gabor::image {
 namespace {
 
 constexpr std::size_t most_interlaced = std::size_t{1}
-                                        << 28; ///< bytes: interlaced pictures are decoded in memory
+                                        << 28; ///< limit in bytes: interlaced pictures are decoded in memory
 
 class PngPicture : public PictureReader {
   public:
@@ -60,8 +60,9 @@ PngPicture::PngPicture(const std::filesystem::path& path)
         const std::size_t row = png_get_rowbytes(png_, info_);
         const std::size_t all = row * static_cast<std::size_t>(format_.height);
         if (interlaced_ && all > most_interlaced)
-            refuse_picture(path_, fmt::format("it is interlaced and larger than {} MiB: save it without",
-                                              most_interlaced >> 20));
+            refuse_picture(path_,
+                           fmt::format("it is interlaced and larger than {} MiB: save it without interlacing",
+                                       most_interlaced >> 20));
         bytes_.resize(interlaced_ ? all : row);
         if (interlaced_)
             read_interlaced();
@@ -71,7 +72,7 @@ PngPicture::PngPicture(const std::filesystem::path& path)
     }
 }
 
-// Converts every format to 16-bit grey or RGB, with alpha where the file has it.
+// Reads the header and lets libpng convert every format to 16-bit grey or RGB, with alpha if the file has it.
 void PngPicture::read_header() {
     guarded([this] {
         png_set_user_limits(png_, widest_png, widest_png);

@@ -24,7 +24,7 @@ class Raw16 : public PictureReader {
         const std::uintmax_t wanted =
             std::uintmax_t{2} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
         if (size != wanted)
-            throw RequestError(fmt::format("'{}' has {} bytes, but {} x {} heights of 16 bits take {}",
+            throw RequestError(fmt::format("'{}' has {} bytes, but {} x {} 16-bit heights take {}",
                                            path.string(), size, width, height, wanted));
         format_ = {width, height, 1, false};
         bytes_.resize(2 * static_cast<std::size_t>(width));
@@ -32,7 +32,7 @@ class Raw16 : public PictureReader {
 
     void read_row(std::span<float> row) override {
         if (!file_.read(bytes_.data(), static_cast<std::streamsize>(bytes_.size())))
-            refuse_picture(path_, "it ended early");
+            refuse_picture(path_, "it ends early");
         const char* at = bytes_.data();
         fill(row, [&at] {
             const auto low = static_cast<std::uint8_t>(at[0]), high = static_cast<std::uint8_t>(at[1]);

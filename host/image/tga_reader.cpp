@@ -17,7 +17,7 @@ namespace gabor::image {
 
 namespace {
 
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28; // all are decoded in memory
+constexpr std::int64_t most_pixels = std::int64_t{1} << 28; // the whole picture is decoded in memory
 
 class TgaPicture : public PictureReader {
   public:

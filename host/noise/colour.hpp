@@ -16,7 +16,7 @@ struct Colour {
         double noise = 0;
         bool operator==(const Weight&) const = default;
     };
-    std::vector<std::array<Weight, 3>> weights; ///< for each lobe
+    std::vector<std::array<Weight, 3>> weights; ///< weights of each lobe
     std::array<std::array<double, 6>, 3> histogram =
         {};                                           ///< coefficients of 1, z, ... z^5; z stays within +-4
     std::array<double, 3> mean = {};                  ///< red, green, blue

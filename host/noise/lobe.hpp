@@ -20,21 +20,21 @@ constexpr double degrees(double radians) {
 /// Waves around one frequency and one orientation: part of a spectrum.
 struct Lobe {
     double frequency = 4;          ///< cycles per kernel radius
-    double orientation = 0;        ///< of the wave vector: degrees from right towards down
-    double frequency_spread = 0;   ///< waves are evenly spread within frequency (1 +- this), in [0, 1]
-    double orientation_spread = 0; ///< and within orientation +- this: degrees in [0, 90]; 90 is isotropic
+    double orientation = 0;        ///< direction of the wave vector, in degrees from right towards down
+    double frequency_spread = 0;   ///< 0 to 1: waves are spread evenly within frequency (1 +- this)
+    double orientation_spread = 0; ///< 0 to 90 degrees (isotropic): waves are spread evenly within +- this
     double power = 1;              ///< relative to the other lobes
-    double radius =
-        1; ///< of its kernel along x, in kernel radii; its bandwidth is proportional to the inverse
+    /// The kernel's radius along x, in kernel radii; inversely proportional to the bandwidth.
+    double radius = 1;
     double stretch = 1; ///< the kernel's radius along y, divided by that along x
 
     /// Returns the kernel's radii along x and y.
     std::array<double, 2> radii() const { return {radius, radius * stretch}; }
-    /// Returns the longer of them.
+    /// Returns the longer radius.
     double longest_radius() const { return radius * std::max(stretch, 1.0); }
     /// Tells whether all its waves have one frequency and one orientation.
     bool is_one_wave() const { return frequency_spread == 0 && orientation_spread == 0; }
-    /// Returns radians in [-pi, pi].
+    /// Returns the orientation in radians, in [-pi, pi].
     double angle() const { return radians(std::remainder(orientation, 360.0)); }
 
     bool operator==(const Lobe&) const = default;

@@ -24,9 +24,10 @@ constexpr Recipe lattice(std::string_view name, int taps, std::string_view is) {
 
 // The lattice recipes come first, then the sparse ones. The first of each kind is its drop-in's default.
 constexpr std::array known{
-    lattice("lattice", 3, "exactly normal at every place, the best for its price"),
-    lattice("lattice-2", 2, "the same with two nodes along each axis, the fastest"),
-    lattice("lattice-4", 4, "with four, whose covariance depends the least on the place"),
+    lattice("lattice", 3, "exactly normal at every place, the best value"),
+    lattice("lattice-2", 2, "two nodes along each axis, the fastest"),
+    lattice("lattice-4", 4,
+            "four nodes along each axis, with the covariance that depends least on the place"),
     Recipe{"one", 1, 1.0f, 0.675f, 256, {3, -4.5f, 2.5f}, "one random impulse per cell"},
     Recipe{"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, "the lowest sidelobes"},
     Recipe{"paper", 2, 1.0f, 1.0f, 2, {1, 0, 0}, "the paper's advice"},
@@ -74,7 +75,7 @@ std::string accepted_recipes() {
     std::vector<std::string_view> names;
     std::ranges::transform(known, std::back_inserter(names), &Recipe::name);
     return fmt::format(
-        "{}, or any like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
+        "{}, or a recipe like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
         "or 256 phases",
         fmt::join(names, ", "), fields(sparse_recipes().front()), most_impulses, largest_radius);
 }
@@ -109,7 +110,7 @@ std::vector<Macro> macros(const Recipe& recipe) {
 
 bool acceptable(const Recipe& recipe) {
     const auto& c = recipe.window;
-    // q^2 at 0 and in between: a window without energy cannot be normalized.
+    // A window without energy cannot be normalized.
     const double energy = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
     return recipe.impulses >= 1 && recipe.impulses <= most_impulses && recipe.radius >= 1 &&
            recipe.radius <= largest_radius && recipe.weight_floor >= 0 && recipe.weight_floor <= 1 &&

@@ -14,10 +14,10 @@ struct Recipe {
     std::string_view name;
     int impulses;                ///< N, impulses per cell (GABOR_IMPULSES)
     float radius;                ///< R, cells per kernel radius (GABOR_RADIUS)
-    float weight_floor;          ///< A, magnitudes are A or 1, equally likely (GABOR_WEIGHT_FLOOR)
-    int phases;                  ///< 2 is a sine with random sign (GABOR_PHASES)
+    float weight_floor;          ///< A; magnitudes are A or 1, equally likely (GABOR_WEIGHT_FLOOR)
+    int phases;                  ///< number of phases; 2 gives a sine with random sign (GABOR_PHASES)
     std::array<float, 3> window; ///< c in q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2 (GABOR_WINDOW)
-    std::string_view summary;    ///< for help texts
+    std::string_view summary;    ///< description for help texts
     int taps = 0; ///< nodes along each axis that reach a point (GABOR_TAPS), twice R; 0 for sparse noise
 
     bool is_lattice() const { return taps > 0; }
@@ -34,7 +34,7 @@ std::span<const Recipe> sparse_recipes();
 std::string_view drop_in(const Recipe& recipe);
 
 /// Finds a recipe by its name, or by values as `to_string` writes them. A known recipe keeps its name. Throws
-/// RequestError with a list of what is accepted.
+/// RequestError, which lists what is accepted.
 Recipe find_recipe(std::string_view text);
 
 /// Describes what `find_recipe` accepts, for help texts and messages.

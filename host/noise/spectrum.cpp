@@ -7,7 +7,7 @@ namespace gabor::noise {
 
 namespace {
 
-// gabor_lobe_seed of shaders/gabor_lattice.glsl.
+// The same as gabor_lobe_seed in shaders/gabor_lattice.glsl.
 std::uint32_t lobe_seed(std::uint32_t seed, int index) {
     std::uint32_t word = seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu;
     word = (word ^ word >> 16) * 0x21f0aaadu + 0x9e3779b1u;
@@ -18,12 +18,12 @@ std::uint32_t lobe_seed(std::uint32_t seed, int index) {
 // A piece of a range of waves.
 struct Piece {
     double place; // its middle in the range, from -1 to 1
-    double share; // of the range's power
-    int index;    // for its seed
+    double share; // fraction of the range's power
+    int index;    // determines its seed
 };
 
-// Returns as many pieces as the whole part of `count`. As its fraction goes from 0.8 to 1, one piece more
-// replaces them, so that the noise is continuous in `count`: amplitudes are proportional to `left` and 1 -
+// Returns as many pieces as the whole part of `count`. As its fraction goes from 0.8 to 1, these give way to
+// one piece more, so that the noise is continuous in `count`: amplitudes are proportional to `left` and 1 -
 // left.
 std::vector<Piece> pieces(double count) {
     const int fewer = static_cast<int>(count);
@@ -38,8 +38,8 @@ std::vector<Piece> pieces(double count) {
     return all;
 }
 
-// A kernel's bandwidth, proportional to the inverse of its radius, fills the gaps. This many pieces give an
-// even range.
+// A kernel's bandwidth, inversely proportional to its radius, fills the gaps between pieces. This many pieces
+// cover the range evenly.
 std::vector<Piece> frequencies(const Lobe& lobe) {
     return pieces(
         std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.longest_radius() + 0.8, 1.0, 16.0));

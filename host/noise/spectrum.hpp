@@ -9,12 +9,12 @@
 
 namespace gabor::noise {
 
-/// A noise with one wave vector. Sums of independent ones have any spectrum.
+/// A noise with one wave vector. Sums of independent waves can have any spectrum.
 struct Wave {
     double frequency = 4;               ///< cycles per unit of length
-    double angle = 0;                   ///< of the wave vector: radians
-    std::array<double, 2> radius{1, 1}; ///< of its kernels along x and y, in units of length
-    double share = 1;                   ///< of the variance
+    double angle = 0;                   ///< direction of the wave vector, in radians
+    std::array<double, 2> radius{1, 1}; ///< radii of its kernels along x and y, in units of length
+    double share = 1;                   ///< fraction of the variance
     std::uint32_t seed = 0;
     /// In space: whether waves go in all directions. `angle` is then unused.
     bool isotropic = false;
@@ -27,11 +27,11 @@ struct Wave {
 /// single lobe uses the request's seed; several lobes have one seed each.
 std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed);
 
-/// The same in space, where an orientation spread of 90 degrees covers all directions, and smaller ones lie
-/// in the plane z = 0. Kernels are round, with the geometric mean of both radii.
+/// The same in space, where an orientation spread of 90 degrees covers all directions, and smaller spreads
+/// stay in the plane z = 0. Kernels are round, with the geometric mean of both radii.
 std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed);
 
-/// Returns their different kernel radii, in order of appearance.
+/// Returns the different kernel radii of the waves, in order of appearance.
 std::vector<std::array<double, 2>> radii(std::span<const Wave> waves);
 
 } // namespace gabor::noise

@@ -52,8 +52,8 @@ double window_slope_energy(const Recipe& lattice) {
     // Hann's window, (1 + cos pi x) / 2.
     if (lattice.taps > 2)
         return std::numbers::pi * std::numbers::pi / 3;
-    // cos t(x) with tan t = s / (1 - s), s = 3 x^2 - 2 x^3, whose square and that of its shift by 1, sin^2 t,
-    // add up to 1: those of the derivatives add up to t'^2.
+    // The window is cos t(x) with tan t = s / (1 - s), s = 3 x^2 - 2 x^3; shifted by 1, it is sin t. Their
+    // squares add up to 1, and the squares of their derivatives to t'^2.
     return boost::math::quadrature::gauss<double, 30>::integrate(
         [](double x) {
             const double s = x * x * (3 - 2 * x);
@@ -63,10 +63,10 @@ double window_slope_energy(const Recipe& lattice) {
         0.0, 1.0);
 }
 
-// With H the transform of Hann's window, of power 4/3 H^2 at a distance of q from the wave, the integral over
-// q of 4/3 H^2 exp(-4 pi^2 deviation^2 (frequency + q)^2), and of that times the square of 2 pi (frequency +
-// q). Their transforms end, but for the filter's tails, at 2 kernel radii: a sum in steps of 1/10 is the
-// integral.
+// Let H be the transform of Hann's window: the power at a distance q from the wave is 4/3 H^2. The noise's
+// variance is the integral over q of 4/3 H^2 exp(-4 pi^2 deviation^2 (frequency + q)^2); the slope's has the
+// factor (2 pi (frequency + q))^2. Except for the filter's tails, the integrands' transforms end at 2 kernel
+// radii, so a sum in steps of 1/10 equals the integral.
 AxisVariance filtered_variance(double frequency, double deviation) {
     constexpr double tau = 2 * std::numbers::pi;
     constexpr double step = 0.1;

@@ -8,24 +8,24 @@ namespace gabor::noise {
 double window_energy(const Recipe& recipe, double a);
 
 /// Variance of sum_i w_i q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)) by Campbell's theorem: the number of
-/// impulses per unit area times E[w^2] times the mean energy of the kernels. `frequency` in cycles per kernel
-/// radius, `orientation` in radians, `time` in periods of the animation, in which phases turn 1 to 4 times
-/// either way.
+/// impulses per unit area times E[w^2] times the mean energy of the kernels. `frequency` is in cycles per
+/// kernel radius, `orientation` in radians, and `time` in periods of the animation, in which phases turn 1 to
+/// 4 times either way.
 double variance(const Recipe& recipe, double frequency, double orientation, double time = 0);
 
 /// The integral of h'^2 over the integral of h^2 for a lattice's window, per kernel radius squared. The
-/// variance of the noise's derivative along x is this plus (2 pi F.x)^2; for `lattice-2`, this is its mean
+/// variance of the noise's derivative along x is this plus (2 pi F.x)^2; for `lattice-2`, that is the mean
 /// over places.
 double window_slope_energy(const Recipe& lattice);
 
 /// Variances of a wave of the three-tap lattice along one axis.
 struct AxisVariance {
     double noise;
-    double slope; ///< per kernel radius squared
+    double slope; ///< variance of the slope, per kernel radius squared
 };
 
-/// Returns these variances after a normal filter. `frequency` is in cycles per kernel radius along the axis;
-/// `deviation` is the filter's, at most a kernel radius.
+/// Returns the variances after a Gaussian filter. `frequency` is in cycles per kernel radius along the axis;
+/// `deviation` is the filter's standard deviation, at most a kernel radius.
 AxisVariance filtered_variance(double frequency, double deviation);
 
 } // namespace gabor::noise

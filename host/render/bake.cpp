@@ -12,8 +12,8 @@ namespace gabor::render {
 namespace {
 
 // A GPU needs many small blocks whose impulses fit its registers. A CPU has few lanes and large caches, and
-// starting a block of the lattice is most of its cost: use few blocks of equal width. `scale`: pixels per
-// radius of the kernels.
+// most of the cost of a lattice block is its start, so it needs few blocks of equal width. `scale` is in
+// pixels per radius of the kernels.
 Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, double scale) {
     if (device == DeviceKind::gpu)
         return recipe.is_lattice() ? Block{8, 16} : Block{noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
@@ -30,7 +30,7 @@ passes::vec2 turn(double turns) {
     return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-// `scale`: pixels per kernel radius of the picture.
+// `scale` is the picture's, in pixels per kernel radius.
 passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
                            const Axis& y, double scale) {
     const noise::Recipe recipe = drawing_recipe(request);
@@ -41,8 +41,8 @@ passes::BakeWave make_wave(const Request& request, std::size_t index, const nois
             ? 1
             : recipe.radius / std::sqrt(x.radius * y.radius *
                                         noise::variance(recipe, wave.frequency * wave.radius[0], wave.angle,
-                                                        request.time));  // round kernels
-    const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours use weights
+                                                        request.time));  // these kernels are round
+    const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours use weights instead
     passes::BakeWave result{{static_cast<float>(wave_x), static_cast<float>(wave_y)},
                             turn(wave_x / (scale * wave.radius[0])),
                             turn(wave_y / (scale * wave.radius[1])),
@@ -61,7 +61,7 @@ std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel,
     const auto cell_of = [&](int pixel) {
         return static_cast<std::int32_t>(std::floor(position(pixel) - radius));
     };
-    // The first pixel that visits no cell before this one: an estimate, then a correction for rounding.
+    // Estimates the first pixel that visits no cell before `cell`, then corrects for rounding.
     const auto start_of = [&](std::int32_t cell) {
         int pixel = static_cast<int>(std::ceil((cell + radius - origin) / cells_per_pixel - 0.5));
         while (cell_of(pixel) >= cell)

@@ -16,7 +16,7 @@ struct Coordinate {
     bool operator==(const Coordinate&) const = default;
 };
 
-/// The point in the middle of the view, or below the camera of a horizon, and a magnification.
+/// The point in the middle of the view, or below the camera of the horizon view, and a magnification.
 struct Camera {
     Coordinate x;
     Coordinate y;
@@ -29,17 +29,17 @@ struct Camera {
 /// The camera that gabor render uses.
 Camera default_camera(const Request& request);
 
-/// Returns the cell at a coordinate, and the place in it. `cells`: per kernel radius. Cells wrap around at
-/// 2^31, as in the drop-ins.
+/// Returns the cell at a coordinate, and the place in it. `cells` is the number of cells per kernel radius.
+/// Cells wrap around at 2^31, as in the drop-ins.
 std::pair<std::int32_t, double> cell_at(const Coordinate& coordinate, double cells);
 
 /// The cells along a side of a picture; a tileable picture has a whole number of them.
 struct Axis {
     double radius;       ///< cells per kernel radius
-    std::int32_t period; ///< in cells, 0 for none
+    std::int32_t period; ///< period in cells; 0 for none
 };
 
-/// `side`: width or height of the request. `radius`: of the kernels, as noise::Wave has it.
+/// `side` is the width or height of the request, `radius` that of the kernels, as in noise::Wave.
 Axis axis_along(const Request& request, int side, double radius = 1);
 
 /// Rows above the horizon in a picture of `height` rows.

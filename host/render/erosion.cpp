@@ -15,8 +15,8 @@ namespace gabor::render {
 
 namespace {
 
-// The rows of a map, read once while their numbers grow. Beyond its edges a tile repeats, and others keep the
-// height of the edge.
+// The rows of a map. Reads each row once if rows are requested from top to bottom. Beyond the edges, a tile
+// repeats and other maps keep the height of the edge.
 class MapRows {
   public:
     explicit MapRows(const HeightMap& map) : map_(map), heights_(static_cast<std::size_t>(map.width)) {}
@@ -34,7 +34,7 @@ class MapRows {
                 height = static_cast<float>(map_.offset + map_.scale * height);
                 if (!std::isfinite(height))
                     throw RequestError(
-                        fmt::format("row {} of the map holds a value that is not finite", read_));
+                        fmt::format("row {} of the map has a value that is not finite", read_));
             }
         }
         return heights_;
@@ -44,7 +44,7 @@ class MapRows {
     const HeightMap& map_;
     std::unique_ptr<image::PictureReader> reader_;
     int read_ = 0;
-    std::vector<float> heights_; // of the row that was read last
+    std::vector<float> heights_; // heights of the row read last
 };
 
 } // namespace
@@ -78,7 +78,7 @@ void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& er
     const auto width = static_cast<std::size_t>(map.width);
     MapRows rows(map);
     int next = region.y - passes::erode_halo;
-    std::vector<float> shared; // by this band and the one before
+    std::vector<float> shared; // rows shared by this band and the previous one
     render_plan(device, renderer, write, [&](std::span<float> band) {
         std::ranges::copy(shared, band.begin());
         for (std::size_t at = shared.size(); at < band.size(); at += width)

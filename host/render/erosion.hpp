@@ -15,7 +15,7 @@ namespace gabor::render {
 
 /// A map to erode. Its pixels are `pixel` wide in the unit of its heights.
 struct HeightMap {
-    /// Opens one channel of heights, from the first row on.
+    /// Opens one channel of heights, starting at the first row.
     std::function<std::unique_ptr<image::PictureReader>()> open;
     int width = 0;
     int height = 0;
@@ -33,9 +33,9 @@ inline constexpr std::array<std::string_view, 5> erosion_channels{"height", "slo
 Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
                   const image::Rect& region);
 
-/// Erodes a region band by band, so that memory does not grow with the map's height, and passes on the rows,
-/// channels interleaved. A region has the same pixels as the whole. Throws RequestError for a map that is
-/// damaged or holds a NaN or an infinity.
+/// Erodes a region band by band, so that memory does not grow with the map's height, and passes the rows to
+/// `write`, with interleaved channels. A region has the same pixels as in the whole map. Throws RequestError
+/// for a map that is damaged or contains NaN or infinity.
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
            const image::Rect& region, const std::function<void(std::span<const float>)>& write);
 

@@ -16,15 +16,15 @@ namespace gabor::render {
 
 namespace {
 
-constexpr std::size_t terrain_height = 3; // of terrain_channels
+constexpr std::size_t terrain_height = 3; // index in terrain_channels
 
-// How many values a pixel of the PNG has: 1 or 3.
+// Returns the number of channels in the PNG: 1 or 3.
 int displayed_channels(const Request& request) {
     return has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
 }
 
-// Converts pixels to what a PNG shows, from 0 to 1: grey noise, colours from three noises or a photograph, or
-// the lit material.
+// Converts pixels to what a PNG shows, as values from 0 to 1: grey noise, colours from three noises or a
+// photograph, or the lit material.
 void to_display(const Request& request, std::span<const float> values, std::vector<float>& shown) {
     const std::size_t channels = render::channels(request).size();
     const auto kept = static_cast<std::size_t>(displayed_channels(request));
@@ -62,7 +62,7 @@ std::string software(const vulkan::Device& device) {
 
 image::ExrWriter::Description exr_description(const Request& request, const image::Rect& region,
                                               const std::string& software) {
-    // Linear for materials and terrain, that of the photograph for a fit, none for noise.
+    // The colour space is linear for materials and terrain and the photograph's for a fit; noise has none.
     const bool linear = has_material(request) || (request.colour && request.colour->linear);
     return {.picture = {0, 0, request.width, request.height},
             .window = region,
@@ -98,7 +98,7 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
     std::optional<HeightWriter> heights;
     if (files.heightmap) {
         if (!has_terrain(request) || !is_flat(request.view))
-            throw RequestError("a heightmap requires the view terrain");
+            throw RequestError("a heightmap requires the terrain view");
         const double unit = terrain_unit(request);
         const double reach = unit * (hill_reach + erosion_reach(std::get<Terrain>(request.view).erosion));
         heights.emplace(*files.heightmap, region, files.elevation.value_or(Elevation{-reach, reach}),

@@ -23,7 +23,7 @@ float srgb(float light);
 
 constexpr int most_frames = 9999;
 
-/// Frame `frame` of an animation that takes one period in `frames` frames.
+/// Returns frame `frame` of an animation that takes one period in `frames` frames.
 Request frame_of(Request request, int frame, int frames);
 
 /// Numbers the files of several frames: NAME.exr becomes NAME.0001.exr.
@@ -38,26 +38,26 @@ struct FileTimes {
     FileTimes& operator+=(const FileTimes& other);
 };
 
-/// Names version, device and driver for a file's header. If these agree, so do pixels.
+/// Names version, device and driver for a file's header. If these agree, so do the pixels.
 std::string software(const vulkan::Device& device);
 
-/// Describes the EXR with a region of a picture. `software`: what made it.
+/// Describes the EXR with a region of a picture. `software` is what made it.
 image::ExrWriter::Description exr_description(const Request& request, const image::Rect& region,
                                               const std::string& software);
 
 struct Files {
     std::optional<std::filesystem::path> exr;
     std::optional<std::filesystem::path> png;            ///< a picture to look at
-    std::optional<std::filesystem::path> heightmap = {}; ///< of the view terrain
-    std::optional<Elevation> elevation = {}; ///< of the heightmap; by default the full possible range
+    std::optional<std::filesystem::path> heightmap = {}; ///< heights of the terrain view
+    std::optional<Elevation> elevation = {}; ///< range of the heightmap; by default the full possible range
     std::string_view compression = "none";
-    /// Converts a band to the red, green and blue, from 0 to 1, that the PNG shows instead.
+    /// If set, converts a band to the red, green and blue, from 0 to 1, that the PNG shows.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
     bool normals = false; ///< `colours` needs them: see Viewport
 };
 
-/// Renders `region` of a checked request to files. Calls `advance` with the number of pixels
-/// in each band before writing it; if that throws, no file is left.
+/// Renders `region` of a checked request to files. Calls `advance` with the number of pixels in each band
+/// before writing it; if `advance` throws, no file is left.
 FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
                       const Files& files, const std::function<void(std::uint64_t)>& advance);
 

@@ -13,24 +13,24 @@
 
 namespace gabor::render {
 
-/// Whether a file has this extension, in any case.
+/// Tells whether a file has this extension, ignoring case.
 bool has_extension(const std::filesystem::path& path, std::string_view extension);
 
-/// Heights that 0 and 65535 stand for in files of 16 bits.
+/// Heights that 0 and 65535 stand for in 16-bit files.
 struct Elevation {
     double low;
     double high;
 };
 
-/// A heightmap of 16 bits, PNG or .r16, with a file beside it that says what its numbers mean.
+/// Writes a 16-bit heightmap, PNG or .r16, and beside it a file that says what its numbers mean.
 class HeightWriter {
   public:
-    /// `pixel`: its width in the unit of heights. Throws RequestError unless the elevation rises and the name
-    /// ends in .png or .r16.
+    /// `pixel` is the width of a pixel in the unit of heights. Throws RequestError unless the elevation rises
+    /// and the name ends in .png or .r16.
     HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
                  double pixel);
 
-    /// Takes rows of pixels with so many channels; the heights are at `height`.
+    /// Writes rows of pixels with `channels` channels; `height` is the index of the channel with the heights.
     void write_rows(std::span<const float> rows, std::size_t channels, std::size_t height);
     void commit();
 

@@ -36,8 +36,8 @@ std::string read_text(const std::string& path) {
 void check_paint_size(const std::string& path, int width, int height) {
     constexpr std::size_t most = std::size_t{1} << 24;
     if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > most)
-        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in all are accepted", path,
-                                       width, height, most));
+        throw RequestError(fmt::format("paint '{}' has {} x {} pixels: at most {} in total are accepted",
+                                       path, width, height, most));
 }
 
 Paint load_directions(const std::string& path) {
@@ -91,7 +91,7 @@ Request preset(std::string_view name) {
         return load_request(std::string(name)).request;
     const auto found = std::ranges::find(presets(), name, &Preset::name);
     if (found == presets().end())
-        throw RequestError(fmt::format("unknown preset '{}': the presets are {}, and files NAME.json", name,
+        throw RequestError(fmt::format("unknown preset '{}': expected {} or a file NAME.json", name,
                                        fmt::join(preset_names(), ", ")));
     return from_json(found->json);
 }

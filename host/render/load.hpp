@@ -13,7 +13,7 @@ namespace gabor::render {
 struct Loaded {
     Request request;
     std::optional<image::Rect> region;
-    std::string json; ///< the request's text in the file
+    std::string json; ///< text of the request in the file
 };
 
 /// Reads the `gabor` attribute of an EXR, or a file whose name ends in `.json`. Throws RequestError, naming
@@ -41,15 +41,15 @@ struct Paint {
     int width = 1;
     int height = 1;
     std::vector<float> samples{0, 0}; ///< row by row: cycles per kernel radius, radians
-    bool relative = false;            ///< frequencies are factors of the lobe's, and orientations turn it
+    bool relative = false;            ///< frequencies multiply the lobe's, and orientations add to it
 };
 
-/// Whether a file of paint has directions alone: any picture but an EXR.
+/// Tells whether a paint file has only directions: any picture but an EXR.
 bool has_only_directions(const std::string& path);
 
-/// Reads the channels `frequency` and `orientation`, in degrees, of an EXR of at most 2^24 pixels; or of
-/// another picture red and green, whose distances from one half point right and down along the waves. Returns
-/// one sample of zeros for an empty path. Throws RequestError if it cannot be read or a value is not finite.
+/// Reads a picture of at most 2^24 pixels. An EXR has channels `frequency` and `orientation` (degrees); in
+/// other pictures, red and green minus one half point right and down along the waves. Returns one sample of
+/// zeros for an empty path. Throws RequestError if the file cannot be read or a value is not finite.
 Paint load_paint(const std::string& path);
 
 } // namespace gabor::render

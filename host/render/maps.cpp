@@ -41,7 +41,7 @@ struct Maps {
                        map_channels.size()];
     }
 
-    // A pixel beyond an edge is the opposite one of a tile, or the nearest.
+    // Beyond an edge, a tile wraps around, and other maps repeat the nearest pixel.
     static int within(int i, int side, bool tiled) {
         return tiled ? ((i % side) + side) % side : std::clamp(i, 0, side - 1);
     }
@@ -49,7 +49,7 @@ struct Maps {
         return static_cast<double>(at(within(x, width, tiled), within(y, height, tiled))[height_channel]);
     }
 
-    // The share of the sky's light that reaches the pixel: the mean of cos^2 of the horizon's elevation.
+    // Sets the share of the sky's light that reaches the pixel: the mean of cos^2 of the horizon's elevation.
     void add_occlusion(int x, int y) {
         constexpr std::array<std::array<int, 2>, 8> directions{
             {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -66,9 +66,9 @@ struct Maps {
     }
 };
 
-// What the pixels of a mip level average: as the channels of maps, but instead of the roughness r its r^4,
-// the second moment of the microfacets' slopes, and instead of the normal the slopes along x and y and the
-// sum of their squares.
+// Converts maps to what mip levels average: the same channels, but with r^4, the second moment of the
+// microfacets' slopes, in place of the roughness r, and with the slopes along x and y and the sum of their
+// squares in place of the normal.
 std::vector<float> averaged_from(std::span<const float> maps) {
     std::vector<float> averaged(maps.begin(), maps.end());
     for (std::size_t i = 0; i < averaged.size(); i += map_channels.size()) {
@@ -84,9 +84,9 @@ std::vector<float> averaged_from(std::span<const float> maps) {
     return averaged;
 }
 
-// The slopes that a level has lost widen its microfacets: a^2 = r^4 grows by twice their variance along an
-// axis (Olano and Baker, "LEAN mapping", 2010, without directions; Walter et al. 2007 for the width of
-// Beckmann's and GGX's facets).
+// Converts averages back to maps. The slopes that a level has lost widen its microfacets: a^2 = r^4 grows by
+// twice their variance along an axis (Olano and Baker, "LEAN mapping", 2010, without directions; Walter et
+// al. 2007 for the width of Beckmann's and GGX's facets).
 std::vector<float> maps_from(std::span<const float> averaged) {
     std::vector<float> maps(averaged.begin(), averaged.end());
     for (std::size_t i = 0; i < maps.size(); i += map_channels.size()) {
@@ -94,7 +94,7 @@ std::vector<float> maps_from(std::span<const float> averaged) {
         float* const normal = pixel + normal_channel;
         const float right = normal[0];
         const float down = normal[1];
-        const float lost = std::max(normal[2] - right * right - down * down, 0.0f); // along both axes
+        const float lost = std::max(normal[2] - right * right - down * down, 0.0f); // sum over both axes
         pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + lost, 1.0f), 0.25f);
         const float length = std::sqrt(right * right + down * down + 1);
         normal[0] = -right / length;
@@ -104,7 +104,7 @@ std::vector<float> maps_from(std::span<const float> averaged) {
     return maps;
 }
 
-// The level with half the sides.
+// Returns the level with half the sides.
 std::vector<float> halved(std::span<const float> level, int width, int height) {
     const auto channels = map_channels.size();
     const int x_step = width > 1 ? 2 : 1;
@@ -123,7 +123,7 @@ std::vector<float> halved(std::span<const float> level, int width, int height) {
     return half;
 }
 
-// Writes the levels below the first.
+// Writes the levels after the first.
 void write_levels(image::ExrWriter& writer, std::span<const float> maps, int width, int height) {
     std::vector<float> level = averaged_from(maps);
     while (width > 1 || height > 1) {
@@ -134,7 +134,7 @@ void write_levels(image::ExrWriter& writer, std::span<const float> maps, int wid
     }
 }
 
-// The maps of a pixel that was rendered, but for its occlusion.
+// Appends the maps of a rendered pixel, except for its occlusion.
 void add_maps(std::span<const float> pixel, bool terrain, std::vector<float>& maps) {
     constexpr std::size_t height = 3;
     constexpr std::size_t terrain_slope = 4;
@@ -185,7 +185,7 @@ constexpr const char* exr_name = "maps.exr";
 constexpr const char* materialx_name = "material.mtlx";
 constexpr const char* gltf_name = "material.gltf";
 
-// Makes the folder, and removes it again unless it is kept.
+// Creates the folder if there is none. In the end, removes a new folder that is still empty.
 class Folder {
   public:
     explicit Folder(const std::filesystem::path& path) : path_(path) {
@@ -193,7 +193,7 @@ class Folder {
         made_ = std::filesystem::create_directory(path, error);
         if (error)
             throw RequestError(
-                fmt::format("--maps '{}': cannot make the folder: {}", path.string(), error.message()));
+                fmt::format("--maps '{}': cannot create the folder: {}", path.string(), error.message()));
     }
     ~Folder() {
         std::error_code ignored;
@@ -228,18 +228,18 @@ std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
                  const MapFormat& format, const std::function<void(std::uint64_t)>& advance) {
     if (!has_maps(request))
-        throw RequestError("--maps requires a material in the view flat, as in --material wood, or the view "
-                           "terrain");
+        throw RequestError(
+            "--maps requires a material in --view flat, as in --material wood, or --view terrain");
     const bool terrain = has_terrain(request);
     const bool tileable =
         terrain ? std::get<Terrain>(request.view).tileable : std::get<Plane>(request.view).tileable;
     if (std::max(request.width, request.height) > most_map_side)
-        throw RequestError(fmt::format("maps of {} x {} pixels: they have at most {} x {}", request.width,
-                                       request.height, most_map_side, most_map_side));
+        throw RequestError(fmt::format("maps of {} x {} pixels are too large: at most {} x {} are supported",
+                                       request.width, request.height, most_map_side, most_map_side));
     const Folder made(folder);
     const std::size_t row = static_cast<std::size_t>(request.width) * map_channels.size();
     const std::vector<Png> pngs = pngs_of(format);
-    std::vector<image::PngWriter> writers; // open before the work begins, to fail early
+    std::vector<image::PngWriter> writers; // opened before the work begins, to fail early
     for (const Png& png : pngs)
         writers.emplace_back(png_path(folder, png), request.width, request.height,
                              static_cast<int>(png.channels.size()), png.bits);
@@ -252,7 +252,7 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     image::OutputFile materialx(folder / materialx_name);
     image::OutputFile scene(folder / gltf_name);
 
-    const double unit = terrain ? terrain_unit(request) : 1; // of heights, per kernel radius
+    const double unit = terrain ? terrain_unit(request) : 1; // height units per kernel radius
     Maps maps{request.width, request.height, tileable, request.scale / unit, {}};
     maps.values.reserve(row * static_cast<std::size_t>(request.height));
     render_region(device, request, whole, [&](std::span<const float> rows) {

@@ -11,31 +11,31 @@
 
 namespace gabor::render {
 
-/// The largest side of maps, in pixels: they are held in memory, 64 bytes per pixel.
+/// The largest side of maps, in pixels: maps take 64 bytes of memory per pixel.
 constexpr int most_map_side = 8192;
 
 struct MapFormat {
-    bool directx = false; ///< also normal_directx.png
-    bool texture = false; ///< maps.exr with mip levels, which turn lost slopes into roughness
-    bool half = false;    ///< of the texture
+    bool directx = false; ///< also write normal_directx.png
+    bool texture = false; ///< give maps.exr mip levels, which turn lost slopes into roughness
+    bool half = false;    ///< store the texture as 16-bit floats
 };
 
-/// fmt templates of the set's MaterialX document and of its glTF scene, which shows a square: files of
-/// host/render/scenes.
+/// fmt templates of the set's MaterialX document and of its glTF scene, which shows a square; they are files
+/// in host/render/scenes.
 extern const std::string_view materialx_template, gltf_template;
 
-/// Whether the request has maps: a material in the plane, or terrain.
+/// Tells whether the request has maps: a material in the plane, or terrain from above.
 bool has_maps(const Request& request);
 
-/// All files that render_maps writes.
+/// Lists all files that render_maps writes.
 std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder, const MapFormat& format);
 
 /// Writes a checked request's material, or terrain from above, as images for other programs: base_color.png
-/// (sRGB), normal.png (OpenGL), height.png (16 bits, from the lowest to the highest), roughness.png,
+/// (sRGB), normal.png (OpenGL), height.png (16 bits, from the lowest to the highest point), roughness.png,
 /// metalness.png, occlusion.png, orm.png (occlusion, roughness and metalness, as glTF packs them), maps.exr
-/// with all of them, material.mtlx and material.gltf. The files appear
-/// together when all are complete; the folder is made if there is none. Calls `advance` with the number of
-/// pixels in each band. Throws RequestError if the request has no maps or is too large.
+/// with all of them, material.mtlx and material.gltf. The files appear together when all are complete; the
+/// folder is created if there is none. Calls `advance` with the number of pixels in each band. Throws
+/// RequestError if the request has no maps or is too large.
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
                  const MapFormat& format, const std::function<void(std::uint64_t)>& advance);
 

@@ -16,16 +16,16 @@ constexpr std::array<std::string_view, 12> materials{"wood",  "fabric",  "leathe
 /// Stands for no material: the noise itself.
 constexpr std::string_view no_material = "none";
 
-/// The parameters of the request's material, as its struct lies in a buffer with the layout std430.
+/// The parameters of the request's material, laid out like its struct in a std430 buffer.
 std::vector<float> material_parameters(const Request& request);
 
 /// Channels of a material's pixels: the members of GaborMaterial, the lit colour, and the slopes of the
 /// height along x and y, which bodies lack.
 constexpr std::array<std::string_view, 11> material_channels{
     "R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B", "slope.x", "slope.y"};
-constexpr std::size_t lit_channel = 6; ///< of materials and terrain
+constexpr std::size_t lit_channel = 6; ///< index of lit.R in both lists of channels
 
-/// Channels of a terrain's pixels. Those that a material has too are at the same place.
+/// Channels of a terrain's pixels. Height and the colours have the same indices as for a material.
 constexpr std::array<std::string_view, 11> terrain_channels{
     "R", "G", "B", "height", "slope.x", "slope.y", "lit.R", "lit.G", "lit.B", "ridge", "erosion"};
 

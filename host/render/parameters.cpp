@@ -23,10 +23,10 @@ using noise::Lobe;
 constexpr Range none{};
 constexpr std::size_t most_lobes = 16;
 constexpr std::string_view one_lobe = "a single lobe";
-constexpr std::string_view bodies = "the views sphere and torus";
-constexpr std::string_view terrains = "the views terrain and landscape";
+constexpr std::string_view bodies = "the sphere or torus view";
+constexpr std::string_view terrains = "the terrain or landscape view";
 constexpr std::string_view lit_views = "a material or terrain";
-constexpr std::string_view orbits = "the views sphere, torus and landscape";
+constexpr std::string_view orbits = "the sphere, torus or landscape view";
 
 // A view with its default values.
 struct NamedView {
@@ -55,7 +55,7 @@ std::string_view name_of(const View& view) {
         ->name;
 }
 
-// The view of that name; keeps values that the view before has too.
+// Returns the view with that name; keeps values that the previous view has too.
 View view_of(std::string_view name, const View& before) {
     const View& fresh = std::ranges::find(named_views, name, &NamedView::name)->view;
     if (fresh.index() != before.index())
@@ -70,7 +70,7 @@ View view_of(std::string_view name, const View& before) {
 
 // ---- The table ----
 
-// Makes a row from a function that finds the value in a request, or returns a null pointer.
+// Makes a row from a function that returns a pointer to the value in a request, or null if it has none.
 template <typename Find>
 Parameter row(std::string_view name, Kind kind, std::string_view unit, Range range, Range slider,
               std::string_view applies_to, std::string_view help, Find find) {
@@ -97,7 +97,7 @@ Parameter flag(std::string_view name, std::string_view applies_to, std::string_v
     return row(name, Kind::flag, "", none, none, applies_to, help, find);
 }
 
-// Finds a value that only one kind of view has.
+// Returns a function that finds a value of one kind of view.
 template <typename OneView, typename T>
 auto in_view(T OneView::*member) {
     return [member](auto& request) {
@@ -106,7 +106,7 @@ auto in_view(T OneView::*member) {
     };
 }
 
-// Finds a value of the camera of a body or landscape.
+// Returns a function that finds a value of the camera of a body or landscape.
 auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
     return [=](auto& request) {
         auto* body = std::get_if<Body>(&request.view);
@@ -115,7 +115,7 @@ auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
     };
 }
 
-// Finds a value of the light.
+// Returns a function that finds a value of the light.
 auto if_lit(double Request::*member) {
     return [member](auto& request) { return has_material(request) ? &(request.*member) : nullptr; };
 }
@@ -145,9 +145,9 @@ constexpr std::array of_lobe{
     lobe_row("power", Kind::number, "relative to other lobes", {0, 1e9}, {0, 1}, "Share of the variance",
              &Lobe::power),
     lobe_row("radius", Kind::number, "kernel radii", {0.01, 100}, {0.1, 10},
-             "Radius of its kernels; a larger radius makes the lobe narrower", &Lobe::radius),
+             "Radius of the kernels; a larger radius makes the lobe narrower", &Lobe::radius),
     lobe_row("stretch", Kind::number, "", {0.01, 100}, {0.1, 10},
-             "Radius of its kernels along y, divided by that along x", &Lobe::stretch),
+             "Radius of the kernels along y, divided by their radius along x", &Lobe::stretch),
 };
 
 Parameter single_lobe_row(const LobeParameter& p) {
@@ -157,7 +157,7 @@ Parameter single_lobe_row(const LobeParameter& p) {
                });
 }
 
-// A parameter of a material. The first number is that of a number or an angle.
+// A parameter of a material. Numbers and angles use only the first of the three defaults.
 struct MaterialRow {
     std::string_view name;
     Kind kind;
@@ -180,7 +180,7 @@ Parameter material_row(const MaterialRow& made) {
             made.kind == Kind::angle ? "degrees" : "",
             made.range,
             made.kind == Kind::angle && made.range.low < 0 ? Range{-180, 180} : made.range,
-            fmt::format("the material {}", material_of(made.name)),
+            fmt::format("the {} material", material_of(made.name)),
             made.help,
             [&made](const Request& request) -> std::optional<Value> {
                 if (request.material != material_of(made.name))
@@ -219,30 +219,31 @@ std::vector<Parameter> make_table() {
         single_lobe_row(of_lobe[2]),
         single_lobe_row(of_lobe[3]),
         {"lobes", Kind::lobes, "", none, none, "",
-         "The power spectrum, a list of lobes; their noises are added",
+         "The power spectrum as a list of lobes, whose noises are added",
          [](const Request& r) { return Value(r.lobes); },
          [](Request& r, const Value& v) { r.lobes = std::get<std::vector<Lobe>>(v); }},
-        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "", "Seed: each gives another noise",
+        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "", "Seed; each seed gives another noise",
             [](auto& r) { return &r.seed; }),
         row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, "", "Time in an animation with period 1",
             [](auto& r) { return &r.time; }),
         {"view", Kind::choice, "", none, none, "",
          "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
          "in "
-         "space; `sphere` and `torus` carry noise on their surface; `terrain` shows eroded mountains from "
+         "space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded mountains from "
          "above "
-         "and `landscape` in perspective: channels R, G, B, height, slope.x, slope.y, lit.R, lit.G, lit.B, "
+         "and `landscape` in perspective, with channels R, G, B, height, slope.x, slope.y, lit.R, lit.G, "
+         "lit.B, "
          "ridge, erosion",
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
-         "Draw a material instead of the noise, on planes and bodies: channels R, G, B (linear), height, "
+         "Draw a material instead of the noise, on planes and bodies, with channels R, G, B (linear), "
+         "height, "
          "roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. `gabor "
-         "materials NAME` lists its "
-         "own options, such as --wood.rings",
+         "materials NAME` lists the options of one material, such as --wood.rings",
          [](const Request& r) { return Value(r.material); },
          [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
-        flag("tileable", "the views flat and terrain", "Make the picture tile without seams",
+        flag("tileable", "the flat or terrain view", "Make the picture tile without seams",
              [](auto& r) {
                  auto* plane = std::get_if<Plane>(&r.view);
                  auto* terrain = std::get_if<Terrain>(&r.view);
@@ -250,7 +251,7 @@ std::vector<Parameter> make_table() {
                         : terrain && !terrain->perspective ? &terrain->tileable
                                                            : nullptr;
              }),
-        row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, "the view slice",
+        row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, "the slice view",
             "Depth of the slice", in_view(&Slice::depth)),
         flag("solid", bodies, "Cut the body from solid noise", in_view(&Body::solid)),
         row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, orbits,
@@ -260,19 +261,20 @@ std::vector<Parameter> make_table() {
         row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, orbits, "Zoom factor; 1 shows the whole body",
             in_orbit(&Body::zoom, &Terrain::zoom)),
         row("light_azimuth", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, lit_views,
-            "Where the light comes from: 0 is the right, 90 below", if_lit(&Request::light_azimuth)),
+            "Direction that the light comes from: 0 is right, 90 below", if_lit(&Request::light_azimuth)),
         row("light_elevation", Kind::angle, "degrees", {0, 90}, {0, 90}, lit_views,
             "Angle of the light above the surface", if_lit(&Request::light_elevation)),
         row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, terrains,
-            "Width of the picture in the unit of its heights; 0 for kernel radii", in_view(&Terrain::extent)),
+            "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
+            in_view(&Terrain::extent)),
         row("octaves", Kind::integer, "", {0, 16}, {0, 10}, terrains, "Octaves of gullies",
             [](auto& r) {
                 auto* terrain = std::get_if<Terrain>(&r.view);
                 return terrain ? &terrain->erosion.octaves : nullptr;
             }),
         erosion_row("gully_frequency", {1e-3, 1e4}, {0.1, 10},
-                    "Gullies of the first octave per kernel radius", &Erosion::frequency),
-        erosion_row("strength", {0, 10}, {0, 0.5}, "Depth of these gullies times their frequency",
+                    "Number of first-octave gullies per kernel radius", &Erosion::frequency),
+        erosion_row("strength", {0, 10}, {0, 0.5}, "Depth of first-octave gullies times their frequency",
                     &Erosion::strength),
         erosion_row("lacunarity", {1, 8}, {1, 4}, "Frequency of an octave, relative to the previous one",
                     &Erosion::lacunarity),
@@ -282,20 +284,22 @@ std::vector<Parameter> make_table() {
                     &Erosion::onset),
         erosion_row("detail", {0.1, 100}, {0.1, 10},
                     "How far fine gullies reach into creases and onto ridges", &Erosion::detail),
-        erosion_row("sharpness", {0, 100}, {0, 8}, "How equal gullies are in depth", &Erosion::sharpness),
+        erosion_row("sharpness", {0, 100}, {0, 8}, "How equal the depths of gullies are",
+                    &Erosion::sharpness),
         erosion_row("ridge_rounding", {0, 10}, {0, 2}, "Width of rounded ridges", &Erosion::ridge_rounding),
         erosion_row("crease_rounding", {0, 10}, {0, 2}, "Width of rounded creases",
                     &Erosion::crease_rounding),
         erosion_row("gully_weight", {0, 1}, {0, 1}, "Depth of gullies, relative to that of peaks and valleys",
                     &Erosion::gully_weight),
-        erosion_row("branching", {0, 10}, {0, 2}, "How far gullies turn finer ones", &Erosion::branching),
+        erosion_row("branching", {0, 10}, {0, 2}, "How far gullies turn the finer gullies beside them",
+                    &Erosion::branching),
         flag("filter", "",
-             "Antialias with a Gaussian filter of half a pixel. Adds, in the plane, a channel `removed`: the "
+             "Antialias with a Gaussian filter of half a pixel. In the plane, adds a channel `removed`: the "
              "share "
              "of the variance that the filter removes",
              [](auto& r) { return &r.filter; }),
         row("paint", Kind::text, "", none, none, "",
-            "A map stretched over the picture: a PNG, JPEG or TGA whose red and green, less one half, point "
+            "A map stretched over the picture: a PNG, JPEG or TGA whose red and green, minus one half, point "
             "right "
             "and down along the waves, turned by the orientation; or an EXR with channels `frequency` and "
             "`orientation` (degrees)",
@@ -345,7 +349,7 @@ const std::array exclusions{
               },
               "stretched kernels require a lattice recipe"},
     Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
-              "in a plane, the filter requires the lattice recipe"},
+              "in the plane, the filter requires the lattice recipe"},
     Exclusion{"view", "recipe",
               [](const Request& r) {
                   return in_space(r) && r.recipe != noise::recipes().front() &&
@@ -354,14 +358,14 @@ const std::array exclusions{
               "noise in space always uses the lattice recipe"},
 };
 
-// Parameters that materials and terrain use.
+// The parameters that materials and terrain use besides their own.
 constexpr std::array of_material{
     "width"sv,    "height"sv, "scale"sv, "recipe"sv, "seed"sv,     "view"sv,          "filter"sv,
     "material"sv, "yaw"sv,    "pitch"sv, "zoom"sv,   "tileable"sv, "light_azimuth"sv, "light_elevation"sv};
 constexpr std::array of_terrain{"width"sv, "height"sv, "scale"sv,   "recipe"sv,
                                 "seed"sv,  "view"sv,   "material"sv};
 
-// Parameters that are set but that the material or terrain does not use.
+// Returns the parameters that are set although the material or terrain does not use them.
 std::vector<const Parameter*> unused_by_material(const Request& request) {
     std::vector<const Parameter*> found;
     if (has_material(request))
@@ -378,7 +382,7 @@ bool are_of_colour(const std::vector<Lobe>& lobes, const noise::Colour& colour) 
            std::ranges::all_of(lobes, [](const Lobe& l) { return l.is_one_wave() && l.power > 0; });
 }
 
-// Whether the request has anything that cannot be coloured.
+// Tells whether the request has anything that cannot be coloured.
 bool is_colourless(const Request& request) {
     return request.quadrature || request.gradient || request.phasor || request.values > 1 ||
            !request.paint.empty() || has_material(request);
@@ -398,7 +402,7 @@ std::string accepted_number(Kind kind, const Range& range, std::string_view unit
     return text;
 }
 
-// Linear light from a number of sRGB.
+// Converts an sRGB byte to linear light.
 double linear(int byte) {
     const double value = byte / 255.0;
     return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
@@ -446,10 +450,10 @@ void check_lobes(const std::vector<Lobe>& lobes) {
     for (const Lobe& lobe : lobes)
         for (const LobeParameter& p : of_lobe)
             if (!within(lobe.*p.member, p.range))
-                throw RequestError(fmt::format("{} of a lobe {}: expected {}", p.name, lobe.*p.member,
+                throw RequestError(fmt::format("{} {} of a lobe: expected {}", p.name, lobe.*p.member,
                                                accepted_number(p.kind, p.range, p.unit)));
     if (std::ranges::none_of(lobes, [](const Lobe& lobe) { return lobe.power > 0; }))
-        throw RequestError("no lobe has power: at least one must");
+        throw RequestError("no lobe has power: at least one must have power");
 }
 
 void check_value(const Parameter& p, const Value& value) {
@@ -473,7 +477,7 @@ void check_value(const Parameter& p, const Value& value) {
     }
 }
 
-// The start of a message about a parameter.
+// Returns the beginning of a message about a parameter.
 std::string prefix(const Parameter& p) {
     return fmt::format("{}{} ", p.name, p.kind == Kind::lobes ? ":" : "");
 }
@@ -493,7 +497,7 @@ std::string option_name(const Parameter& parameter) {
 
 std::vector<const Parameter*> erosion_parameters() {
     std::vector<const Parameter*> found;
-    bool reached = false; // the last rows of the table that only terrain has
+    bool reached = false; // whether the loop has reached the rows of erosion
     for (const Parameter& p : parameters())
         if ((reached |= p.name == "octaves") && p.applies_to == terrains)
             found.push_back(&p);
@@ -508,7 +512,7 @@ const Parameter& parameter(std::string_view name) {
     const auto found = std::ranges::find(parameters(), name, &Parameter::name);
     if (found != parameters().end())
         return *found;
-    std::vector<std::string_view> names; // of the same material, or of noise
+    std::vector<std::string_view> names; // names of the same material's parameters, or of the noise's
     for (const Parameter& p : parameters())
         if (is_of_one_material(p) ? name.starts_with(fmt::format("{}.", material_of(p.name)))
                                   : name.find('.') == name.npos)
@@ -601,7 +605,7 @@ std::string to_text(const Value& value) {
 
 void set(Request& request, const Values& values) {
     for (const bool deciding : {true, false}) {
-        for (const auto& named : values) { // no structured binding: clang's lambdas cannot capture them
+        for (const auto& named : values) { // clang's lambdas cannot capture structured bindings
             const Parameter* p = named.first;
             const Value& value = named.second;
             if (deciding != (p->kind == Kind::choice || p->kind == Kind::lobes))
@@ -631,7 +635,7 @@ bool is_set(const Request& request, std::string_view name) {
     const Parameter& p = parameter(name);
     const std::optional<Value> value = p.get(request);
     std::optional<Value> by_default = p.get(Request());
-    if (!by_default) { // only some views or lobes have it
+    if (!by_default) { // only some requests have this parameter
         Request fresh;
         fresh.lobes = request.lobes;
         fresh.material = request.material;
@@ -709,31 +713,30 @@ void check(const Request& request) {
                                            described(exclusion.other), exclusion.because));
         }
     for (const Parameter* p : unused_by_material(request))
-        throw RequestError(fmt::format("{} conflicts with {}: it is a parameter of the noise", p->name,
+        throw RequestError(fmt::format("{} conflicts with {}: only the noise has this parameter", p->name,
                                        has_terrain(request) ? fmt::format("view {}", name_of(request.view))
                                                             : "material " + request.material));
     if (request.colour && !are_of_colour(request.lobes, *request.colour))
-        throw RequestError(
-            "a colour requires weights for each lobe, and lobes with power and without spread: use the "
-            "lobes that came with it");
+        throw RequestError("colour requires weights for each lobe, and lobes with power and without spread: "
+                           "use the lobes that came with the colour");
     if (request.colour && is_colourless(request))
         throw RequestError(
             "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
     if (const Terrain* terrain = std::get_if<Terrain>(&request.view);
         terrain && terrain->tileable && std::min(request.width, request.height) < 4 * request.scale)
         throw RequestError(
-            fmt::format("a tile of terrain of {} x {} pixels at scale {}: each side must be at "
+            fmt::format("a terrain tile of {} x {} pixels at scale {} is too small: each side must be at "
                         "least four kernel radii, {} pixels",
                         request.width, request.height, request.scale, std::ceil(4 * request.scale)));
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::longest_radius).longest_radius();
     const double least = std::ceil(2 * radius * request.scale);
     if (plane && plane->tileable && !has_material(request) && std::min(request.width, request.height) < least)
-        throw RequestError(
-            fmt::format("a tileable picture of {} x {} pixels at scale {}: each side must be at least two "
-                        "kernel radii{}, {} pixels",
-                        request.width, request.height, request.scale,
-                        request.lobes.size() > 1 ? " of its widest lobe" : "", least));
+        throw RequestError(fmt::format(
+            "a tileable picture of {} x {} pixels at scale {} is too small: each side must be at least two "
+            "kernel radii{}, {} pixels",
+            request.width, request.height, request.scale,
+            request.lobes.size() > 1 ? " of its widest lobe" : "", least));
 }
 
 } // namespace gabor::render

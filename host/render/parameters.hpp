@@ -9,7 +9,8 @@
 
 namespace gabor::render {
 
-/// The value of any parameter. Integers are `double` too: all that occur here are exact. Colours are linear.
+/// The value of any parameter. Integers are `double` too, which is exact for all that occur here. Colours are
+/// linear.
 using Value = std::variant<bool, double, std::string, std::vector<noise::Lobe>, std::array<double, 3>>;
 
 /// A closed interval.
@@ -18,17 +19,17 @@ struct Range {
     double high = 0;
 };
 
-/// A row of the table of what a Request holds. Options of the command line, JSON, checks with their messages
-/// and the viewer's controls come from these rows.
+/// A row of the table that describes a Request. Command-line options, JSON, checks, their messages and the
+/// viewer's controls all come from these rows.
 struct Parameter {
     enum class Kind { flag, integer, number, angle, choice, text, recipe, lobes, colour };
 
-    std::string_view name; ///< in JSON; the option has - for _
+    std::string_view name; ///< name in JSON; the command-line option has - for _
     Kind kind;
-    std::string_view unit;  ///< "cycles per kernel radius"; empty for none
-    Range range;            ///< of integers, numbers and angles
+    std::string_view unit;  ///< such as "cycles per kernel radius"; empty for none
+    Range range;            ///< limits of integers, numbers and angles
     Range slider;           ///< the part of the range that a slider covers, logarithmic if low > 0
-    std::string applies_to; ///< requests that have it, as in "the view slice"; empty for all
+    std::string applies_to; ///< requests that have it, as in "the slice view"; empty for all
     std::string_view help;  ///< a sentence without its full stop
 
     /// Returns the value, or nothing if the request has no such parameter.
@@ -40,13 +41,13 @@ struct Parameter {
 /// The table, in the order in which files and help texts list it.
 std::span<const Parameter> parameters();
 
-/// The command line's option for a parameter.
+/// The command-line option for a parameter.
 std::string option_name(const Parameter& parameter);
 
-/// The rows of GaborErosion.
+/// The rows for the members of GaborErosion.
 std::vector<const Parameter*> erosion_parameters();
 
-/// Returns the row of that name. Throws RequestError, listing the names, if there is none.
+/// Returns the parameter with that name. Throws RequestError, listing the names, if there is none.
 const Parameter& parameter(std::string_view name);
 
 /// A value of a lobe, described as in Parameter.
@@ -63,10 +64,10 @@ struct LobeParameter {
 /// The values of a lobe, in the order in which files list them.
 std::span<const LobeParameter> lobe_parameters();
 
-/// The values of a choice or a recipe.
+/// The accepted values of a choice or a recipe.
 std::vector<std::string_view> choices(const Parameter& parameter);
 
-/// What is accepted, as in "a number from 2 to 4096 (pixels per kernel radius)".
+/// Describes what is accepted, as in "a number from 2 to 4096 (pixels per kernel radius)".
 std::string accepted(const Parameter& parameter);
 
 /// Reads a value: "12", "45deg", "0.7854rad", "true", "horizon", "#c08040", "0.5,0.3,0.1" or a JSON list of
@@ -74,8 +75,8 @@ std::string accepted(const Parameter& parameter);
 Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 
-/// Sets values, view and lobes first, since they decide which other parameters exist. Throws RequestError for
-/// a value out of range, or a parameter that the request does not have.
+/// Sets values. Starts with view, material and lobes, which decide what other parameters exist. Throws
+/// RequestError for a value out of range, or a parameter that the request does not have.
 using Values = std::vector<std::pair<const Parameter*, Value>>;
 void set(Request& request, const Values& values);
 void set(Request& request, std::string_view name, const Value& value);
@@ -83,30 +84,30 @@ void set(Request& request, std::string_view name, const Value& value);
 /// Sets a parameter from text.
 void set_text(Request& request, std::string_view name, std::string_view text);
 
-/// Whether the request has that parameter, and its value is not the default.
+/// Tells whether the request has that parameter with a value other than the default.
 bool is_set(const Request& request, std::string_view name);
 
-/// Resets everything that conflicts with this parameter, colours too. The window does so; the command line
-/// refuses conflicts.
+/// Resets everything that conflicts with this parameter, including colours. The viewer does so; the command
+/// line refuses conflicts.
 void drop_conflicting(Request& request, std::string_view name);
 
-/// Throws RequestError if a value is out of range, or two conflict.
+/// Throws RequestError if a value is out of range, or if two parameters conflict.
 void check(const Request& request);
 
-/// Whether the request's material or terrain uses that parameter.
+/// Tells whether the request's material or terrain uses that parameter.
 bool applies_to_material(const Request& request, std::string_view name);
 
-/// Whether it is a parameter of one material, named MATERIAL.PARAMETER.
+/// Tells whether this is a parameter of one material, named MATERIAL.PARAMETER.
 bool is_of_one_material(const Parameter& parameter);
 
-/// Writes the request as one JSON object, like the `gabor` attribute of EXR files, and reads it. `from_json`
-/// uses defaults for absent values, ignores known ones that the request does not have, and throws
+/// `to_json` writes the request as one JSON object, like the `gabor` attribute of EXR files. `from_json`
+/// reads it, uses defaults for absent values, ignores known ones that the request does not have, and throws
 /// RequestError on anything else.
 std::string to_json(const Request& request);
 Request from_json(std::string_view json);
 
-/// Reads lobes from a JSON list or from the `lobes` of a request, and writes a list. Throws RequestError if
-/// there is no list.
+/// Read lobes from a JSON list or from the `lobes` of a request, and write a list. Reading throws
+/// RequestError if there is no list.
 std::vector<noise::Lobe> lobes_from_json(std::string_view json);
 std::string lobes_to_json(const std::vector<noise::Lobe>& lobes);
 

@@ -20,7 +20,7 @@ namespace gabor::render {
 
 namespace {
 
-constexpr double least_baked_cell = 8; // pixels; a block lies within a cell
+constexpr double least_baked_cell = 8; // side in pixels; a block lies within a cell
 
 std::uint32_t view_constant(const View& view) {
     if (std::holds_alternative<Horizon>(view))
@@ -51,7 +51,7 @@ Constants constants_of(const Request& request) {
     return constants;
 }
 
-// A pass with one invocation per value.
+// Makes a step with one invocation per value.
 template <typename Push>
 Step step_of(std::string shader, const Constants& constants, const Push& push, std::uint32_t group) {
     const int side = static_cast<int>(group);
@@ -68,14 +68,15 @@ Push push_of(const image::Rect& region) {
 
 // ---- The plane, pixel by pixel ----
 
-// The length of a pixel in kernel radii; in perspective, the height of the camera, which gives the bottom one
-// of `height` rows the request's scale.
+// The length of a pixel in kernel radii; in perspective, the height of the camera at which the bottom of
+// `height` rows has the request's scale.
 double pixel_length(const Request& request, int height) {
     return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
 }
 
 // The places of pixels along an axis, for kernels of each radius. In perspective the cell is the camera's,
-// and places count pixels from the middle of the horizon, `origin` pixels from the edge of the view.
+// and places are in pixels from the middle of the horizon, which is `origin` pixels from the edge of the
+// view.
 std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, std::size_t axis,
                                 const Coordinate& middle, int view, int side, int first, int count,
                                 double origin) {
@@ -83,8 +84,8 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
     const Coordinate start = in_perspective(request) ? middle : corner_of(middle, view, request, viewport);
     struct Table {
         std::int32_t cell;
-        double place; // of the first pixel
-        double step;  // cells
+        double place; // place of the first pixel
+        double step;  // step in cells
     };
     std::vector<Table> tables;
     for (const auto& radii : noise::radii(noise::waves(request.lobes, request.seed))) {
@@ -111,8 +112,8 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
 std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewport& viewport,
                                              const Paint& paint) {
     std::vector<noise::Lobe> lobes = request.lobes;
-    double unit = 1;                                 // of the paint's frequencies
-    if (!request.paint.empty() && !paint.relative) { // a single lobe
+    double unit = 1;                                 // unit of the paint's frequencies
+    if (!request.paint.empty() && !paint.relative) { // such paint has a single lobe
         unit = std::clamp(highest_frequency(request, paint), 1e-3, 1e6);
         lobes.front().frequency = unit;
         lobes.front().orientation = 0;
@@ -140,14 +141,14 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
             .seed = wave.seed,
             .table = static_cast<int>(std::ranges::find(tables, wave.radius) - tables.begin()),
             .weights = {}});
-        put_weights(made.weights, request, i); // in colour each lobe has one wave
+        put_weights(made.weights, request, i); // in colour, each lobe has one wave
         if (!in_perspective(request) && request.paint.empty())
             fade(made, share_left(request, viewport, wave.frequency));
     }
     return result;
 }
 
-// As many as passes/pixels.comp unrolls.
+// The largest number of waves that passes/pixels.comp unrolls.
 constexpr std::size_t few_waves = 16;
 
 void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, const Paint& paint) {
@@ -160,7 +161,7 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
     if (!in_perspective(request))
         push.pixel *= stride;
-    push.focal_length = static_cast<float>(viewport.width) / stride; // in coarse pixels
+    push.focal_length = static_cast<float>(viewport.width) / stride; // measured in coarse pixels
     push.waves = static_cast<int>(waves.size());
     push.tables = static_cast<int>(noise::radii(noise::waves(request.lobes, request.seed)).size());
     // The paint covers the picture, whose corner is the origin of the plane.
@@ -185,8 +186,8 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     Constants constants = constants_of(request);
     if (waves.size() <= few_waves) {
         constants[passes::few_waves_id] = vulkan::constant(push.waves);
-        // The deviation of a pixel's filter in kernel radii, for gabor_impl_wide_share. It is no constant in
-        // a window, which would compile another pipeline for each scale.
+        // The deviation of a pixel's filter in kernel radii, for gabor_impl_wide_share. In the viewer it is
+        // not a constant, or each scale would need its own pipeline.
         const bool is_constant =
             request.filter && !in_perspective(request) && viewport.blocks == Blocks::fitted;
         for (std::size_t i = 0; i < waves.size() && is_constant; ++i) {
@@ -249,7 +250,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
                               .seed = wave.seed,
                               .isotropic = wave.isotropic,
                               .weights = {}});
-        put_weights(made.weights, request, waves.size() - 1); // in colour each lobe has one wave
+        put_weights(made.weights, request, waves.size() - 1); // in colour, each lobe has one wave
         if (is_flat(request.view))
             fade(made, share_left(request, viewport, wave.frequency));
     }
@@ -261,7 +262,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     push.waves = static_cast<int>(waves.size());
     if (const Slice* slice = std::get_if<Slice>(&request.view)) {
         const Camera& camera = viewport.camera;
-        // Rounded, so that values fall on whole places.
+        // Rounds, so that values fall on whole places.
         const auto first = [&](const Coordinate& middle, int pixels) {
             const double at = (static_cast<double>(middle.whole) + middle.part) * request.scale * camera.zoom;
             return static_cast<int>(std::clamp(std::round((at - pixels / 2.0) / viewport.stride), -1e9, 1e9));
@@ -272,7 +273,8 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
         push.depth = static_cast<float>(slice->depth);
     } else {
         push_body(push, request, viewport);
-        push.share = 1.0f / static_cast<float>(viewport.stride); // else noise would vanish while a body turns
+        push.share =
+            1.0f / static_cast<float>(viewport.stride); // otherwise noise would vanish while a body turns
     }
     Constants constants = constants_of(request);
     constants[passes::isotropic_id] = std::ranges::any_of(request.lobes, is_isotropic);
@@ -285,7 +287,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
 
 // ---- Materials ----
 
-// In flat views the light stays in place over the view.
+// Plans a material. In flat views, the light stays in place over the view.
 void plan_material(Plan& plan, const Request& request, const Viewport& viewport) {
     const Camera& camera = viewport.camera;
     const bool flat = is_flat(request.view);
@@ -326,7 +328,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
 
 // ---- Terrain ----
 
-constexpr double focal_length = 0.8; // longer sides of the picture
+constexpr double focal_length = 0.8; // relative to the longer side of the picture
 
 void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) {
     const Terrain& terrain = std::get<Terrain>(request.view);
@@ -355,7 +357,7 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     if (terrain.perspective) {
         const double side = std::max(viewport.width, viewport.height);
         push.center = half(viewport);
-        push.center.y *= 1.3f; // for the sky
+        push.center.y *= 1.3f; // leaves room for the sky
         push.yaw = direction(noise::radians(std::remainder(terrain.yaw, 360.0)));
         push.pitch = direction(noise::radians(std::max(terrain.pitch, 0.0)));
         push.distance = static_cast<float>(focal_length * std::max(request.width, request.height) /
@@ -387,7 +389,7 @@ std::string recipe_pass(std::string_view pass, const noise::Recipe& recipe) {
 }
 
 Bytes erosion_table(const Erosion& e) {
-    struct Table { // GaborErosion
+    struct Table { // laid out like GaborErosion
         std::int32_t octaves;
         std::array<float, 11> values;
     } table{e.octaves, {}};
@@ -412,7 +414,7 @@ double highest_frequency(const Request& request, const Paint& paint) {
 float share_left(const Request& request, const Viewport& viewport, double frequency) {
     if (request.filter)
         return 1;
-    const double side = viewport.stride / viewport.camera.zoom; // pixels of the picture
+    const double side = viewport.stride / viewport.camera.zoom; // side of a value in pixels of the picture
     const double variance = std::max(side * side - 1, 0.0) / 4;
     return static_cast<float>(
         std::exp(-2 * std::pow(std::numbers::pi * frequency / request.scale, 2) * variance));
@@ -453,7 +455,7 @@ bool uses_blocks(const Request& request, const Viewport& viewport) {
     if (viewport.blocks == Blocks::none || has_material(request) || !is_flat(request.view) ||
         !request.paint.empty() || request.filter || request.phasor || request.values > 1)
         return false;
-    // In isotropic noise in space, nodes share no wave.
+    // In isotropic noise in space, nodes have no wave in common.
     if (in_space(request) && std::ranges::any_of(request.lobes, is_isotropic))
         return false;
     const double cell = request.scale * viewport.camera.zoom / double{drawing_recipe(request).radius};
@@ -481,8 +483,8 @@ std::vector<Band> bands(const Plan& plan, int most_rows) {
     if (plan.steps.front().runs.empty())
         for (int row = 0; row < plan.height; row += most_rows)
             bands.push_back({row, std::min(most_rows, plan.height - row)});
-    // Bands hold whole runs of the first step. Runs of other steps that cross an edge are evaluated in both
-    // bands.
+    // Bands consist of whole runs of the first step. Runs of other steps that cross a band's edge are
+    // evaluated in both bands.
     for (const auto& [first, count] : plan.steps.front().runs) {
         const int end = std::min(first + count, plan.height);
         if (bands.empty() || end - bands.back().first_row > most_rows)

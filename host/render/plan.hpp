@@ -46,16 +46,16 @@ struct Band {
 
 /// One dispatch of a compute pass over a band of the region.
 struct Step {
-    std::string shader; ///< PASS or PASS@VARIANT, as shaders/CMakeLists.txt lists them
+    std::string shader; ///< PASS or PASS@VARIANT, as listed in shaders/CMakeLists.txt
     Constants constants{};
-    Bytes push;     ///< starts with passes::Band of the whole region
+    Bytes push;     ///< push constants; they start with passes::Band for the whole region
     int across = 0; ///< invocations along a row
     Block group;    ///< invocations in a work group
-    std::vector<std::pair<int, int>>
-        runs; ///< first row and count of each row of groups; if empty, group.rows each
+    /// First row and number of rows of each row of groups; if empty, each has group.rows.
+    std::vector<std::pair<int, int>> runs;
 };
 
-/// A map that passes read band by band: the rows of a band, and `halo` more above and below.
+/// A map that passes read band by band: the rows of a band, and `halo` more rows above and below.
 struct Source {
     int width = 0; ///< values in a row; 0 for no map
     int halo = 0;
@@ -63,19 +63,20 @@ struct Source {
 
 /// Everything that a device needs to draw a picture.
 struct Plan {
-    std::vector<std::string> channels; ///< of each value
-    int width = 0;                     ///< values
+    std::vector<std::string> channels; ///< channels of each value
+    int width = 0;                     ///< size in values
     int height = 0;
     std::vector<Bytes> tables; ///< the storage buffers 1, 2, ...; buffer 0 has the values, row by row
-    std::vector<Step> steps;   ///< in order; each reads what earlier ones wrote
-    Source source = {};        ///< in the storage buffer after the tables
+    std::vector<Step> steps;   ///< steps in order; each reads what earlier steps wrote
+    Source source = {};        ///< read from the storage buffer after the tables
 };
 
-/// When to fill a picture block by block, which is faster than pixel by pixel. The two differ by less than
-/// 2e-5.
+/// When to fill a picture block by block, which is faster than pixel by pixel. The results differ by less
+/// than 2e-5.
 enum class Blocks {
     fitted, ///< whenever possible, with blocks that fit the cells
-    fixed,  ///< when it is faster, with blocks of one size: a window needs one pipeline at all scales
+    fixed,  ///< when it is faster, with blocks of one size, so that the viewer needs one pipeline for all
+            ///< scales
     none
 };
 
@@ -84,9 +85,9 @@ enum class DeviceKind { cpu, gpu };
 /// The part of a picture to draw, and how finely.
 struct Viewport {
     Camera camera;
-    int width = 0; ///< pixels of the view, which a horizon or a body fills
+    int width = 0; ///< size of the view in pixels; a horizon or a body fills it
     int height = 0;
-    image::Rect region; ///< of values in the view
+    image::Rect region; ///< the values to draw, within the view
     int stride = 1;     ///< a value stands for stride x stride pixels; finer waves fade
     Blocks blocks = Blocks::fitted;
     bool normals = false; ///< as for render::channels
@@ -95,15 +96,15 @@ struct Viewport {
 /// The viewport of a region of the picture that gabor render draws.
 Viewport viewport_of(const Request& request, const image::Rect& region);
 
-/// Whether the picture is drawn block by block.
+/// Tells whether the picture is drawn block by block.
 bool uses_blocks(const Request& request, const Viewport& viewport);
 
-/// Plans the drawing of a checked request in a viewport. `paint`: load_paint of the request's.
+/// Plans the drawing of a checked request in a viewport. `paint` is the result of load_paint for the request.
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint = {},
           DeviceKind device = DeviceKind::cpu);
 
-/// Cuts the region, from top to bottom, into bands of at most `most_rows`, or of the fewest rows that the
-/// plan can fill.
+/// Cuts the region, from top to bottom, into bands of at most `most_rows` rows or, if the plan cannot fill so
+/// few, of as few as it can.
 std::vector<Band> bands(const Plan& plan, int most_rows);
 
 /// Lists each step with its pass, work groups and non-zero constants, and the sizes of the tables.

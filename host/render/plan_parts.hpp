@@ -1,6 +1,6 @@
 #pragma once
 
-// What plan.cpp, bake.cpp and erosion.cpp share.
+// Shared by plan.cpp, bake.cpp and erosion.cpp.
 
 #include "noise/spectrum.hpp"
 #include "render/plan.hpp"
@@ -17,7 +17,7 @@ inline Coordinate corner_of(const Coordinate& middle, int pixels, const Request&
 }
 
 /// The share of a wave's amplitude that a value keeps. An unfiltered value that stands for several pixels is
-/// filtered as a pixel of its size. `frequency`: cycles per kernel radius.
+/// filtered like a pixel of that size. `frequency` is in cycles per kernel radius.
 float share_left(const Request& request, const Viewport& viewport, double frequency);
 
 /// Scales a wave, in grey and in colour.
@@ -28,13 +28,13 @@ void fade(Wave& wave, float share) {
         weight = {share * weight.x, share * weight.y};
 }
 
-/// The parameters of an erosion as passes read them.
+/// The parameters of an erosion in the layout that passes read.
 Bytes erosion_table(const Erosion& erosion);
 
 /// The request's colour, or zeros if it has none.
 passes::PixelsColour colour_of(const Request& request);
 
-/// Sets a lobe's weights in the colour, or leaves zeros if there is none.
+/// Sets a lobe's weights if the request has a colour.
 void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t lobe);
 
 } // namespace gabor::render

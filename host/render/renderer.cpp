@@ -60,7 +60,7 @@ class BandBuffer {
     std::size_t row_values_;
     vulkan::Buffer values_;
     std::optional<vulkan::Buffer> source_;
-    std::optional<vulkan::Buffer> staging_; // if the host cannot read the device's memory
+    std::optional<vulkan::Buffer> staging_; // used if the host cannot read the device's memory
     vulkan::Job job_;
     std::size_t count_ = 0;
 };

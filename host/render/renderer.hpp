@@ -11,7 +11,7 @@
 
 namespace gabor::render {
 
-/// Builds the pipeline of a step. `statistics`: as in vulkan::Pass::Interface.
+/// Builds the pipeline of a step. `statistics` is as in vulkan::Pass::Interface.
 vulkan::Pass make_pass(const vulkan::Device& device, const Plan& plan, const Step& step,
                        bool statistics = false);
 
@@ -20,15 +20,15 @@ class Renderer {
   public:
     explicit Renderer(const vulkan::Device& device, Plan plan = {});
 
-    /// Sets the plan. Jobs of the one before must not be submitted again.
+    /// Sets the plan. Jobs of the previous plan must not be submitted again.
     void set(Plan plan);
     const Plan& plan() const { return plan_; }
     const vulkan::Device& device() const { return device_; }
 
-    /// A job that fills bands in `values`, and reads the plan's source.
+    /// Returns a job that fills bands in `values` and reads the plan's `source`.
     vulkan::Job job(const vulkan::Buffer& values, const vulkan::Buffer* source = nullptr) const;
 
-    /// Submits a job that fills a band. `before`: values in its buffer before the band.
+    /// Submits a job that fills a band. `before` is the number of values in its buffer before the band.
     void submit(vulkan::Job& job, const Band& band, int before = 0,
                 const std::optional<vulkan::Job::Copy>& copy = {}) const;
 
@@ -45,10 +45,10 @@ constexpr std::uint32_t groups(int invocations, std::uint32_t group) {
     return (static_cast<std::uint32_t>(invocations) + group - 1) / group;
 }
 
-/// The memory for values: the device's, or the host's if both are the same.
+/// The memory for values: the device's, or the host's if they share memory.
 vulkan::Memory values_memory(const vulkan::Device& device);
 
-/// Whether a device is a CPU or a GPU.
+/// Tells whether a device is a CPU or a GPU.
 DeviceKind kind_of(const vulkan::Device& device);
 
 /// Copies values to a buffer on the device.
@@ -62,7 +62,7 @@ vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values
 struct Times {
     double first_dispatch = 0; ///< seconds from the call to the first submission
     double waiting = 0;        ///< seconds that the host waited for the device
-    double gpu = 0;            ///< seconds that the passes took on the device, NaN where it cannot tell
+    double gpu = 0;            ///< seconds that the passes took on the device; NaN if it cannot tell
 };
 
 /// Renders `region` of a checked request from top to bottom and passes whole rows to `sink`, band by band,
@@ -71,8 +71,8 @@ struct Times {
 Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
                     const std::function<void(std::span<const float>)>& sink, bool normals = false);
 
-/// Does the same for a renderer's plan. `fill`: gives the next band's rows of the plan's source, halo
-/// included.
+/// Does the same for a renderer's plan. `fill` provides the next band's rows of the plan's source, including
+/// the halo.
 Times render_plan(const vulkan::Device& device, const Renderer& renderer,
                   const std::function<void(std::span<const float>)>& sink,
                   const std::function<void(std::span<float>)>& fill = {});

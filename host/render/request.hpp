@@ -29,24 +29,24 @@ struct Horizon {
 
 /// The plane z = depth of noise in space.
 struct Slice {
-    double depth = 0; ///< kernel radii
+    double depth = 0; ///< depth in kernel radii
     bool operator==(const Slice&) const = default;
 };
 
 enum class Shape { sphere, torus };
 
 /// A sphere or a torus around the z axis, in perspective. It fits the shorter side of the picture; the scale
-/// is that of the nearest point of a sphere.
+/// applies at the nearest point of a sphere.
 struct Body {
     Shape shape = Shape::sphere;
-    bool solid = false; ///< carved out of noise in space; otherwise waves lie in the tangent plane
-    double yaw = 0;     ///< camera azimuth, degrees
-    double pitch = 30;  ///< camera elevation above the equator, degrees
+    bool solid = false; ///< carve it out of noise in space; otherwise waves lie in the tangent plane
+    double yaw = 0;     ///< camera azimuth, in degrees
+    double pitch = 30;  ///< camera elevation above the equator, in degrees
     double zoom = 1;    ///< 1 fits the picture
     bool operator==(const Body&) const = default;
 };
 
-/// As GaborErosion in shaders/gabor_erosion.glsl.
+/// The parameters of GaborErosion in shaders/gabor_erosion.glsl.
 struct Erosion {
     int octaves = 5;
     double frequency = 1.5;
@@ -65,12 +65,12 @@ struct Erosion {
 
 /// Eroded hills, which are about four kernel radii wide.
 struct Terrain {
-    bool perspective = false; ///< under a sky; otherwise from above
+    bool perspective = false; ///< shown in perspective under a sky; otherwise from above
     Erosion erosion = {};
-    double extent = 0;     ///< width of the picture in the unit of its heights; 0 for kernel radii
-    bool tileable = false; ///< from above: opposite edges match
-    double yaw = 215;      ///< in perspective: camera azimuth, degrees
-    double pitch = 20;     ///< camera elevation, degrees
+    double extent = 0;     ///< width of the picture in the unit of heights; 0 gives heights in kernel radii
+    bool tileable = false; ///< opposite edges match; only from above
+    double yaw = 215;      ///< camera azimuth in degrees; only in perspective
+    double pitch = 20;     ///< camera elevation, in degrees
     double zoom = 1;       ///< 1 shows about as much as the picture from above
     bool operator==(const Terrain&) const = default;
 };
@@ -78,8 +78,9 @@ struct Terrain {
 using View = std::variant<Plane, Horizon, Slice, Body, Terrain>;
 
 /// Everything that decides the pixels of a picture. render/parameters.hpp has the table of names, units,
-/// ranges and help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency 4. Above,
-/// the error grows with the frequency; below 0.1, for the sine kernels of `paper`, with its inverse.
+/// ranges and help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency 4. Above
+/// that, the error grows with the frequency; with the sine kernels of `paper`, it also grows with the inverse
+/// of frequencies below 0.1.
 struct Request {
     int width = 1024;  ///< pixels
     int height = 1024; ///< pixels
@@ -87,44 +88,44 @@ struct Request {
     noise::Recipe recipe = noise::recipes().front();
     std::vector<noise::Lobe> lobes = std::vector<noise::Lobe>(1); ///< at least one
     std::uint32_t seed = 0;
-    double time = 0; ///< in periods of the animation
+    double time = 0; ///< time in periods of the animation
     View view = Plane();
     std::string material = "none"; ///< drawn in place of the noise; see render/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of materials that are not
                                                                  ///< default, by their names in the table
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
-    bool filter = false;    ///< antialias with a normal filter of half a pixel
+    bool filter = false;    ///< antialias with a Gaussian filter of half a pixel
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
                             ///< load_paint; empty for none
 
-    // Additional channels.
+    // The following add channels.
     bool quadrature = false; ///< the noise with cosines instead of sines
     bool gradient = false;   ///< derivatives to the right and down, per kernel radius
     bool phasor = false;     ///< phase, in turns, and intensity
-    int values = 1;          ///< independent noises, 1 to 4
+    int values = 1;          ///< number of independent noises, 1 to 4
 
-    /// Channels R, G and B in place of the noise. Its weights are in the order of the lobes.
+    /// If set, channels R, G and B replace the noise. The colour's weights are in the order of the lobes.
     std::optional<noise::Colour> colour = {};
 
     bool operator==(const Request&) const = default;
 };
 
-/// Whether a view shows a plane from above.
+/// Tells whether a view shows a plane from above.
 bool is_flat(const View& view);
 
-/// Whether the view is a horizon.
+/// Tells whether the view is a horizon.
 bool in_perspective(const Request& request);
 
-/// Whether the waves run along a body's surface instead of through it.
+/// Tells whether the waves run along a body's surface instead of through it.
 bool along_surface(const Request& request);
 
-/// Whether the view is of noise in space, a slice or a body.
+/// Tells whether the view shows noise in space: a slice or a body.
 bool in_space(const Request& request);
 
-/// Whether terrain is drawn in place of the noise.
+/// Tells whether terrain is drawn in place of the noise.
 bool has_terrain(const Request& request);
-/// The same terrain from above instead of in perspective; another request stays as it is.
+/// Returns the same terrain from above instead of in perspective, or any other request unchanged.
 Request from_above(Request request);
 
 /// The unit of a terrain's heights in kernel radii.
@@ -133,28 +134,27 @@ double terrain_unit(const Request& request);
 /// The most that erosion raises or lowers hills, in kernel radii.
 double erosion_reach(const Erosion& erosion);
 
-/// The hills of gabor_terrain stay within this of height 0: six deviations.
+/// The hills of gabor_terrain stay within this distance of height 0: six deviations.
 inline constexpr double hill_reach = 2;
 
-/// The direction to the lamp or the sun, of length 1: its parts to the right and down.
+/// The components, to the right and down, of the unit vector towards the lamp or the sun.
 std::array<double, 2> light_direction(const Request& request);
 
-/// Whether a material or terrain is drawn in place of the noise.
+/// Tells whether a material or terrain is drawn in place of the noise.
 bool has_material(const Request& request);
 
-/// The recipe that draws the request: in space always `lattice`.
+/// The recipe that draws the request; in space, always `lattice`.
 noise::Recipe drawing_recipe(const Request& request);
 
-/// Whether pixels can be filtered: in the plane only with the recipe `lattice`.
+/// Tells whether pixels can be filtered: in the plane, only with the `lattice` recipe.
 bool can_filter(const Request& request);
 
-/// Whether the waves of a lobe have all orientations.
+/// Tells whether the waves of a lobe have all orientations.
 bool is_isotropic(const noise::Lobe& lobe);
 
-/// The channels of a picture's pixels, in order, as EXR names them: `Y` is the noise and, in space, the last
-/// one `A` is the covered share of the pixel.
-/// `normals`: of a body, with normal.x, normal.y, normal.z and gradient.z before `A`; x is right in the
-/// picture, y down, z towards the eye.
+/// The channels of a picture's pixels, in order, as EXR names them: `Y` is the noise; in space, the last
+/// channel, `A`, is the covered share of the pixel. `normals`: a body has normal.x, normal.y, normal.z and
+/// gradient.z before `A`; x is right in the picture, y down, z towards the eye.
 std::vector<std::string> channels(const Request& request, bool normals = false);
 
 } // namespace gabor::render

@@ -17,7 +17,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using noise::Lobe;
 
-// File names may hold any bytes.
+// Replaces invalid UTF-8, because file names may contain any bytes.
 template <typename Json>
 std::string dumped(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -104,7 +104,7 @@ ordered_json json_of(const Parameter& p, const Value& value) {
     return std::get<bool>(value);
 }
 
-// Reads nested lists of the array's length.
+// Reads nested lists with the lengths of the array.
 template <typename T, std::size_t count>
 void read_numbers(std::array<T, count>& values, const json& list, std::string_view name) {
     if (!list.is_array() || list.size() != count)
@@ -112,7 +112,7 @@ void read_numbers(std::array<T, count>& values, const json& list, std::string_vi
     for (std::size_t i = 0; i < count; ++i) {
         if constexpr (std::is_same_v<T, double>) {
             if (!list[i].is_number())
-                throw RequestError(fmt::format("{} of a colour must be made of numbers", name));
+                throw RequestError(fmt::format("{} of a colour must consist of numbers", name));
             values[i] = list[i].get<double>();
         } else {
             read_numbers(values[i], list[i], name);
@@ -132,7 +132,7 @@ noise::Colour colour_of(const json& object) {
     if (object.size() != (object.contains("linear") ? 5 : 4) || !object["weights"].is_array() ||
         !linear.is_boolean())
         throw RequestError(
-            "a colour has weights, one for each lobe, histogram, mean, mixing, and perhaps linear");
+            "a colour has weights (one set per lobe), histogram, mean, mixing and, optionally, linear");
     noise::Colour colour;
     colour.linear = linear;
     for (const json& entry : object["weights"]) {
@@ -193,12 +193,12 @@ Request from_json(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object())
         throw RequestError("the parameters are not a JSON object");
-    Values deciding; // they decide which other parameters exist
+    Values deciding; // decide which other parameters exist
     Values others;
     bool has_lobes = false;
     Request request;
     for (const auto& [name, entry] : object.items()) {
-        if (name == "sum" || name == "viewer") // from versions before 1.1.0, and for gabor-viewer
+        if (name == "sum" || name == "viewer") // written by versions before 1.1.0 and by gabor-viewer
             continue;
         if (name == "colour") {
             request.colour = colour_of(entry);
@@ -226,7 +226,7 @@ std::vector<Lobe> lobes_from_json(std::string_view text) {
     if (list.is_object() && !list.contains("lobes"))
         throw RequestError("the object has no 'lobes'");
     if (!list.is_object() && !list.is_array())
-        throw RequestError("not a JSON list of lobes, nor an object with 'lobes'");
+        throw RequestError("expected a JSON list of lobes or an object with 'lobes'");
     return lobes_of(list.is_object() ? list["lobes"] : list);
 }
 

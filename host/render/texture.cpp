@@ -28,16 +28,16 @@ bool is_power_of_two(int side) {
 
 void check_texture(const Request& request, const image::Rect& region) {
     if (!std::holds_alternative<Plane>(request.view))
-        throw RequestError("--texture is for the view flat");
+        throw RequestError("--texture requires --view flat");
     if (!is_power_of_two(region.width) || !is_power_of_two(region.height))
         throw RequestError(fmt::format("--texture of {} x {} pixels: each side must be a power of two",
                                        region.width, region.height));
     if (region.x % region.width != 0 || region.y % region.height != 0 || request.width % region.width != 0 ||
         request.height % region.height != 0)
-        throw RequestError(
-            fmt::format("--texture with the region {},{},{},{}: it must be one of equal tiles of the picture "
-                        "of {} x {} pixels",
-                        region.x, region.y, region.width, region.height, request.width, request.height));
+        throw RequestError(fmt::format("--texture with --region {},{},{},{}: the region must be one of the "
+                                       "equal tiles that make up the picture of {} x {} pixels",
+                                       region.x, region.y, region.width, region.height, request.width,
+                                       request.height));
 }
 
 int drawn_levels(const image::Rect& region) {
@@ -76,7 +76,7 @@ void write_levels(const image::Rect& region, std::size_t channels, const Write& 
     int level = 0;
     for (; level + 1 < drawn_levels(region); ++level)
         draw(level, write);
-    // Below a line, pixels are not square: average two.
+    // After a level with one row or column, pixels are not square: average pairs.
     std::vector<float> line;
     draw(level, [&](std::span<const float> values) {
         write(values);

@@ -15,7 +15,7 @@ struct TextureFormat {
     bool half = false; ///< 16-bit floats
 };
 
-/// Throws RequestError unless `region` can be a texture: in the view flat, with sides that are powers of two
+/// Throws RequestError unless `region` can be a texture: in the flat view, with sides that are powers of two
 /// and divide its corner and the picture's sides.
 void check_texture(const Request& request, const image::Rect& region);
 
@@ -26,7 +26,7 @@ int drawn_levels(const image::Rect& region);
 Request texture_level(Request request, int level);
 
 /// Renders `region` of a checked request as a mip-mapped texture. Each level is filtered for its own pixel
-/// size, not averaged from the level before. `advance`: as for render_file.
+/// size, not averaged from the previous level. `advance` is as for render_file.
 FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
                          const std::filesystem::path& path, const TextureFormat& format,
                          const std::function<void(std::uint64_t)>& advance);
@@ -36,9 +36,9 @@ constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {
     return of_first_level + of_first_level / 3;
 }
 
-/// Assembles a texture from its drawn levels, each whole or in regions: the file that render_texture would
-/// have written, with the regions' compression. Returns the picture. Throws RequestError if a file is no
-/// level of the picture, or one is missing.
+/// Assembles a texture from its drawn levels, each whole or in regions, into the file that render_texture
+/// would have written. Keeps the regions' compression. Returns the picture. Throws RequestError if a file is
+/// not a level of the picture, or if a level is missing.
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
                          bool half, const std::function<void(std::uint64_t)>& advance);
 

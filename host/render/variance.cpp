@@ -19,7 +19,8 @@ struct Variances {
     double slope_y = 0;
 };
 
-// A wave along one axis, in its own kernel radii. Its slope and that of its windows are uncorrelated.
+// Returns the variances of a wave along one axis, in its own kernel radii. Its slope and that of its windows
+// are uncorrelated.
 noise::AxisVariance along_axis(const Request& request, double frequency, double deviation) {
     if (request.filter)
         return noise::filtered_variance(frequency, deviation);
@@ -27,11 +28,11 @@ noise::AxisVariance along_axis(const Request& request, double frequency, double 
     return {1, turn * turn + noise::window_slope_energy(request.recipe)};
 }
 
-// Sums over the waves of the lattice in the plane. None if a pixel is too wide for the filter.
+// Sums over the waves of the lattice in the plane; nothing if a pixel is too wide for the filter.
 std::optional<Variances> variances(const Request& request) {
     Variances sum;
     for (const noise::Wave& wave : noise::waves(request.lobes, request.seed)) {
-        // Windows stretch with the nodes to fit a period: kernels per kernel radius of the picture.
+        // Kernels per kernel radius of the picture: windows stretch with the nodes to fit a period.
         const auto kernels = [&](int side, double radius) {
             return axis_along(request, side, radius).radius / double{request.recipe.radius} / radius;
         };
@@ -56,7 +57,7 @@ std::optional<double> known_variance(const Request& request, std::string_view ch
     if (!flat && !in_space(request))
         return {}; // the picture includes the sky
     constexpr std::array noises{"Y", "second", "third", "fourth"};
-    // With two phases, the kernels' cosines have another variance.
+    // With two phases, the kernels' cosines have a different variance.
     const bool noise = std::ranges::find(noises, channel) != noises.end() ||
                        (channel == "quadrature" && drawing_recipe(request).phases != 2);
     if (noise && !request.filter)

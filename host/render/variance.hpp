@@ -7,7 +7,7 @@
 
 namespace gabor::render {
 
-/// The theoretical variance of a channel that is normally distributed around 0. None if it is not normal,
+/// The theoretical variance of a channel that is normally distributed around 0. Nothing if it is not normal,
 /// varies from pixel to pixel, or has no closed form here.
 std::optional<double> known_variance(const Request& request, std::string_view channel);
 

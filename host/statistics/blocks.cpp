@@ -13,8 +13,8 @@ namespace gabor::statistics {
 
 namespace {
 
-constexpr int finest = 16;  ///< blocks per side
-constexpr int coarsest = 8; ///< 64 blocks, 16 groups
+constexpr int finest = 16;  ///< largest number of blocks per side
+constexpr int coarsest = 8; ///< smallest number: 64 blocks in 16 groups
 constexpr std::size_t bins_per_block =
     256; ///< enough, because deviations from a normal distribution are smooth: see test_blocks.cpp
 
@@ -60,7 +60,7 @@ double t_quantile() {
     return boost::math::quantile(boost::math::students_t(groups - 1), 0.975);
 }
 
-/// The mean over all pixels of a quantity; `excess` holds each block's sum minus its expected share. Across
+/// The mean of a quantity over all pixels; `excess` has each block's sum minus its expected share. Across
 /// borders, noise is as often anticorrelated as correlated, so the interval is on the safe side.
 Estimate mean_interval(double value, double pixels, std::span<const double> excess, const Grid& grid) {
     std::vector<double> sums(groups);
@@ -77,16 +77,16 @@ struct PairIndex {
     double smallest; ///< smallest index that can be distinguished from a normal distribution's
 };
 
-/// The index from pairs of blocks that do not touch. For such a pair, G_i = n_i (F_i - Phi) are independent,
-/// and their expectation is n_i times the true deviation, so that
+/// Estimates the index from pairs of blocks that do not touch. For such a pair, G_i = n_i (F_i - Phi) are
+/// independent, and their expectation is n_i times the true deviation, so that
 ///     sum_ij G_i . G_j / sum_ij n_i n_j
 /// estimates the integral of (F - Phi)^2 dPhi without bias.
 ///
-/// It is a U-statistic. With h_IJ the sum of G_i . G_j - index n_i n_j over the pairs from groups I and J,
-/// leaving out one group after the other gives, to first order, the variance 4 sum_I (sum_J h_IJ)^2 / (sum n
-/// n)^2. For a normal distribution U is degenerate, and its variance 2 sum_IJ h_IJ^2 / (sum n n)^2, half of
-/// that (Hoeffding, 1948). As in Gaussianity::index, the first is taken to be proportional to the index, with
-/// noise in both.
+/// It is a U-statistic. Let h_IJ be the sum of G_i . G_j - index n_i n_j over the pairs from groups I and J.
+/// Leaving out one group after the other gives, to first order, the variance 4 sum_I (sum_J h_IJ)^2 / (sum n
+/// n)^2. For a normal distribution, U is degenerate, and its variance, 2 sum_IJ h_IJ^2 / (sum n n)^2, is half
+/// of that (Hoeffding, 1948). As in Gaussianity::index, the first variance is taken to be proportional to the
+/// index, with noise included in both.
 PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Moments> moments,
                      const Grid& grid) {
     std::vector<double> sum(bins_per_block);
@@ -110,7 +110,7 @@ PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::spa
     }
 
     const double biased =
-        integrate_product(sum, sum) / (pixels * pixels); // all pairs: positive, noise included
+        integrate_product(sum, sum) / (pixels * pixels); // uses all pairs: positive, with noise included
     const double weight = std::reduce(weights.begin(), weights.end());
     const double index = std::reduce(products.begin(), products.end()) / weight;
     double jackknife = 0;
@@ -197,8 +197,8 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
         deviation.push_back(deviations(counts[i]));
         if (!expected_.fitted)
             continue;
-        // A normal distribution fitted to all blocks makes them dependent. To first order, this is the result
-        // of block i against its own mean and variance, which do not depend on other blocks.
+        // A normal distribution fitted to all blocks makes them dependent. To first order, this correction
+        // compares block i with its own mean and variance, which do not depend on other blocks.
         for (std::size_t k = 0; k + 1 < bins_per_block; ++k) {
             const double z = normal_quantile(static_cast<double>(k + 1) / bins_per_block);
             deviation[i][k] +=

@@ -20,12 +20,12 @@ struct NormalDistribution {
 /// Fits the distribution of an unknown picture. Without variance, the deviation is 1.
 NormalDistribution fitted_normal(const Moments& moments);
 
-/// Estimates about the noise behind one picture, whose pixels are correlated.
+/// Estimates for the noise behind one picture, whose pixels are correlated.
 struct BlockEstimates {
     int blocks_per_side = 0;
     Estimate mean;
     Estimate variance;
-    Estimate cvm;            ///< index as in Gaussianity
+    Estimate cvm;            ///< index as defined in Gaussianity
     double smallest_cvm = 0; ///< 95 % of normal pictures of this size are below this
 
     bool operator==(const BlockEstimates&) const = default;
@@ -37,7 +37,7 @@ class Blocks {
   public:
     Blocks(int width, int height, const NormalDistribution& expected);
 
-    /// Adds pixels of row `y`, starting at column `x`. Throws std::domain_error at a NaN.
+    /// Adds pixels of row `y`, starting at column `x`. Throws std::domain_error for NaN.
     void add(int x, int y, std::span<const float> pixels);
 
     /// Returns the moments of all pixels so far.
@@ -51,7 +51,7 @@ class Blocks {
     int width_;
     int height_;
     NormalDistribution expected_;
-    std::vector<Moments> moments_; ///< one per block, row by row, as are the counts
+    std::vector<Moments> moments_; ///< one per block, row by row, like the counts
     std::vector<Counts> counts_;
 };
 

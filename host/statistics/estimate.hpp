@@ -13,8 +13,8 @@ struct Estimate {
     bool operator==(const Estimate&) const = default;
 };
 
-/// A value whose variance would be null_variance + slope * max(truth, 0): the interval holds every truth from
-/// which the value is at most `quantile` standard deviations away (Wilson's score interval, 1927).
+/// Returns the interval of a value whose variance would be null_variance + slope * max(truth, 0): every truth
+/// from which the value is at most `quantile` standard deviations away (Wilson's score interval, 1927).
 Estimate score_interval(double value, double null_variance, double slope, double quantile);
 
 /// Density of the standard normal distribution.
@@ -23,7 +23,7 @@ double normal_density(double x);
 /// Phi(x), the probability that a standard normal variable is at most x.
 double normal_cdf(double x);
 
-/// The x with Phi(x) = p. -inf at 0, +inf at 1, NaN outside [0, 1].
+/// The x with Phi(x) = p: -inf at 0, +inf at 1, NaN outside [0, 1].
 double normal_quantile(double p);
 
 } // namespace gabor::statistics

@@ -11,12 +11,12 @@ namespace gabor::statistics {
 
 namespace {
 
-/// Computing T from the edges of b bins has an error of 1 / (6 b^2) on average and 0.2 / b at random. The
+/// Computing T from the edges of b bins has a mean error of 1 / (6 b^2) and a random error of 0.2 / b. The
 /// standard deviation of T itself is sqrt(1/45) = 0.15 for a normal distribution.
 constexpr std::size_t bin_count = 4096;
 
-/// Phi, interpolated linearly between 4097 places of [-8, 8]. The error is at most
-/// step^2 / 8 * max |Phi''| = 4.6e-7, which moves an index by less than 1e-6, at a tenth of the cost of erfc.
+/// Phi, interpolated linearly between 4097 points of [-8, 8]. The error is at most step^2 / 8 * max |Phi''| =
+/// 4.6e-7, which moves an index by less than 1e-6, at a tenth of the cost of erfc.
 class CdfTable {
   public:
     CdfTable() {
@@ -90,19 +90,20 @@ std::uint64_t Gaussianity::count() const {
     return std::reduce(counts_.begin(), counts_.end(), std::uint64_t(0));
 }
 
-/// With D = F_n - Phi as a function of u, T = n integral D^2 du. D is delta + B / sqrt(n), the true deviation
-/// and a Brownian bridge, so that T has the variance 1/45 of the integral of B^2 (Anderson and Darling, 1952)
-/// plus that of the linear term 2 sqrt(n) integral delta B:
+/// With D = F_n - Phi as a function of u, T = n integral D^2 du. D is the true deviation plus a Brownian
+/// bridge, delta + B / sqrt(n). So the variance of T is 1/45, that of the integral of B^2 (Anderson and
+/// Darling, 1952), plus that of the linear term 2 sqrt(n) integral delta B:
 ///     4 n double integral delta(u) delta(v) (min(u, v) - u v) = 4 n Var H(U),  H' = delta, U uniform.
 /// This is 4 Var H / (integral delta^2) times n integral delta^2, the expectation of T - 1/6; the first
-/// factor is taken from D, where noise makes it larger than from delta, that is safer. Far from a
-/// normal distribution T is normal; for a normal one it is skewed, but |T - 1/6| <= 1.96 sqrt(1/45) in 0.949
-/// of all cases, because its lower tail is bounded. Between the two the interval is wider than needed.
-/// Simulated in the tests.
+/// factor is computed from D, not delta: noise makes it larger, which is safer. Far from a normal
+/// distribution T is normal; for a normal one it is skewed, but |T - 1/6| <= 1.96 sqrt(1/45) with probability
+/// 0.949, because its lower tail is bounded. In between, the interval is wider than needed. The tests
+/// simulate all this.
 Estimate Gaussianity::index(double deviation) const {
     const double n = static_cast<double>(count());
     const double bins = static_cast<double>(bin_count);
-    // The edges of the bins as the distribution of that deviation counts them, and one past the last.
+    // The edges of the bins as probabilities under the distribution with that deviation, and one past the
+    // last.
     std::vector<double> edges;
     for (std::size_t i = 0; i <= bin_count; ++i) {
         const double u = static_cast<double>(i) / bins;

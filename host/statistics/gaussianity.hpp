@@ -16,13 +16,13 @@ constexpr double cvm_scale = 1 << 18;
 /// mean) / deviation). Counts are integers, so merging is exact in any order.
 using Counts = std::vector<std::uint64_t>;
 
-/// Counts `values` into the bins of `counts`. Values beyond eight deviations, infinite ones too, go to the
-/// outermost bins. Throws std::domain_error at a NaN.
+/// Counts `values` into the bins of `counts`. Values beyond eight deviations, even infinite ones, go to the
+/// outermost bins. Throws std::domain_error for NaN.
 void count_uniform(std::span<const float> values, double mean, double deviation,
                    std::span<std::uint64_t> counts);
 
-/// n (F(u_k) - u_k) at the upper edges u_k = (k + 1) / bins of the bins, F being the empirical distribution
-/// function: exact there, whatever the width of the bins.
+/// Returns n (F(u_k) - u_k) at the upper edges u_k = (k + 1) / bins of the bins, where F is the empirical
+/// distribution function. These values are exact, whatever the width of the bins.
 std::vector<double> deviations(std::span<const std::uint64_t> counts);
 
 /// The integral over u in [0, 1] of the product of two functions given at the upper edges of uniform bins,
@@ -36,20 +36,21 @@ double integrate_product(std::span<const double> a, std::span<const double> b);
 /// normal distribution.
 class Gaussianity {
   public:
-    /// `deviation`: the standard deviation that theory predicts, in the unit of the samples.
+    /// `deviation` is the standard deviation that theory predicts, in the unit of the samples.
     explicit Gaussianity(double deviation = 1);
 
-    /// Throws std::domain_error at a NaN.
+    /// Throws std::domain_error for NaN.
     void add(double value);
     void add(std::span<const float> values);
-    /// Merges counts. Each is in units of its own deviation, so the two deviations may differ.
+    /// Merges counts. Each object counts in units of its own deviation, so the two deviations may differ.
     void merge(const Gaussianity& other);
 
     std::uint64_t count() const;
 
-    /// Returns the index and its interval; value and ends may be negative. NaN without samples. `deviation`
-    /// is that of the normal distribution to compare with, if only the samples determine it, in units of the
-    /// predicted one. Bins are too coarse if it is much larger than 1 or much smaller than 0.1.
+    /// Returns the index and its interval; value and ends may be negative. NaN without samples. If only the
+    /// samples determine the deviation of the normal distribution to compare with, pass it as `deviation`, in
+    /// units of the predicted one. The bins are too coarse for values much larger than 1 or much smaller than
+    /// 0.1.
     Estimate index(double deviation = 1) const;
 
   private:

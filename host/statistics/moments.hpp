@@ -20,13 +20,13 @@ class Moments {
 
     std::uint64_t count() const { return state_.count; }
     double mean() const { return state_.mean; }
-    /// The population's variance: divided by count. NaN without values.
+    /// The population variance, divided by the count. NaN without values.
     double variance() const { return state_.m2 / static_cast<double>(state_.count); }
     /// Sum of (x - mean)^2; 0 without values.
     double squared_deviations() const { return state_.m2; }
-    /// NaN if the variance is 0, like the kurtosis.
+    /// Returns NaN if the variance is 0, as does `excess_kurtosis`.
     double skewness() const;
-    /// 0 for a normal distribution.
+    /// Returns 0 for a normal distribution.
     double excess_kurtosis() const;
     double minimum() const { return state_.minimum; }
     double maximum() const { return state_.maximum; }

@@ -13,15 +13,15 @@ namespace gabor::statistics {
 
 struct PictureReport {
     std::uint64_t not_finite = 0;            ///< NaN and infinite pixels, excluded from everything else
-    Moments moments;                         ///< of all other pixels
+    Moments moments;                         ///< moments of all other pixels
     std::optional<SpectrumSummary> spectrum; ///< absent below 16 x 16 pixels
     std::optional<BlockEstimates> blocks;    ///< absent when the picture is too small for its correlation
 
     bool operator==(const PictureReport&) const = default;
 };
 
-/// Statistics of a picture, read once, row by row. Memory grows with the width, not the height. The expected
-/// distribution must be known in advance: to fit it, call `add_finite` in an earlier pass.
+/// Statistics of a picture that is read once, row by row. Memory grows with the width, not the height. The
+/// expected distribution must be known in advance: to fit it, call `add_finite` in an earlier pass.
 class PictureStatistics {
   public:
     PictureStatistics(int width, int height, const NormalDistribution& expected);
@@ -44,7 +44,7 @@ class PictureStatistics {
     std::vector<float> centred_; ///< one row minus the mean, with 0 for values that are not finite
 };
 
-/// Adds the finite `pixels` and returns the number of others.
+/// Adds the finite `pixels` and returns the number of the others.
 std::uint64_t add_finite(Moments& moments, std::span<const float> pixels);
 
 } // namespace gabor::statistics

@@ -9,7 +9,7 @@ namespace gabor::statistics {
 
 namespace {
 
-constexpr int most_segments = 64; ///< along each axis
+constexpr int most_segments = 64; ///< number along each axis
 
 /// Periodic Hann window: segments half a side apart give every pixel the same weight.
 std::vector<float> hann_window(int side) {

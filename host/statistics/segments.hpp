@@ -7,17 +7,19 @@
 namespace gabor::statistics {
 
 /// Overlapping squares of a picture under a Hann window, for Welch's method (Welch, 1967). The picture is
-/// read row by row; memory holds as many rows as a segment has.
+/// read row by row; only as many rows as a segment has are kept in memory.
 class Segments {
   public:
-    /// Segments are at most `hop` pixels apart, or 64 along each axis of a larger picture, spread evenly from
-    /// the first pixel to the last, borders included. The picture has at least `side` pixels along each axis.
+    /// Segments are at most `hop` pixels apart; larger pictures have 64 along each axis. They are spread
+    /// evenly from the first pixel to the last, including both. The picture must have at least `side` pixels
+    /// along each axis.
     Segments(int width, int height, int channels, int side, int hop);
 
-    /// Adds the next row, channels interleaved. Returns the first columns of the segments that end with it.
+    /// Adds the next row, with interleaved channels. Returns the first columns of the segments that end with
+    /// it.
     std::span<const int> add_row(std::span<const float> row);
 
-    /// Returns one channel of such a segment under the window, with rows `stride` values apart.
+    /// Writes one channel of a segment from add_row, under the window, with rows `stride` values apart.
     void weigh(int left, int channel, std::span<float> into, int stride) const;
 
     int side() const { return side_; }
@@ -26,7 +28,7 @@ class Segments {
     const std::vector<int>& lines() const { return lines_; }
     /// Returns the number of complete segments.
     std::size_t count() const { return columns_.size() * band_; }
-    /// The sum of the squared window along one axis; the window is a product of two axes.
+    /// The sum of the squared window along one axis; the window is a product of two factors, one per axis.
     double window_power() const;
 
   private:

@@ -99,7 +99,7 @@ class Plane {
     int side_;
 };
 
-/// Power per annulus. Each cell's power is shared by the two nearest annuli in proportion to its distance,
+/// Power per annulus. Each cell's power is shared by the two nearest annuli according to its distance,
 /// because cells fall unevenly into narrow annuli.
 std::vector<double> radial_profile(const Plane& plane, int side) {
     std::vector<double> radial(static_cast<std::size_t>(side / std::numbers::sqrt2) + 2);
@@ -135,9 +135,9 @@ double full_width(std::span<const double> profile) {
     return half_width(profile, peak, -1) + half_width(profile, peak, 1);
 }
 
-/// The width of a lobe whose profile scatters. The largest of many annuli is too large, and too narrow at
-/// half of that. So the profile is first smoothed by a triangle whose half base is a quarter of the width;
-/// the width that this adds, in squares as for a normal lobe, is subtracted.
+/// The width of a lobe whose profile scatters. The largest of many annuli is too large, and the width at half
+/// its height too small. So the profile is first smoothed with a triangle whose half base is a quarter of the
+/// width; the width that this adds is subtracted, in squares, as for a Gaussian lobe.
 double lobe_width(std::span<const double> profile) {
     const double reach = full_width(profile) / 4;
     const auto last = static_cast<std::ptrdiff_t>(reach);
@@ -157,8 +157,8 @@ double lobe_width(std::span<const double> profile) {
 }
 
 /// Finds the mode of the periodogram under a kernel of the given radius, by mean shift from its largest cell
-/// (Fukunaga and Hostetler, 1975). Cells scatter by their mean divided by the root of the number of segments,
-/// so a parabola through three cells would only fit the scatter.
+/// (Fukunaga and Hostetler, 1975). The standard deviation of a cell is its mean divided by the root of the
+/// number of segments, so a parabola through three cells would only fit the scatter.
 Cell find_peak(const Plane& plane, double radius) {
     Cell peak{0, 0};
     double largest = 0;
@@ -209,8 +209,9 @@ SpectrumSummary summarize(std::span<const double> periodogram, int side) {
         summary.peak = {distance / cells, std::fmod(degrees + 360, 180)};
     }
 
-    // Twice the root of the integral of the squared autocorrelation, which is that of the squared spectrum
-    // (Parseval). For Gabor noise this is 1.4 kernel radii, where its autocorrelation has fallen to exp(-pi).
+    // Twice the root of the integral of the squared autocorrelation, which equals that of the squared
+    // spectrum (Parseval). For Gabor noise this is 1.4 kernel radii, where its autocorrelation has fallen to
+    // exp(-pi).
     double squares = 0;
     plane.for_each([&](int, int, double power) { squares += power * power; });
     summary.correlation = 2 * cells * std::sqrt(squares) / summary.power;

@@ -10,8 +10,8 @@
 namespace gabor::statistics {
 
 /// The power spectrum of a picture, averaged over square segments under a Hann window (Welch, 1967). Segments
-/// overlap by at least half, unless 64 x 64 segments are enough for a large picture. The picture is read row
-/// by row; memory holds as many rows as a segment has, at most 128 MiB.
+/// overlap by at least half, except in pictures so large that 64 x 64 segments are enough. The picture is
+/// read row by row; only as many rows as a segment has are kept in memory, at most 128 MiB.
 class Spectrum {
   public:
     /// Throws std::invalid_argument for pictures without a `segment_side`.
@@ -36,20 +36,20 @@ class Spectrum {
 };
 
 /// Returns the side of the segments for a picture: a power of 2, at most 512 and at most half the shorter
-/// side. Nothing for pictures below 16 x 16 pixels.
+/// side. Returns nothing for pictures below 16 x 16 pixels.
 std::optional<int> segment_side(int width, int height);
 
 /// The strongest frequency of a spectrum.
 struct SpectralPeak {
     double frequency = 0;   ///< cycles per pixel
-    double orientation = 0; ///< of the wave vector: degrees in [0, 180), from right towards down
+    double orientation = 0; ///< direction of the wave vector: degrees in [0, 180), from right towards down
 
     bool operator==(const SpectralPeak&) const = default;
 };
 
 /// Summary of a power spectrum. Frequencies are in cycles per pixel.
 struct SpectrumSummary {
-    double power = 0;                 ///< over all frequencies: the variance (Parseval)
+    double power = 0;                 ///< sum over all frequencies: the variance (Parseval)
     std::optional<SpectralPeak> peak; ///< absent if indistinguishable from frequency 0
     double bandwidth = 0;             ///< full width at half maximum of `radial`, broadened by `resolution`
     double resolution = 0;            ///< full width at half maximum of a plane wave
@@ -60,9 +60,9 @@ struct SpectrumSummary {
     bool operator==(const SpectrumSummary&) const = default;
 };
 
-/// Summarizes a picture's periodogram from segments of side * side pixels, side a power of 2. It has `side`
-/// rows for fy (negative ones last) and side / 2 + 1 columns for fx >= 0. Each value is the variance in its
-/// cell of 1 / side^2 square cycles per pixel.
+/// Summarizes a picture's periodogram from segments of side * side pixels, where side is a power of 2. The
+/// periodogram has `side` rows for fy (negative ones last) and side / 2 + 1 columns for fx >= 0. Each value
+/// is the variance in its cell of 1 / side^2 square cycles per pixel.
 SpectrumSummary summarize(std::span<const double> periodogram, int side);
 
 } // namespace gabor::statistics

@@ -8,7 +8,7 @@
 
 namespace gabor::statistics {
 
-// Rows, then columns. (kiss_fftndr_alloc of KISS FFT 131.1 refuses sides of 64 and more.)
+// Transforms rows, then columns, because kiss_fftndr_alloc of KISS FFT 131.1 refuses sides of 64 and more.
 struct Transform::State {
     explicit State(int length)
         : side(static_cast<std::size_t>(length)),

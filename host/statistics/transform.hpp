@@ -9,7 +9,7 @@ namespace gabor::statistics {
 /// The discrete Fourier transform of squares of real values, X(k) = sum_p x(p) exp(-2 pi i k.p / side).
 class Transform {
   public:
-    /// An even side.
+    /// `side` must be even.
     explicit Transform(int side);
     ~Transform();
     Transform(Transform&&) noexcept;

@@ -11,7 +11,7 @@ namespace {
 // A process has only a few large buffers, so each has its own allocation.
 constexpr vk::DeviceSize least_memory = 1 << 20;
 
-// Returns the first allowed memory type with `required`, and with `preferred` if there is one.
+// Returns the first allowed memory type with the `required` flags and, if possible, the `preferred` ones.
 std::uint32_t memory_type(const Device::State& device, std::uint32_t allowed,
                           vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred) {
     const vk::PhysicalDeviceMemoryProperties properties = device.physical.getMemoryProperties();

@@ -15,7 +15,7 @@ namespace gabor::vulkan {
 
 namespace {
 
-// Best first.
+// Kinds of devices, best first.
 using Type = vk::PhysicalDeviceType;
 constexpr std::array kinds{std::pair{Type::eDiscreteGpu, "discrete GPU"},
                            std::pair{Type::eIntegratedGpu, "integrated GPU"},
@@ -35,7 +35,7 @@ struct Candidate {
     std::uint32_t timestamp_bits;
 };
 
-// Before Vulkan 1.2, a device may report only a number.
+// Before Vulkan 1.2, a device may report only the driver's number.
 std::string driver_name(const vk::raii::PhysicalDevice& physical,
                         const vk::PhysicalDeviceProperties& properties) {
     if (properties.apiVersion < VK_API_VERSION_1_2)
@@ -58,7 +58,7 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
     try {
         physicals = vk::raii::PhysicalDevices(instance);
     } catch (const vk::InitializationFailedError&) {
-        // the loader's answer if no driver has a device
+        // the loader reports this if no driver has a device
     }
     for (vk::raii::PhysicalDevice& physical : physicals) {
         const auto families = physical.getQueueFamilyProperties();

@@ -13,14 +13,14 @@ struct VkPhysicalDevice_T;
 namespace gabor::vulkan {
 
 struct DeviceInfo {
-    std::uint32_t index = 0; ///< as accepted by Device
+    std::uint32_t index = 0; ///< number that Device accepts as its selector
     std::string name;
     std::string kind;                 ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
     std::string driver;               ///< name and version
-    std::string api;                  ///< highest Vulkan version, "1.3.230"
-    std::uint64_t memory = 0;         ///< largest device-local heap, bytes
-    std::uint64_t storage_buffer = 0; ///< largest storage buffer that a shader can address, bytes
-    std::uint32_t group_invocations = 0; ///< largest workgroup
+    std::string api;                  ///< highest Vulkan version, as in "1.3.230"
+    std::uint64_t memory = 0;         ///< largest device-local heap, in bytes
+    std::uint64_t storage_buffer = 0; ///< largest storage buffer that a shader can address, in bytes
+    std::uint32_t group_invocations = 0; ///< invocations in the largest workgroup
     std::uint32_t subgroup = 0;          ///< lanes that run in lockstep
     bool timestamps = false;             ///< whether GPU time can be measured
 };
@@ -37,16 +37,16 @@ int validation_messages();
 /// Requirements for showing pictures in windows; none by default.
 struct Presentation {
     std::vector<const char*> instance_extensions;
-    /// Tells whether a queue family of a device can present. If set, only devices qualify that have a
-    /// swapchain and can present from a family that also draws.
+    /// If set, tells whether a queue family of a device can present. A device must then support swapchains
+    /// and have a family that can both present and draw.
     std::function<bool(VkInstance_T*, VkPhysicalDevice_T*, std::uint32_t family)> can_present;
 };
 
 /// A logical device with one compute queue.
 class Device {
   public:
-    /// `selector` is an index or a part of the name in any case; empty selects the best device (discrete GPU,
-    /// then integrated, virtual, CPU). Throws RequestError if it matches no device or several.
+    /// `selector` is an index or part of the name, ignoring case; empty selects the best device (discrete
+    /// GPU, then integrated, virtual, CPU). Throws RequestError if `selector` matches no device or several.
     explicit Device(std::string_view selector = {}, const Presentation& presentation = {});
     ~Device();
     Device(Device&&) noexcept;

@@ -14,8 +14,8 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// The module as if it had been compiled with these constants. Otherwise SwiftShader keeps the branches that
-// they exclude, and lavapipe compiles many of them.
+// Returns the module as if it had been compiled with these constants. Otherwise SwiftShader keeps the
+// branches that they exclude, and lavapipe compiles many of them.
 Words specialized(std::span<const std::uint32_t> spirv, std::span<const std::uint32_t> constants) {
     std::unordered_map<std::uint32_t, Words> values;
     for (std::uint32_t id = 0; id < constants.size(); ++id)
@@ -32,7 +32,7 @@ Words specialized(std::span<const std::uint32_t> spirv, std::span<const std::uin
         .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
         .RegisterPass(spvtools::CreateAggressiveDCEPass());
     spvtools::OptimizerOptions options;
-    options.set_run_validator(false); // of what glslang compiled
+    options.set_run_validator(false); // glslang's output is valid
     Words result;
     if (!optimizer.Run(spirv.data(), spirv.size(), &result, options))
         throw std::runtime_error("SPIRV-Tools cannot specialize a pass: " + messages);
@@ -75,7 +75,7 @@ Pass& Pass::operator=(Pass&&) noexcept = default;
 
 std::map<std::string, std::uint64_t> Pass::statistics(const Device& device) const {
     if (!device.state().executable_properties)
-        throw RequestError(fmt::format("{} does not tell what it compiles to: use a driver with "
+        throw RequestError(fmt::format("{} does not report compiler statistics: use a driver with "
                                        "VK_KHR_pipeline_executable_properties, such as RADV",
                                        device.info().name));
     std::map<std::string, std::uint64_t> result;

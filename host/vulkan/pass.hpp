@@ -10,7 +10,7 @@
 
 namespace gabor::vulkan {
 
-/// The 32 bits of a specialization constant, int, uint or float.
+/// The 32 bits of a specialization constant of type int, uint or float.
 template <typename T>
 constexpr std::uint32_t constant(T value) {
     return std::bit_cast<std::uint32_t>(value);
@@ -23,18 +23,18 @@ class Pass {
     struct Interface {
         std::uint32_t buffers = 1;
         std::uint32_t push_bytes = 0;
-        bool statistics = false; ///< whether to allow calls of `statistics`
+        bool statistics = false; ///< whether to allow calls to `statistics`
     };
 
-    /// `constants`: the specialization constants with ids 0, 1, 2, ...
+    /// `constants` are the specialization constants with ids 0, 1, 2, ...
     Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface interface,
          std::span<const std::uint32_t> constants = {});
     ~Pass();
     Pass(Pass&&) noexcept;
     Pass& operator=(Pass&&) noexcept;
 
-    /// Returns the compiler's statistics of its code under the driver's names, such as "Instructions". Throws
-    /// RequestError on a device without VK_KHR_pipeline_executable_properties.
+    /// Returns the compiler's statistics for the code under the driver's names, such as "Instructions".
+    /// Throws RequestError on a device without VK_KHR_pipeline_executable_properties.
     std::map<std::string, std::uint64_t> statistics(const Device& device) const;
 
     struct State;
@@ -60,21 +60,21 @@ class Job {
     ~Job();
     Job(Job&&) noexcept;
 
-    /// Copies after the pass, from the start of one buffer to the start of another.
+    /// A copy after the pass, from the start of one buffer to the start of another.
     struct Copy {
         const Buffer& from;
         const Buffer& to;
         std::size_t bytes;
     };
 
-    /// Dispatches the pass, or another one with the same interface, with these push constants.
+    /// A dispatch of the pass, or of another one with the same interface, with these push constants.
     struct Dispatch {
         std::span<const std::byte> push;
         Groups groups;
         const Pass* other = nullptr;
     };
 
-    /// Each dispatch sees the results of earlier ones.
+    /// Submits the dispatches. Each one sees the results of earlier ones.
     void submit(std::span<const Dispatch> dispatches, const std::optional<Copy>& copy = {});
 
     template <typename Push>
@@ -84,7 +84,7 @@ class Job {
     }
 
     /// Waits for the submission and makes its results visible to the host. Returns the seconds that the pass
-    /// took on the device, NaN if the device cannot measure them.
+    /// took on the device; NaN if the device cannot measure them.
     double wait();
 
   private:

@@ -16,7 +16,7 @@ vk::raii::Context load_vulkan();
 /// Loads the validation layers if GABOR_VALIDATION requests them. Throws RequestError without a driver.
 vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation);
 
-/// Counts and prints the messages of the validation layers; null without them.
+/// Returns a messenger that counts and prints messages of the validation layers; null without them.
 vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance);
 
 /// Requirements for buffers that the host reads or writes.
@@ -34,7 +34,7 @@ struct Device::State {
     vk::raii::Device device;
     vk::raii::Queue queue;
     double timestamp_seconds = 0;     ///< length of a timestamp's tick
-    std::uint64_t timestamp_mask = 0; ///< its valid bits
+    std::uint64_t timestamp_mask = 0; ///< valid bits of a timestamp
     bool unified = false;
     bool executable_properties = false; ///< whether VK_KHR_pipeline_executable_properties is enabled
 };

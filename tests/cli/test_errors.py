@@ -82,9 +82,9 @@ class Words(ErrorTest):
         self.assert_refused(["did you mean render?"], "rendr")
 
     def test_conflicting_options(self):
-        self.refuse_render(["solid requires the views sphere and torus, not flat"], "--solid")
-        self.refuse_render(["depth requires the view slice, not horizon"], "--depth=3", "--view=horizon")
-        self.refuse_render(["wood.rings requires the material wood, not marble"], "--material=marble", "--wood.rings=9")
+        self.refuse_render(["solid requires the sphere or torus view, not flat"], "--solid")
+        self.refuse_render(["depth requires the slice view, not horizon"], "--depth=3", "--view=horizon")
+        self.refuse_render(["wood.rings requires the wood material, not marble"], "--material=marble", "--wood.rings=9")
         self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
         for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
             self.refuse_render([f"--wood.early '{colour}'", "a colour, #rrggbb"], "--material=wood", f"--wood.early={colour}")
@@ -95,8 +95,8 @@ class Words(ErrorTest):
 
     def test_missing_channels(self):
         self.succeed("render", "-o", "plain.exr", "--size=16x16")
-        self.refuse_render(["plain.exr", "there is no channel 'frequency': it has Y"], "--paint=plain.exr")
-        self.assert_refused(["there is no channel 'Z': it has Y"], "stats", "plain.exr", "--channel=Z")
+        self.refuse_render(["plain.exr", "there is no channel 'frequency'; the file has Y"], "--paint=plain.exr")
+        self.assert_refused(["there is no channel 'Z'; the file has Y"], "stats", "plain.exr", "--channel=Z")
 
     def test_missing_words(self):
         self.assertEqual(self.succeed(), self.succeed("--help"))

@@ -136,15 +136,15 @@ class Maps(RenderTest):
     def test_what_is_refused(self):
         for words, options in ((["--maps", "a material"], []), (["view flat"], ["--material=wood", "--view=sphere"]),
                                (["at most 8192 x 8192"], ["--material=wood", "--size=8193x64"]),
-                               (["--maps", "without -o"], ["--material=wood", "-o", "a.exr"])):
+                               (["--maps", "combined with -o"], ["--material=wood", "-o", "a.exr"])):
             self.assert_refused(words, "render", "--maps", "set", *options)
             self.assertEqual(self.files(), {})
         self.assert_refused(["power of two"], "render", "--material=wood", "--size=96x96", "--maps", "set", "--texture")
-        self.assert_refused(["--half is for --texture"], "render", "--material=wood", "--maps", "set", "--half")
+        self.assert_refused(["--half requires --texture"], "render", "--material=wood", "--maps", "set", "--half")
         self.assertEqual(self.files(), {})
-        self.assert_refused(["--directx is for --maps"], "render", "--material=wood", "-o", "a.exr", "--directx")
+        self.assert_refused(["--directx requires --maps"], "render", "--material=wood", "-o", "a.exr", "--directx")
         (self.folder / "file").write_text("mine")
-        self.assert_refused(["--maps 'file'", "cannot make the folder"], "render", "--material=wood", "--maps", "file")
+        self.assert_refused(["--maps 'file'", "cannot create the folder"], "render", "--material=wood", "--maps", "file")
         self.assertEqual((self.folder / "file").read_text(), "mine")
 
 

@@ -159,7 +159,7 @@ class Laws(StatsTest):
         self.assertLess(stats["cvm"]["low"], 0.5)
         text = self.succeed("stats", "in.exr", "--channel", channel)
         if "too small to test its distribution" not in text:
-            self.assertIn(f"against a normal law of analytic mean 0 and variance {stats['reference_variance']:.6g}", text)
+            self.assertIn(f"compared with a normal distribution of analytic mean 0 and variance {stats['reference_variance']:.6g}", text)
 
     def test_gradients(self):
         """The wave's and the windows' contributions to the slope; the latter is the energy of a window's derivative
@@ -335,7 +335,7 @@ class Foreign(StatsTest):
         stats = self.stats()
         self.assertEqual((stats["outside"], stats["not_finite"], stats["spectrum"]), (41 * 60, 1, None))
         self.assert_moments(stats, pixels[(alpha == 1) & np.isfinite(pixels)])
-        self.assertIn("1 not finite, 2460 left out as outside (A below 1)", self.succeed("stats", "in.exr"))
+        self.assertIn("1 not finite, 2460 excluded as outside (A below 1)", self.succeed("stats", "in.exr"))
         self.assertEqual(self.stats("in.exr", "--channel=A")["outside"], 0)
 
     def test_a_picture_without_finite_values(self):

@@ -216,10 +216,10 @@ TEST_CASE("A channel that cannot be read is refused", "[exr]") {
     foreign.add<unsigned>("id");
     foreign.write_scanlines(path);
     CHECK_THAT(refusal(path), Contains("no half or float channel among id"));
-    CHECK_THAT(refusal(path, {"id"}), Contains("holds integers; only half and float are supported"));
+    CHECK_THAT(refusal(path, {"id"}), Contains("contains integers; only half and float are supported"));
     foreign.add<float>("new\nline");
     foreign.write_scanlines(path);
-    CHECK_THAT(refusal(path, {"Y"}), Contains("there is no channel 'Y': it has id, new line"));
+    CHECK_THAT(refusal(path, {"Y"}), Contains("there is no channel 'Y'; the file has id, new line"));
 
     Imf::Header header({{0, 0}, {1, 1}}, {{0, 0}, {1, 1}});
     header.channels().insert("Y", Imf::Channel(Imf::FLOAT, 2, 2));

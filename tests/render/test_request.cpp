@@ -247,7 +247,7 @@ TEST_CASE("a request has the parameters of its view and lobes", "[request]") {
             CHECK(has(of_view(body), name));
     Request request = of_view("flat");
     CHECK(has(request, "frequency"));
-    CHECK_THROWS_WITH(render::set_text(request, "depth", "1"), Catch::Contains("the view slice"));
+    CHECK_THROWS_WITH(render::set_text(request, "depth", "1"), Catch::Contains("the slice view"));
     render::set_text(request, "lobes", "[{}, {}]");
     CHECK(render::is_set(request, "lobes"));
     CHECK_THROWS_WITH(render::set_text(request, "frequency", "3"), Catch::Contains("a single lobe, not 2"));

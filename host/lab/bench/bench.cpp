@@ -21,7 +21,7 @@ constexpr int sample_side = 1024;
 // A noise that fills a picture, ready to be timed repeatedly.
 struct Measurement {
     Row row;
-    const noise::Recipe* baked = nullptr; // of a bake
+    const noise::Recipe* baked = nullptr; // the recipe, if this is a bake
     std::function<double()> run;
     std::vector<double> seconds;
 };
@@ -78,7 +78,7 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
     return measurement;
 }
 
-// Interleave the rounds, so that other load affects all noises alike.
+// Interleaves the rounds, so that other load affects all noises alike.
 void interleave(Measurements& measurements, int repetitions, const std::function<void()>& step) {
     for (int round = -1; round < repetitions; ++round) {
         for (Measurement& measurement : measurements) {
@@ -136,8 +136,8 @@ int steps(const Effort& effort) {
 
 Report run(const vulkan::Device& device, const Effort& effort, const std::function<void()>& step) {
     if (!device.info().timestamps)
-        throw RequestError(fmt::format("{} cannot tell times: the benchmark takes a device with timestamps",
-                                       device.info().name));
+        throw RequestError(
+            fmt::format("{} has no timestamps, which the benchmark needs", device.info().name));
     const vulkan::Memory memory = device.unified() ? vulkan::Memory::readback : vulkan::Memory::device;
     const auto bytes = [](int side) {
         return static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4;

@@ -20,13 +20,13 @@ struct Quartiles {
 /// One timed noise.
 struct Row {
     std::string name;
-    double visited = 0; ///< impulses visited for each pixel; 0 if there are none
-    int side = 0;       ///< pixels of the square picture along a side
+    double visited = 0; ///< impulses visited per pixel; 0 if there are none
+    int side = 0;       ///< side of the square picture, in pixels
     double scale = 0;   ///< pixels per kernel radius
     double frequency = 0;
-    Quartiles seconds;   ///< on the device's own clock, for the whole picture
+    Quartiles seconds;   ///< time for the whole picture, by the device's own clock
     double pipeline = 0; ///< seconds to create the pipeline, the first time in this process
-    std::optional<statistics::Estimate> cvm; ///< of its values; absent if not measured
+    std::optional<statistics::Estimate> cvm; ///< cvm of the noise; absent if not measured
 
     double nanoseconds_per_pixel() const { return seconds.median * 1e9 / side / side; }
 };
@@ -39,27 +39,27 @@ struct Report {
 struct Effort {
     int repetitions = 21;
     int side = 1024;
-    int sample_batches = 16; ///< of 2^20 samples for each cvm
+    int sample_batches = 16; ///< batches of 2^20 samples for each cvm
 };
 
 /// Times all noises in one process, interleaved, after a warm-up. Calls `step` after each measurement; an
 /// exception from it aborts. Throws RequestError on a device without timestamps.
 Report run(const vulkan::Device& device, const Effort& effort, const std::function<void()>& step);
 
-/// The number of times that `run` calls `step`.
+/// Returns how often `run` calls `step`.
 int steps(const Effort& effort);
 
-/// A compiler's statistics of a pipeline, from VK_KHR_pipeline_executable_properties.
+/// The compiler's statistics for a pipeline, from VK_KHR_pipeline_executable_properties.
 struct Code {
     std::string name;
-    double instructions = 0; ///< per pixel
+    double instructions = 0; ///< instructions per pixel
     double throughput = 0;   ///< estimated inverse throughput, cycles per pixel
     int registers = 0;       ///< vector registers of an invocation
 };
 
-/// Returns statistics of everything that the benchmark times, except the seminal noise, whose loops have
+/// Returns statistics for everything that the benchmark times, except the seminal noise, whose loops have
 /// random lengths. The code is compiled but never run, so RADV's null device gives the same figures on every
-/// machine. The loop over rows of a bake counts as often as it runs in a full block. Throws RequestError on a
+/// machine. A bake's loop over rows counts as often as it runs in a full block. Throws RequestError on a
 /// device without that extension.
 std::vector<Code> measure_code(const vulkan::Device& device);
 

@@ -20,7 +20,8 @@ Code unrolled(std::string name, const Statistics& statistics) {
             static_cast<int>(value(statistics, "VGPRs"))};
 }
 
-// A block's code is a part before the rows, and the rows; two rows minus one row give the cost of a row.
+// A block's code has a part before its rows and a part for each row. The cost of a row is that of two rows
+// minus that of one.
 Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     render::Request request;
     request.recipe = recipe;
@@ -34,7 +35,7 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     const Statistics one = statistics(1);
     const Statistics two = statistics(2);
     const int columns = static_cast<int>(step.constants[passes::block_columns_id]);
-    constexpr int rows = 16; // in a GPU's block
+    constexpr int rows = 16; // rows in a GPU's block
     const auto per_pixel = [&](const char* name) {
         const double first = value(one, name);
         return (first + (rows - 1) * (value(two, name) - first)) / (rows * columns);
@@ -44,7 +45,7 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
 }
 
 // The compiler guesses how often a loop runs, so this measures the code without the loop and adds the cost of
-// one round for each.
+// one round for each octave.
 Code multiplied_out(const vulkan::Device& device, Subject subject) {
     subject.options.back() = 0;
     const Statistics none = make_pass(device, subject, Use::statistics).statistics(device);

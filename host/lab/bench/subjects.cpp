@@ -25,7 +25,7 @@ namespace {
 constexpr RecipeModules modules{recipe_spirv,
                                 {recipe_lattice_2_spirv, recipe_lattice_3_spirv, recipe_lattice_4_spirv}};
 
-// The functions of passes/bench/yardsticks.comp, in the order of its numbers.
+// Adds the functions of passes/bench/yardsticks.comp, in the order of their numbers.
 void add_yardsticks(std::vector<Subject>& all) {
     auto add = [&all, number = 0u](std::string_view name, double kernels, bool has_loops = false) mutable {
         all.push_back({std::string(name), kernels, yardsticks_spirv, nullptr, {number++}});
@@ -42,7 +42,7 @@ void add_yardsticks(std::vector<Subject>& all) {
     add(seminal_yardstick, 270, true);
 }
 
-// The options of passes/bench/erosion.comp: random splats instead of the drop-in, octaves.
+// The options are those of passes/bench/erosion.comp: splats and octaves.
 Subject eroded(std::string name, std::span<const std::uint32_t> spirv, bool splats) {
     Subject subject{std::move(name), 0, spirv, nullptr, {splats, 5}};
     subject.octaves = 5;
@@ -81,7 +81,7 @@ Subject drop_in(const noise::Recipe& recipe, Function function) {
             {number}};
 }
 
-// Each sums 3 x 3 x 3 nodes.
+// Every function in space sums 3 x 3 x 3 nodes.
 Subject in_space(SpaceFunction function) {
     constexpr std::array names{"",
                                "gabor_noise_3d",

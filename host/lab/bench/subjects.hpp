@@ -14,16 +14,16 @@ namespace gabor::bench {
 /// A noise to time. Its pass includes passes/bench/bench.glsl and computes one pixel per invocation.
 struct Subject {
     std::string name;
-    double visited = 0; ///< impulses visited for each pixel; 0 if there are none
+    double visited = 0; ///< impulses visited per pixel; 0 if there are none
     std::span<const std::uint32_t> spirv;
-    const noise::Recipe* recipe = nullptr;   ///< of the drop-in
+    const noise::Recipe* recipe = nullptr;   ///< the drop-in's recipe; null for other noises
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
     bool measure_cvm = false;                ///< whether to measure the Gaussianity of its values
-    bool has_loops = false;                  ///< the compiler keeps its loops, so its code cannot be counted
-    int octaves = 0; ///< rounds of a loop that compilers keep; their number is the last option
+    bool has_loops = false; ///< whether compilers keep its loops, so that its code cannot be counted
+    int octaves = 0;        ///< rounds of a loop that compilers keep; their number is the last option
 };
 
-/// The noises that the report compares with, named as in docs/benchmark.html.
+/// The noises that others are compared with, named as in docs/benchmark.html.
 inline constexpr std::string_view writing_alone = "writing alone";
 inline constexpr std::string_view perlin_yardstick = "Perlin noise";
 inline constexpr std::string_view simplex_yardstick = "simplex noise";
@@ -33,8 +33,8 @@ inline constexpr std::string_view seminal_yardstick = "the seminal noise, 270 ke
 /// All subjects, in the order of the report.
 std::vector<Subject> subjects();
 
-/// The functions of passes/bench/recipe.comp, with the same numbers. Sparse recipes have those up to
-/// `animated`; only the lattice with 3 taps has those from `spread` on.
+/// The functions of passes/bench/recipe.comp, with the same numbers. Sparse recipes have only those up to
+/// `animated`; those from `spread` on exist only for the lattice with 3 taps.
 enum class Function : std::uint32_t {
     noise,
     gradient,
@@ -64,7 +64,7 @@ enum class SpaceFunction : std::uint32_t {
 /// A function of gabor_lattice_3d.glsl.
 Subject in_space(SpaceFunction function);
 
-/// The size and the frequency of a timed picture.
+/// The size, scale and frequency of a timed picture.
 struct Setting {
     int side;         ///< pixels
     double scale;     ///< pixels per kernel radius
@@ -89,7 +89,7 @@ class Filling {
     Filling(const vulkan::Device& device, const Subject& subject, const Setting& setting,
             const vulkan::Buffer& picture);
 
-    /// Returns the seconds by the device's clock, NaN if it has none.
+    /// Returns the time in seconds by the device's clock; NaN if it has none.
     double run();
 
   private:
@@ -98,7 +98,7 @@ class Filling {
     vulkan::Job job_;
 };
 
-/// Submits `job`, of a subject's pass, to fill a picture or the same number of samples.
+/// Submits `job`, which runs a subject's pass, to compute a picture or as many samples.
 void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed);
 
 } // namespace gabor::bench

@@ -55,7 +55,7 @@ void print_base(const std::vector<bench::Row>& rows) {
     }
 }
 
-// The same row as docs/benchmark.html: milliseconds per megapixel, without the time to write pixels.
+// Prints a row as in docs/benchmark.html: milliseconds per megapixel, without the time to write pixels.
 void print_row(const vulkan::Device& device, const std::vector<bench::Row>& rows) {
     const double writing = find(rows, bench::writing_alone).nanoseconds_per_pixel();
     fmt::print("\n| device | API | gabor_noise | 2 taps | Perlin | simplex | advice | seminal |\n"
@@ -157,11 +157,11 @@ void run_bench(const BenchOptions& options) {
 void add_bench_command(CLI::App& app) {
     auto options = std::make_shared<BenchOptions>();
     CLI::App* command =
-        app.add_subcommand("bench", "Time the noises against each other on the device's own clock");
+        app.add_subcommand("bench", "Compare the times of all noises by the device's own clock");
     command->add_option("--json", options->json, "Also write all figures to this file")->type_name("FILE");
     cli::add_device_option(*command, options->device);
     command->add_flag("--quick", options->quick,
-                      "Few repetitions on a small picture, as a check that everything runs");
+                      "Use few repetitions and a small picture, to check that everything runs");
     command->add_flag(
         "--isa", options->isa,
         "Report the compiler's statistics instead of times: needs RADV, but no GPU, as in tools/isa");

@@ -6,7 +6,7 @@ class App;
 
 namespace gabor::lab {
 
-/// Each adds one subcommand, whose callback does the work.
+/// Each of these functions adds one subcommand, whose callback does the work.
 void add_study_command(CLI::App& app);
 void add_bench_command(CLI::App& app);
 

@@ -26,7 +26,7 @@ struct StudyOptions {
     bool quick = false;
 };
 
-// Progress counts in whole numbers.
+// Converts a cost to a whole number for Progress.
 std::uint64_t units(double cost) {
     return static_cast<std::uint64_t>(std::ceil(cost / 1024));
 }
@@ -37,7 +37,7 @@ void measure(const StudyOptions& options) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        throw RequestError(fmt::format("cannot create the folder '{}' ({}); -o takes a folder to write in",
+        throw RequestError(fmt::format("cannot create the folder '{}' ({}); -o takes a folder to write to",
                                        options.folder, error.message()));
     const vulkan::Device device(options.device);
     const study::Effort effort = options.quick ? study::Effort::quick() : study::Effort::full();
@@ -74,14 +74,15 @@ void add_study_command(CLI::App& app) {
     std::string names;
     for (const study::Study& study : study::studies())
         names += fmt::format("{} ({}); ", study.name, study.description);
-    command->add_option("NAME", options->name, fmt::format("Which: {}all", names))->type_name("")->required();
+    command->add_option("NAME", options->name, fmt::format("Study: {}all", names))->type_name("")->required();
     command
         ->add_option(
             "-o,--output", options->folder,
             "Folder for tables and pictures; finished tables of this version, device and driver are kept")
         ->type_name("FOLDER")
         ->required();
-    command->add_flag("--quick", options->quick, "Fewer samples: two minutes for all, without a GPU");
+    command->add_flag("--quick", options->quick,
+                      "Use fewer samples: all studies take two minutes without a GPU");
     cli::add_device_option(*command, options->device);
     command->callback([options] { measure(*options); });
 }

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Values of a recipe's noise at the study's places, by the drop-in's own call.
+// Computes a recipe's noise at the study's places with the drop-in's own function.
 
 #include "recipe.glsl"
 #include "places.glsl"

@@ -2,30 +2,32 @@
 //
 //     n(p) = K sum_i w_i g(p - x_i),    g(d) = envelope(d) wave(2 pi (F d.omega + phase_i)),    |d| <= 1
 //
-// A cell is as wide as the kernel radius. Define before the file, as macros or specialization constants:
+// A cell is as wide as the kernel radius. Define these before including this file, as macros or
+// specialization constants:
 //
 //   GABOR_IMPULSES   N, impulses per cell, at least 1; the mean for Poisson points, exact for all others
 //   GABOR_POINTS     0 Poisson   1 stratified   2 jittered   3 jittered hexagonal   4 Sobol   5 scrambled Sobol
 //   GABOR_WEIGHTS    0 uniform in [-1, 1]   1 Bernoulli, -1 or 1   2 none
 //   GABOR_KERNEL     0 cosine   1 sine   2 random phase
-//   GABOR_ENVELOPE   0 truncated Gaussian   1 C0: Gaussian less its value at the end
+//   GABOR_ENVELOPE   0 truncated Gaussian   1 C0: Gaussian minus its value at the edge
 //                    2 C1 radial (1 - |d|^2)^2   3 C1 separable (1 - x^2)^2 (1 - y^2)^2
-//   GABOR_PERIOD     the instance repeats after so many cells, at least 3; 0 where it does not
+//   GABOR_PERIOD     cells after which the instance repeats, at least 3; 0 if it does not
 //   GABOR_HEX_STEP, GABOR_HEX_A, GABOR_HEX_B, GABOR_HEX_OVERHANG    the lattice of the hexagons
 //
-// The noise is gabor_ingredients; gabor_count and gabor_point are its impulses. Names with gabor_impl_ are private.
+// The noise is gabor_ingredients; gabor_count and gabor_point give its impulses. Names with gabor_impl_ are
+// private.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_INGREDIENTS_GLSL
 #define GABOR_INGREDIENTS_GLSL
 
-#include "gabor_noise.glsl" // for its hash and its sine
+#include "gabor_noise.glsl" // provides the hash and the sine
 
 // ---- Points --------------------------------------------------------------------------------------------------------
 
-// Poisson counts by Knuth's product of uniforms, as the seminal implementation has them, in parts whose exponential a
-// float can hold.
+// A Poisson count by Knuth's product of uniforms, as in the seminal implementation. Splits the mean into
+// parts of at most 64, for which exp does not underflow.
 int gabor_impl_poisson_count(float mean, uint cell_word) {
     int draws = 0;
     int parts = 0;
@@ -46,8 +48,8 @@ vec2 gabor_impl_unit_square(uint word) {
     return (vec2(int(word >> 20u), int((word >> 8u) & 0xfffu)) + 0.5) / 4096.0;
 }
 
-// N sub-cells of equal area in round(sqrt(N)) rows, with a random point in each. If N is not a square, rows differ by
-// one sub-cell, and their heights are in proportion to their counts.
+// A random point in one of N sub-cells of equal area in round(sqrt(N)) rows. If N is not a square, rows
+// differ by one sub-cell, and their heights are in proportion to their counts.
 vec2 gabor_impl_jittered_point(int index, vec2 unit) {
     float n = float(GABOR_IMPULSES);
     float i = float(index);
@@ -58,10 +60,10 @@ vec2 gabor_impl_jittered_point(int index, vec2 unit) {
     return vec2((i - first + unit.x) / (next - first), (first + unit.y * (next - first)) / n);
 }
 
-// The Voronoi cells of the lattice (i / N, i STEP / N) mod 1 are N equal hexagons per cell and tile the plane across
-// all cells; a point anywhere in each. A and B are a reduced basis of the lattice with A.B >= 0: a random point of
-// their parallelogram, moved by those of the lattice vectors A, B, B - A that bring it nearer to the centre, is uniform
-// in the hexagon.
+// The Voronoi cells of the lattice (i / N, i STEP / N) mod 1 are N equal hexagons per cell, which tile the
+// plane across all cells. This returns a random point in one of them. A and B are a reduced basis of the
+// lattice with A.B >= 0. A random point of their parallelogram becomes uniform in the hexagon when moved by
+// whichever of A, B and B - A bring it nearer to the centre.
 vec2 gabor_impl_hexagon_point(int index, vec2 unit) {
     float n = float(GABOR_IMPULSES);
     vec2 a = GABOR_HEX_A;
@@ -75,10 +77,10 @@ vec2 gabor_impl_hexagon_point(int index, vec2 unit) {
     return vec2(float(index) + 0.5, row + 0.5) / n + d;
 }
 
-// Sobol's sequence in two dimensions as 32-bit fractions. The first is the bit reversal of the index. The second has
-// the primitive polynomial x + 1, so that each direction number is v ^ (v >> 1) of the one before: together they are
-// Pascal's triangle modulo 2, applied here to all bits in five steps (Ahmed, "An Implementation Algorithm of 2D Sobol
-// Sequence Fast, Elegant, and Compact", EGSR 2024).
+// Sobol's sequence in two dimensions as 32-bit fractions. The first is the bit reversal of the index. The
+// second has the primitive polynomial x + 1, so that each direction number v is followed by v ^ (v >> 1).
+// Together, they are Pascal's triangle modulo 2, applied here to all bits in five steps (Ahmed, "An
+// Implementation Algorithm of 2D Sobol Sequence Fast, Elegant, and Compact", EGSR 2024).
 uvec2 gabor_impl_sobol_point(uint index) {
     uint v = index;
     v ^= (v & 0xffff0000u) >> 16u;
@@ -101,7 +103,7 @@ uint gabor_impl_owen_scrambled(uint fraction, uint seed) {
     return bitfieldReverse(v);
 }
 
-// The number of impulses in a cell. `cell_word` is the word of its impulse -1.
+// The number of impulses in a cell. `cell_word` is the hash of its impulse -1.
 int gabor_count(uint cell_word) {
     return GABOR_POINTS == 0 ? gabor_impl_poisson_count(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
 }

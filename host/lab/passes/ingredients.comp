@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Values of the noise with any ingredients.
+// Computes noise with any ingredients at the study's places.
 
 #include "ingredients.glsl"
 #include "places.glsl"

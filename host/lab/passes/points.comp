@@ -1,7 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The point set of each cell of a square of cells: its count, then the places of the first `capacity` impulses.
+// Writes the point set of each cell in a square of cells: its count and the places of the first `capacity`
+// impulses.
 
 #include "ingredients.glsl"
 #include "passes/points_interface.h"

@@ -1,4 +1,4 @@
-// For passes/points.comp and host/lab/study.
+// Shared by passes/points.comp and host/lab/study.
 
 #ifndef GABOR_POINTS_INTERFACE_H
 #define GABOR_POINTS_INTERFACE_H
@@ -10,8 +10,8 @@ GABOR_INTERFACE_BEGIN
 const uint points_group = 8; // invocations along x and y
 
 GABOR_PUSH_CONSTANTS(PointsPush) {
-    uint side;     // of the square, in cells
-    uint capacity; // room for impulses in each cell
+    uint side;     // side of the square, in cells
+    uint capacity; // largest number of impulses stored per cell
     uint seed;
 };
 

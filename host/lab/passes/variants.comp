@@ -1,11 +1,11 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Values of variants of the drop-in's recipes, for the frontier and the open questions: any number of impulses, any
-// lattice, distribution of magnitudes and window.
+// Computes variants of the drop-in's recipes for the frontier and the open questions, with any number of
+// impulses, lattice, distribution of magnitudes and window.
 
 layout(constant_id = 0) const int impulses = 1;
-layout(constant_id = 1) const float radius = 1.0; // cells
+layout(constant_id = 1) const float radius = 1.0; // radius in cells
 layout(constant_id = 2) const int brick = 0;      // 1: odd rows of cells are shifted by half a cell
 layout(constant_id = 3) const float jitter = 1.0; // 0: impulses stay at the centre of their cell
 layout(constant_id = 4) const int magnitudes = 0; // 0 uniform in [weight_floor, 1], 1 weight_floor or 1, 2 Rayleigh

@@ -13,8 +13,7 @@ namespace {
 
 constexpr int cell = Lines::pixels_per_cell;
 
-/// Only frequencies that are not their own mirror images: the power of those that are has half the degrees of
-/// freedom.
+/// Omits frequencies that are their own mirror images: their power has half the degrees of freedom.
 constexpr std::array<std::array<int, 2>, 6> frequencies{{{1, 0}, {0, 1}, {1, 1}, {1, -1}, {1, 2}, {2, 1}}};
 
 } // namespace
@@ -33,8 +32,8 @@ Lines::Lines(int side) : side_(side) {
     powers_.resize(frequencies.size() * steps * steps);
 }
 
-// A pixel cell * m + r has the phase -2 pi (f r / cell + step x / side) at f cycles per cell, plus `step`
-// cycles per picture: sums over m for each r serve all f.
+// At f cycles per cell plus `step` cycles per picture, pixel x = cell * m + r has the phase -2 pi (f r / cell
+// + step x / side). So sums over m for each r serve all f.
 void Lines::add_row(std::span<const float> row) {
     std::array<std::array<Complex, cell>, steps> along{};
     const auto side = static_cast<std::size_t>(side_);
@@ -93,7 +92,7 @@ double Lines::largest() const {
         double sum = -line;
         for (std::size_t i = 0; i < around; ++i)
             sum += powers_[f * around + i];
-        result = std::fmax(result, line / (sum / (around - 1))); // a number, if any of them is one
+        result = std::fmax(result, line / (sum / (around - 1))); // fmax ignores NaN
     }
     return result;
 }

@@ -8,43 +8,44 @@
 
 namespace gabor::statistics {
 
-/// Spectral lines. A pattern that repeats from cell to cell of a grid has all its power at whole numbers of
-/// cycles per cell. In a picture of whole cells, the spectrum at these frequencies exceeds its surroundings.
+/// Measures spectral lines. A pattern that repeats from cell to cell of a grid has all its power at whole
+/// numbers of cycles per cell. In a picture of whole cells, the spectrum at these frequencies exceeds its
+/// surroundings.
 class Lines {
   public:
     static constexpr int pixels_per_cell = 4;
 
-    /// For pictures of `side` * `side` pixels whose first pixel is at a corner of a cell. Throws
+    /// Expects pictures of `side` x `side` pixels whose first pixel is at a corner of a cell. Throws
     /// std::invalid_argument unless `side` is a multiple of 4 and at least 32.
     explicit Lines(int side);
 
     /// Adds the next row. After `side` rows, the next picture begins.
     void add_row(std::span<const float> row);
 
-    /// The largest ratio, over the frequencies (1, 0), (0, 1), (1, 1), (1, -1), (1, 2) and (2, 1) cycles per
-    /// cell, of the power there to that of the 24 frequencies around it, both averaged over the pictures.
-    /// Without lines it is 1 plus chance: K times the ratio of K pictures is a gamma variable of shape K. NaN
-    /// without a picture.
+    /// Returns the largest ratio of the power at (1, 0), (0, 1), (1, 1), (1, -1), (1, 2) or (2, 1) cycles per
+    /// cell to the mean power of the 24 frequencies around it, both averaged over the pictures. Without
+    /// lines, the ratio at each frequency is 1 up to chance: after K pictures, K times the ratio is a gamma
+    /// variable of shape K. NaN without pictures.
     double largest() const;
 
   private:
     using Complex = std::complex<double>;
-    static constexpr int reach = 2; ///< of the surroundings, in steps of 1 / side cycles per pixel
+    static constexpr int reach = 2; ///< radius of the surroundings, in steps of 1 / side cycles per pixel
     static constexpr int steps = 2 * reach + 1;
 
     void end_picture();
 
     int side_;
     int row_ = 0;
-    std::vector<float> cosine_; ///< of the steps 0 to `reach`, pixel by pixel
+    std::vector<float> cosine_; ///< cosines for steps 0 to `reach`, pixel by pixel
     std::vector<float> sine_;
-    std::vector<Complex>
-        sums_; ///< by step along x and y and pixel of a cell, over which the transform still sums
-    std::vector<double> powers_; ///< by frequency, then by step along y and x
+    std::vector<Complex> sums_;  ///< indexed by step and pixel of a cell along y, then along x; end_picture()
+                                 ///< sums over the pixels
+    std::vector<double> powers_; ///< indexed by frequency, then by step along y and x
 };
 
-/// The lines of functions of a noise. If its mean, variance, kurtosis or tails depend on the place within a
-/// cell, one of them has lines.
+/// Measures the lines of functions of a noise. If the noise's mean, variance, kurtosis or tails depend on the
+/// place within a cell, one of the functions has lines.
 class NoiseLines {
   public:
     enum Function : std::size_t { value, square, magnitude, fourth_power, tails, count };
@@ -55,7 +56,7 @@ class NoiseLines {
     explicit NoiseLines(int side) : lines_(count, Lines(side)) {}
     void add_row(std::span<const float> row);
 
-    /// The ratio of each function, in the order of the names.
+    /// Returns the ratio of each function, in the order of the names.
     std::array<double, count> largest() const;
 
   private:

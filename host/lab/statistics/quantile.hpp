@@ -4,8 +4,8 @@
 
 namespace gabor::statistics {
 
-/// The number below which a share of `values` lies, interpolated linearly between order statistics.
-/// Throws std::invalid_argument if there are none.
+/// Returns the number below which a share of `values` lies, interpolated linearly between order statistics.
+/// Throws std::invalid_argument if `values` is empty.
 double quantile(std::vector<double> values, double share);
 
 /// The spread of positive values, "median and relative interdecile" in [TNVT19].

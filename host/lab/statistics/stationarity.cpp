@@ -30,8 +30,8 @@ Dispersion ProcessStationarity::variance() const {
     return dispersion(variances);
 }
 
-// A variance from n samples has the relative variance (excess kurtosis + 2) / n; its deciles are those of a
-// normal distribution.
+// A variance from n samples has the relative variance (excess kurtosis + 2) / n and the deciles of a normal
+// distribution.
 double ProcessStationarity::chance_interdecile() const {
     const double n = static_cast<double>(places_.front().count());
     return 2 * normal_quantile(0.9) * std::sqrt((all().excess_kurtosis() + 2) / n);

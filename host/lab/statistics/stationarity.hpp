@@ -8,11 +8,11 @@
 
 namespace gabor::statistics {
 
-/// Instance stationarity [TNVT19, 3.3, figure 4]: how the contrast (variance) differs from window to window;
+/// Instance stationarity [TNVT19, 3.3, figure 4]: how the contrast (variance) varies from window to window;
 /// in the paper, windows are one kernel diameter wide. Results do not depend on the order of the windows.
 class InstanceStationarity {
   public:
-    /// All pixels of one window.
+    /// Adds all pixels of one window.
     void add(std::span<const float> window);
 
     Dispersion contrast() const { return dispersion(contrasts_); }
@@ -27,17 +27,17 @@ class InstanceStationarity {
 /// equally many instances.
 class ProcessStationarity {
   public:
-    /// The values at one more place.
+    /// Adds the values at one more place.
     void add(const Moments& place) { places_.push_back(place); }
 
     const std::vector<Moments>& places() const { return places_; }
-    /// Of the variances.
+    /// The dispersion of the variances.
     Dispersion variance() const;
     /// The relative interdecile that equal variances would show by chance.
     double chance_interdecile() const;
     /// The largest magnitude of a mean.
     double largest_mean() const;
-    /// The bound that the largest mean exceeds by chance in one case of twenty if all means are 0.
+    /// The bound that the largest mean exceeds by chance in one case out of twenty if all means are 0.
     double chance_largest_mean() const;
 
   private:

@@ -91,7 +91,7 @@ Tables figure2(const vulkan::Device& device, const Effort& effort) {
     return {table};
 }
 
-// The instances of the inset: seminal noise of about 50, 5 and 0.5.
+// The instances of the inset: seminal noise with a cvm of about 50, 5 and 0.5.
 void figure2_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder) {
     for (const int n : {4, 10, 30}) {
         Noise noise(device, Ingredients{.impulses = n});
@@ -104,7 +104,7 @@ void figure2_pictures(const vulkan::Device& device, const Effort& effort, const 
 // Figure 3: the seminal N that is needed for the same Gaussianity, against N.
 
 void SeminalCurve::add(int n, double cvm) {
-    // By chance the curve can rise at its low end. So this uses only the falling part.
+    // Keeps only the falling part, because chance can make the curve rise at its low end.
     if (cvm > 0 && (points_.empty() || std::log(cvm) < points_.back().first))
         points_.emplace_back(std::log(cvm), std::log(n));
 }
@@ -146,7 +146,8 @@ Tables figure3(const vulkan::Device& device, const Effort& effort) {
 // Figure 4: fluctuations of the windowed contrast against N.
 
 Tables figure4(const vulkan::Device& device, const Effort& effort) {
-    // Contrasts are of noise with a standard deviation of 1/4, which keeps 95 % of the histogram in [0, 1].
+    // Deviations are given for noise with a standard deviation of 1/4, which keeps 95 % of the histogram in
+    // [0, 1].
     constexpr double shown = 0.25;
     Table table{
         "figure4",
@@ -170,12 +171,13 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
     return {table};
 }
 
-// Figure 5: time of the recommended noise, and of the seminal noise of the same quality and of the same N.
+// Figure 5: time of the recommended noise, and of the seminal noise with the same quality and with the same
+// N.
 
 namespace {
 
-// N* by Gaussianity if that is measured well; if the noise is too close to a normal distribution, by the
-// excess kurtosis.
+// N* from the cvm if it is measured well; if the noise is too close to a normal distribution for that, from
+// the excess kurtosis.
 double seminal_equivalent(const ValueStatistics& values, const Ingredients& ingredients) {
     const statistics::Estimate cvm = values.gaussianity.index();
     if (cvm.low > cvm.value / 2)
@@ -235,7 +237,7 @@ std::vector<float> sum_picture(std::vector<Noise> sum, int bits) {
     return total;
 }
 
-// Sharp veins on a gradient: small differences of the noise change the picture a lot.
+// Sharp veins on a gradient: small differences in the noise change the picture a lot.
 std::array<float, 3> colour(float noise) {
     const float t = std::clamp(render::unorm(noise), 0.0f, 1.0f);
     const float vein = std::exp(-40 * noise * noise);

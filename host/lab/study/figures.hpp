@@ -1,6 +1,6 @@
 #pragma once
 
-// The figures of the paper (figures.cpp), and further questions, each in the file of that name.
+// The paper's figures (figures.cpp) and further studies, each in the file with its name.
 
 #include "noise/recipe.hpp"
 #include "study/study.hpp"
@@ -13,7 +13,7 @@ namespace gabor::study {
 using Tables = std::vector<Table>;
 using Folder = std::filesystem::path;
 
-/// The figures of the paper and of this study. They write pictures into `folder`.
+/// Return the tables of each figure or study, or write its pictures into `folder`.
 Tables figure1(const vulkan::Device& device, const Effort& effort);
 Tables figure2(const vulkan::Device& device, const Effort& effort);
 void figure2_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder);
@@ -28,9 +28,9 @@ void law_pictures(const vulkan::Device& device, const Effort& effort, const Fold
 Tables frontier(const vulkan::Device& device, const Effort& effort);
 Tables future(const vulkan::Device& device, const Effort& effort);
 
-/// N* of a cvm: the N with which the seminal noise reaches it, by logarithmic interpolation of its measured
-/// curve, and beyond the curve by its limit, cvm = 2^18 (k / (24 N))^2 C with its excess kurtosis k / N
-/// (Edgeworth's series, C = integral of (He3 phi)^2 dPhi = 7 / (9 sqrt(3) pi)). Infinite where cvm is not
+/// N* of a cvm: the N with which the seminal noise reaches that cvm. Interpolates the measured curve
+/// logarithmically; beyond it, uses the limit cvm = 2^18 (k / (24 N))^2 C for the excess kurtosis k / N
+/// (Edgeworth's series, C = integral of (He3 phi)^2 dPhi = 7 / (9 sqrt(3) pi)). Infinite if cvm is not
 /// positive.
 class SeminalCurve {
   public:
@@ -46,17 +46,17 @@ inline constexpr std::string_view recipe_columns =
     "places_chance,contrast_interdecile,sidelobe_db,outside,cvm_places,cvm_places_low,cvm_places_high";
 
 /// All criteria of one recipe: Gaussianity over all places and at each place of a cell, variance at each
-/// place, contrast of windows, spectral purity.
+/// place, contrast of windows, and spectral purity.
 Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effort& effort);
 
-/// The same for a recipe of the lattice.
+/// The same criteria for a lattice recipe.
 Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const Effort& effort);
 
-/// The same for the seminal noise.
+/// The same criteria for the seminal noise.
 Row seminal_row(const vulkan::Device& device, const Effort& effort);
 
-/// Appends to each of these rows 1 if it is on the Pareto front, else 0. Rows on the front have a stationary
-/// variance, and no such row is as good in visits, Gaussianity at places and sidelobes and better in one.
+/// Appends 1 to rows on the Pareto front and 0 to others. A row is on the front if its variance is stationary
+/// and no other stationary row is at least as good in visits, cvm at places and sidelobes, and better in one.
 void mark_pareto(std::vector<Numbers>& rows);
 
 } // namespace gabor::study

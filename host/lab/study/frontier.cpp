@@ -1,4 +1,4 @@
-// The Pareto front of recipes: Gaussianity, number of impulses summed, spectral purity.
+// The Pareto front of recipes: Gaussianity, number of impulses summed, and spectral purity.
 
 #include "study/figures.hpp"
 #include "study/lattice.hpp"
@@ -25,7 +25,7 @@ constexpr std::array window_functions{
 };
 constexpr double most_visited = 20;
 
-// The measured columns of `recipe_columns`.
+// Indices of measured columns of `recipe_columns`.
 enum Column : std::size_t {
     visits = 0,
     places_interdecile = 5,
@@ -132,7 +132,7 @@ Tables frontier(const vulkan::Device& device, const Effort& effort) {
                     Variant variant{window, n, radius, lattice};
                     if (visited(variant) > most_visited)
                         continue;
-                    table.rows.push_back(recipe_row(device, variant, effort)); // Bernoulli
+                    table.rows.push_back(recipe_row(device, variant, effort)); // with Bernoulli weights
                     for (const Magnitudes magnitudes : {Magnitudes::uniform, Magnitudes::two_point}) {
                         variant.magnitudes = magnitudes;
                         variant.floor = best_floor(variant);

@@ -1,4 +1,5 @@
-// The paper's open questions: no weights, regular grids with random phases, several close kernels.
+// The paper's open questions: no weights, regular grids with random phases, and several kernels of similar
+// frequency.
 
 #include "study/figures.hpp"
 #include "study/measures.hpp"
@@ -11,7 +12,7 @@ namespace gabor::study {
 
 namespace {
 
-// The sine kernel without weights, next to the same with Bernoulli weights.
+// The sine kernel without weights, for comparison with Bernoulli weights.
 Table unweighted(const vulkan::Device& device, const Effort& effort) {
     Table table{"future_unweighted",
                 "points,weights,kernel,envelope,N,frequency,samples,variance,cvm,cvm_low,cvm_high,"
@@ -48,8 +49,8 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// Impulses at the nodes of a grid, with random phases alone or complex normal amplitudes, beside random
-// places.
+// Impulses at the nodes of a grid or at random places, with only random phases or with complex normal
+// amplitudes.
 Table grids(const vulkan::Device& device, const Effort& effort) {
     Table table{"future_grids", std::string(recipe_columns), {}};
     for (const Window& window :
@@ -63,7 +64,7 @@ Table grids(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// K kernels of the recommended noise with N impulses each, at frequencies a step apart.
+// K kernels of the recommended noise with N impulses each, whose frequencies are a step apart.
 Table kernels(const vulkan::Device& device, const Effort& effort) {
     Table table{"future_kernels", "kernels,step,N,samples,cvm,cvm_low,cvm_high,contrast_interdecile", {}};
     for (const int count : {1, 2, 3, 6})

@@ -54,8 +54,8 @@ double envelope_at(Envelope envelope, double x, double y) {
     return square <= 1 ? radial_envelope(envelope, std::sqrt(square)) : 0;
 }
 
-// cos^2 = (1 + cos 2x) / 2 and cos^4 = (3 + 4 cos 2x + cos 4x) / 8; for the sine the middle sign is negative,
-// and a random phase leaves the constants.
+// cos^2 = (1 + cos 2x) / 2 and cos^4 = (3 + 4 cos 2x + cos 4x) / 8; for the sine, the middle sign is
+// negative; a random phase leaves only the constants.
 double sign(Kernel kernel) {
     return kernel == Kernel::cosine ? 1 : kernel == Kernel::sine ? -1 : 0;
 }
@@ -70,7 +70,7 @@ Vector subtract_multiple(const Vector& u, const Vector& v, double factor) {
     return {u[0] - factor * v[0], u[1] - factor * v[1]};
 }
 
-// Lagrange's reduction: a is a shortest vector, b the shortest one independent of it.
+// Lagrange's reduction: makes a the shortest vector and b the shortest one independent of a.
 void reduce(Vector& a, Vector& b) {
     for (;;) {
         if (dot(b, b) < dot(a, a))

@@ -18,8 +18,8 @@ double lattice_window(int taps, double x) {
 }
 
 CovarianceOverCell lattice_covariance(int taps, const std::array<double, 2>& lag, int side) {
-    const double spacing = 2.0 / taps; // of nodes, kernel radii
-    // Along an axis: the sum over its nodes at each place, and whether the second value is in another cell.
+    const double spacing = 2.0 / taps; // distance between nodes, in kernel radii
+    // Along an axis: the normalized sum over its nodes at each place.
     const auto along = [&](double distance) {
         std::vector<double> sums;
         for (int place = 0; place < side; ++place) {

@@ -26,7 +26,7 @@ struct Subject {
     std::string name;
     double visited; ///< impulses per value
     double cells_per_radius;
-    int taps; ///< the lattice's taps, else 0
+    int taps; ///< taps of the lattice; 0 for other noises
     std::function<Noise(const vulkan::Device&, const PlaneWave&)> make;
 };
 
@@ -61,7 +61,7 @@ Source source(const vulkan::Device& device, const Subject& subject, const PlaneW
     };
 }
 
-// Equal seeds give equal instances, at the same places.
+// Returns values of instances. Equal seeds give equal instances, at the same places.
 std::vector<float> draw(Noise& noise, std::uint64_t instances, const Grid& grid, std::uint32_t seed) {
     std::vector<float> values(instances << 2 * grid.bits);
     noise.fill(values, grid, 0, seed, ~seed);
@@ -124,10 +124,10 @@ Table pooled(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// The sum and the difference of two values at a given lag, at a random place, divided by their sample
-// deviation, which depends on the lag.
+// The distributions of the sum and the difference of two values a given lag apart, at a random place, divided
+// by their sample deviation, which depends on the lag.
 Table pairs(const vulkan::Device& device, const Effort& effort) {
-    constexpr double largest = 2; // deviation of the sum of two values of variance 1
+    constexpr double largest = 2; // largest deviation of the sum of two values with variance 1
     Table table{"law_pairs",
                 "noise,lag,direction,pairs,correlation,cvm_sum,cvm_sum_low,cvm_sum_high,cvm_difference,"
                 "cvm_difference_low,cvm_difference_high",
@@ -165,18 +165,19 @@ Table pairs(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// The covariance of two values a lag apart at each place of a cell, and how it differs from its mean over the
-// places where the two are in different cells. Between the two values the wave makes whole turns, so their
-// covariance is that of the windows.
+// The covariance of two values a lag apart at each place of a cell, and its differences from the mean where
+// the two are in different cells. The wave makes whole turns between the two values, so their covariance is
+// that of the windows.
 constexpr PlaneWave whole_turns{4, 0};
 
 constexpr std::size_t place_count = side * side;
 
-// The mean product of values at this lag, at each place of a cell.
+// Returns the mean product of two values at this lag, at each place of a cell.
 std::array<double, place_count> covariances(Noise& noise, const std::array<double, 2>& lag,
                                             double cells_per_radius, std::uint64_t instances,
                                             std::uint32_t seed) {
-    const double half = 0.5 / side / cells_per_radius; // places are at the centres of their squares
+    // Grids put places at the centres of squares; this undoes the offset.
+    const double half = 0.5 / side / cells_per_radius;
     const Grid first{3, 1 / cells_per_radius, false, {-half, -half}};
     Grid second = first;
     second.shift = {lag[0] - half, lag[1] - half};
@@ -216,8 +217,8 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
     Table table{
         "law_covariance", "noise,lag_x,lag_y,instances,covariance,rms,rms_chance,largest,largest_chance", {}};
     const std::uint64_t instances = effort.places / 2;
-    std::vector<Numbers>
-        theory; // only the lattice's depends on the place: random signs and phases have mean 0
+    // Covariance depends on the place only for the lattice: random signs and phases have mean 0.
+    std::vector<Numbers> theory;
     for (const Subject& subject : subjects()) {
         const Source noise = source(device, subject, whole_turns);
         const double radius = subject.cells_per_radius;
@@ -281,9 +282,9 @@ Tables law(const vulkan::Device& device, const Effort& effort) {
             spectra(device, effort)};
 }
 
-// A picture with a noise per column. Its rows: frequencies 1.5 and 4 over eight kernel radii, the same zoomed
-// to two, and frequency 1.5 over 4095 cells with one value per sixteen cells, at a place that moves once
-// across the cell.
+// Writes a picture with one noise per column. Its rows show frequencies 1.5 and 4 over eight kernel radii,
+// the same zoomed to two radii, and frequency 1.5 over 4095 cells, with one value per sixteen cells at a
+// place that moves across the cell once.
 void law_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder) {
     struct View {
         double frequency;

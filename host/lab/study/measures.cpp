@@ -11,7 +11,7 @@ namespace gabor::study {
 
 namespace {
 
-constexpr std::uint64_t batch = 1 << 20; // values
+constexpr std::uint64_t batch = 1 << 20; // values per batch
 
 // Calls `visit` with the values of whole instances, many instances at a time.
 void for_each_batch(std::span<Noise> sum, const Grid& grid, std::uint64_t instances, std::uint32_t seed,

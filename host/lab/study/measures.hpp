@@ -24,14 +24,14 @@ struct ValueStatistics {
     statistics::Gaussianity gaussianity;
 };
 
-/// One value at a random place of each of `samples` independent instances.
+/// Measures one value at a random place of each of `samples` independent instances.
 ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed);
 
-/// Windows of one kernel diameter with 16 x 16 pixels, each from another instance.
+/// Measures windows of 16 x 16 pixels, one kernel diameter wide, each from another instance.
 statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
                                                  std::uint32_t seed);
 
-/// 8 x 8 places of a cell, over many instances. `cell` is its side in kernel radii.
+/// Statistics at 8 x 8 places of a cell, over many instances.
 struct PlaceStatistics {
     statistics::ProcessStationarity stationarity;
     std::vector<statistics::Estimate> cvm; ///< the index at each place
@@ -40,19 +40,21 @@ struct PlaceStatistics {
     /// necessary.
     statistics::Estimate mean_cvm() const;
 };
+/// Measures values at places of a cell, whose side is `cell` kernel radii.
 PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
                                std::uint32_t seed);
 
-/// The mean of a whole instance, 64 x 64 pixels on a square of `side` kernel radii from a cell's corner, for
-/// each of many instances.
+/// Returns the mean of each of many instances, over 64 x 64 pixels on a square of `side` kernel radii from a
+/// cell's corner.
 std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64_t instances,
                                   std::uint32_t seed);
 
 /// Returns each noise's seconds on the device for a picture of 2^bits x 2^bits pixels, 32 to a kernel radius:
-/// the medians of `timings` interleaved rounds, so that other load affects all alike.
+/// the medians of `timings` interleaved rounds, so that other load affects all noises alike.
 std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings);
 
-/// Returns the pixels of such a picture, row by row, with `scale` pixels per kernel radius.
+/// Returns the pixels of a picture of 2^bits x 2^bits pixels, row by row, with `scale` pixels per kernel
+/// radius.
 std::vector<float> picture(Noise& noise, int bits, std::uint32_t seed, double scale = 32);
 
 } // namespace gabor::study

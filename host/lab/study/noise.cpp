@@ -21,7 +21,7 @@ namespace gabor::study {
 
 namespace {
 
-constexpr std::size_t dispatch_size = std::size_t{1} << 20; // values
+constexpr std::size_t dispatch_size = std::size_t{1} << 20; // values per dispatch
 
 constexpr RecipeModules drop_in_modules{
     drop_in_spirv, {drop_in_lattice_2_spirv, drop_in_lattice_3_spirv, drop_in_lattice_4_spirv}};

@@ -17,9 +17,9 @@ namespace gabor::study {
 /// gives one value.
 struct Grid {
     unsigned bits = 0;
-    double side = 0;               ///< kernel radii
+    double side = 0;               ///< length of a side in kernel radii
     bool random = true;            ///< begins at a random place of a cell, otherwise at its corner
-    std::array<double, 2> shift{}; ///< from there, kernel radii
+    std::array<double, 2> shift{}; ///< offset from there, in kernel radii
 };
 
 /// A noise on the device, scaled to a given variance.
@@ -34,7 +34,7 @@ class Noise {
     Noise(const vulkan::Device& device, const noise::Recipe& recipe, const PlaneWave& wave = {});
 
     /// Computes the values of consecutive instances, from `first` on. Instances with the same `place_seed`
-    /// start at the same places. Returns the seconds on the device, NaN if it cannot measure them.
+    /// start at the same places. Returns the time on the device in seconds; NaN if it cannot be measured.
     double fill(std::span<float> values, const Grid& grid, std::uint32_t first, std::uint32_t noise_seed,
                 std::uint32_t place_seed);
 
@@ -48,7 +48,7 @@ class Noise {
     double cells_per_radius_;
     vulkan::Pass pass_;
     vulkan::Buffer values_;
-    std::optional<vulkan::Buffer> staging_; ///< where the host cannot read the device's memory
+    std::optional<vulkan::Buffer> staging_; ///< used if the host cannot read the device's memory
     vulkan::Job job_;
 };
 

@@ -17,12 +17,13 @@ namespace {
 constexpr std::array known{
     Study{"figure1", "the point sets", figure1, nullptr},
     Study{"figure2", "Gaussianity against N", figure2, figure2_pictures},
-    Study{"figure3", "seminal N of the same Gaussianity", figure3, nullptr},
+    Study{"figure3", "seminal N with the same Gaussianity", figure3, nullptr},
     Study{"figure4", "contrast of windows against N", figure4, nullptr},
     Study{"figure5", "time against N", figure5, nullptr},
     Study{"figure6", "a noise of six lobes, and its time", figure6, figure6_pictures},
     Study{"stationarity", "the noise at each place of a cell, and means of instances", stationarity, nullptr},
-    Study{"law", "the law at each place of a cell and of pairs, covariance, spectra", law, law_pictures},
+    Study{"law", "the distribution at each place of a cell and of pairs, covariance, and spectra", law,
+          law_pictures},
     Study{"frontier", "the Pareto front of recipes", frontier, nullptr},
     Study{"future", "the paper's open questions", future, nullptr},
 };
@@ -61,8 +62,7 @@ const Study& find_study(std::string_view name) {
         return *found;
     std::vector<std::string_view> names;
     std::ranges::transform(known, std::back_inserter(names), &Study::name);
-    throw RequestError(
-        fmt::format("unknown study '{}': the studies are {}, all", name, fmt::join(names, ", ")));
+    throw RequestError(fmt::format("unknown study '{}': expected {} or all", name, fmt::join(names, ", ")));
 }
 
 std::vector<Study> find_studies(std::string_view name) {

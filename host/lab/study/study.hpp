@@ -11,39 +11,40 @@
 
 namespace gabor::study {
 
-/// The numbers of samples.
+/// How many samples to take.
 struct Effort {
     std::uint64_t samples;     ///< values of independent instances, per row
-    std::uint64_t windows;     ///< of independent instances, per row
+    std::uint64_t windows;     ///< windows of independent instances, per row
     std::uint64_t places;      ///< instances at each place of a cell, per row
     std::uint64_t law;         ///< values at each place of a cell, and pairs of values, per row
     std::vector<int> impulses; ///< N along the axis of a figure
-    std::vector<double> radii; ///< R of recipes, cells
+    std::vector<double> radii; ///< R of recipes, in cells
     int picture_bits;          ///< pictures have 2^bits x 2^bits pixels
-    int timings;               ///< of which the median is taken
+    int timings;               ///< number of timings whose median is taken
 
-    /// The paper's seven million samples, and N up to 30: every N up to 10, then fewer.
+    /// The paper's seven million samples, and N up to 30: every N up to 10, then only some.
     static Effort full();
-    /// A run of everything in two minutes on a software device.
+    /// Few enough samples to run everything in two minutes on a software device.
     static Effort quick();
 };
 
 /// A figure or a question: its tables, and a function that writes its pictures.
 struct Study {
     std::string_view name;
-    std::string_view description; ///< for help texts
+    std::string_view description; ///< shown in help texts
     std::vector<Table> (*tables)(const vulkan::Device& device, const Effort& effort);
-    /// May be null.
+    /// Null if there are no pictures.
     void (*pictures)(const vulkan::Device& device, const Effort& effort, const std::filesystem::path& folder);
 };
 
-/// All of them, in reading order.
+/// All studies, in reading order.
 std::span<const Study> studies();
 
-/// Throws RequestError with the known names.
+/// Returns the study with that name. Throws RequestError, with the known names, if there is none.
 const Study& find_study(std::string_view name);
 
-/// Returns the figure of that name, or all for `all`. Throws RequestError with the known names.
+/// Returns the study with that name, or all studies for `all`. Throws RequestError, with the known names, if
+/// there is none.
 std::vector<Study> find_studies(std::string_view name);
 
 } // namespace gabor::study

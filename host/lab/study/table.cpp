@@ -35,7 +35,7 @@ void commit(image::OutputFile& file, std::string_view text) {
 
 void write_table(const Table& table, const std::filesystem::path& folder, const std::string& conditions,
                  MeasuredRows& measured, const std::function<void(double)>& advance) {
-    image::OutputFile csv(path_of(table, folder, "csv")); // fails before the measurement
+    image::OutputFile csv(path_of(table, folder, "csv")); // fails before any measurement
     const std::filesystem::path sidecar = path_of(table, folder, "json");
     image::OutputFile json(sidecar);
     std::vector<Numbers> all;

@@ -17,25 +17,25 @@ using Numbers = std::vector<double>;
 /// depend only on a hash of the text, so a row has the same numbers in any table and in every run.
 struct Row {
     std::string key;
-    double cost; ///< in any unit, for the time left
+    double cost; ///< cost in any unit; serves to estimate the time left
     std::function<Numbers(std::uint32_t seed)> measure;
 };
 
 /// An unmeasured CSV table.
 struct Table {
-    std::string name;    ///< of the file, without .csv
+    std::string name;    ///< name of the file, without .csv
     std::string columns; ///< comma-separated, text columns first; tables with the same columns share rows
     std::vector<Row> rows;
     std::string derived = {};                               ///< names of columns that need all rows
-    std::function<void(std::vector<Numbers>&)> derive = {}; ///< appends them to each row
+    std::function<void(std::vector<Numbers>&)> derive = {}; ///< appends these columns to each row
 };
 
-/// Rows that this process has measured, by their table's columns and their key.
+/// Rows that this process has measured, indexed by their table's columns and their key.
 using MeasuredRows = std::map<std::string, Numbers>;
 
-/// Measures a table and writes `folder`/NAME.csv, then the sidecar NAME.json with `conditions`, everything
-/// else that the numbers depend on. Takes rows from `measured` if they are there, and adds the others. Calls
-/// `advance` with the cost of each row; an exception from it aborts, and nothing is written.
+/// Measures a table and writes `folder`/NAME.csv, then NAME.json with `conditions`: everything else that the
+/// numbers depend on. Takes rows from `measured` if they are there, and adds the others. Calls `advance` with
+/// the cost of each row; an exception from it aborts, and nothing is written.
 void write_table(const Table& table, const std::filesystem::path& folder, const std::string& conditions,
                  MeasuredRows& measured, const std::function<void(double)>& advance);
 

@@ -97,10 +97,11 @@ double visited(const Variant& variant) {
     return variant.impulses * std::pow(2 * variant.radius + variant.jitter, 2);
 }
 
-// With a_k the moments of the window over one cell, seen from a place, one impulse has the moments m2 =
+// Let a_k be the moments of the window over one cell, seen from a place. One impulse has the moments m2 =
 // E[w^2] a2 / 2, m4 = E[w^4] a4 3/8, m6 = E[w^6] a6 5/16 and the cumulants m4 - 3 m2^2 and m6 - 15 m4 m2 + 30
-// m2^3, which add up. By Edgeworth's series F - Phi = -phi (k4 He3 / 24 + k6 He5 / 720), and for x of
-// variance 1/3 (phi^3 is such a density) E[He3^2] = 14/9, E[He3 He5] = -160/27, E[He5^2] = 680/27.
+// m2^3; cumulants of impulses add up. By Edgeworth's series F - Phi = -phi (k4 He3 / 24 + k6 He5 / 720), and
+// for normal x of variance 1/3 (with a density proportional to phi^3) E[He3^2] = 14/9, E[He3 He5] = -160/27,
+// E[He5^2] = 680/27.
 double best_floor(const Variant& variant) {
     const int reach = static_cast<int>(std::ceil(variant.radius)) + 1;
     double a2 = 0;
@@ -161,8 +162,8 @@ double best_floor(const Variant& variant) {
 
 namespace {
 
-constexpr double step = 0.01; // cycles per radius
-constexpr double highest = 8; // cycles per radius
+constexpr double step = 0.01; // cycles per kernel radius
+constexpr double highest = 8; // cycles per kernel radius
 constexpr int nodes = 500;
 
 double node(int i) {
@@ -195,8 +196,8 @@ SpectralPurity spectral_purity(const std::function<double(double)>& q, bool sepa
         ++end;
     const double sidelobe = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(end), power.end());
 
-    // By Parseval's theorem the whole power is that of the window; what is missing in the lobe is outside. On
-    // a separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round one with Hankel's
+    // By Parseval's theorem, the window gives the whole power; what the lobe lacks of it is outside. On a
+    // separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round one with Hankel's
     // transform, (2 pi)^2 integral(a^2 f) df = integral(w^2 r) dr.
     double lobe = 0;
     double whole = 0;

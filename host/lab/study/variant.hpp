@@ -9,54 +9,56 @@
 
 namespace gabor::study {
 
-/// In the order of host/lab/passes/variants.comp.
+/// The options of host/lab/passes/variants.comp, in the same order.
 enum class Lattice { square, brick };
 enum class Magnitudes { uniform, two_point, rayleigh };
 enum class Shape { separable, radial, gaussian };
 
-/// Its name in tables.
+/// The names of options in tables.
 std::string_view name(Lattice lattice);
 std::string_view name(Magnitudes magnitudes);
 std::string_view name(Shape shape);
 
-/// A window: q(x) q(y), q(|d|) with q(x) = u^2 (c0 + c1 u + c2 u^2), u = 1 - x^2, or the truncated Gaussian.
+/// A window: q(x) q(y) or q(|d|), where q(x) = u^2 (c0 + c1 u + c2 u^2) and u = 1 - x^2, or the truncated
+/// Gaussian.
 struct Window {
     std::string_view name;
     Shape shape = Shape::separable;
     std::array<double, 3> c{1, 0, 0};
 };
 
-/// The window at (x, y), in kernel radii.
+/// The value of the window at (x, y), in kernel radii.
 double value(const Window& window, double x, double y);
 
 /// A recipe with random phases and choices that the drop-in does not offer.
 struct Variant {
     Window window;
-    int impulses = 1;  ///< N, per cell
-    double radius = 1; ///< R, cells
+    int impulses = 1;  ///< N, impulses per cell
+    double radius = 1; ///< R, in cells
     Lattice lattice = Lattice::square;
-    Magnitudes magnitudes = Magnitudes::two_point; ///< of the amplitudes, whose phases are random
+    Magnitudes magnitudes = Magnitudes::two_point; ///< magnitudes of the amplitudes; phases are random
     double floor = 1;                              ///< A; unused by the Rayleigh distribution
-    double jitter = 1; ///< how far impulses are from the centre of their cell; 0 for a regular grid
+    double jitter = 1; ///< how far impulses may be from the centre of their cell; 0 for a regular grid
 };
 
 /// The specialization constants of passes/variants.comp.
 std::vector<std::uint32_t> constants(const Variant& variant);
 
-/// N R^2 E[w^2] integral(window^2) / 2: the mean over all places, and at each place where jitter is 1.
+/// N R^2 E[w^2] integral(window^2) / 2: the mean variance over all places and, if jitter is 1, the variance
+/// at each place.
 double variance(const Variant& variant);
 
 /// The mean number of impulses in the cells whose impulses can reach a place: N (2 R + jitter)^2.
 double visited(const Variant& variant);
 
-/// The floor, in steps of 1/1000, that brings the noise closest to a normal distribution, by the combined
-/// effect of its cumulants of orders 4 and 6 on the Cramér-von Mises index.
+/// The floor, in steps of 1/1000, that brings the noise closest to a normal distribution, judged by the
+/// combined effect of its cumulants of orders 4 and 6 on the Cramér-von Mises index.
 double best_floor(const Variant& variant);
 
-/// The share of a kernel's power in its main lobe. The spectrum of a kernel is that of its window
-/// around the wave vector: a lobe up to its first minimum, then sidelobes.
+/// How much of a kernel's power is in its main lobe. The spectrum of a kernel is that of its window around
+/// the wave vector: a lobe up to its first minimum, then sidelobes.
 struct SpectralPurity {
-    double sidelobe = 0; ///< power of the largest sidelobe, dB of the lobe's peak
+    double sidelobe = 0; ///< power of the largest sidelobe, in dB relative to the lobe's peak
     double outside = 0;  ///< share of the power that is outside the lobe
 };
 

@@ -1,7 +1,7 @@
 // Shared by the benchmark's passes. Each defines
 //     float value(vec2 p, uint seed)
-// and is timed filling a picture, one pixel per invocation; or, to measure how its values are distributed, samples
-// one random place of an independent instance per invocation.
+// To be timed, a pass fills a picture, one pixel per invocation. To measure the distribution of its values,
+// each invocation samples a random place of an independent instance.
 
 #include "passes/bench/bench_interface.h"
 
@@ -13,7 +13,7 @@ layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[];
 
 float value(vec2 p, uint instance);
 
-// Any good generator would do: PCG-RXS-M-XS of O'Neill, HMC-CS-2014-0905.
+// Any good generator would do; this is PCG-RXS-M-XS (O'Neill, HMC-CS-2014-0905).
 uint random_word(inout uint state) {
     state = state * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;

@@ -1,4 +1,4 @@
-// For passes/bench/bench.glsl and host/lab/bench.
+// Shared by passes/bench/bench.glsl and host/lab/bench.
 
 #ifndef GABOR_BENCH_INTERFACE_H
 #define GABOR_BENCH_INTERFACE_H
@@ -9,7 +9,7 @@ GABOR_INTERFACE_BEGIN
 
 const uint bench_group = 8; // invocations along x and y
 
-// Specialization constants: those before are the recipe's, those after are each pass's own.
+// Specialization constants: lower numbers belong to the recipe, higher ones to each pass.
 const uint sampling_id = 7;
 const uint option_id = 8;
 

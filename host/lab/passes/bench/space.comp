@@ -1,14 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The drop-in in space, called as users would.
+// Calls the drop-in in space as users would.
 
 #include "gabor_lattice.glsl"
 #include "gabor_spectrum.glsl"
 #include "gabor_lattice_3d.glsl"
 #include "bench.glsl"
 
-layout(constant_id = option_id) const int function = 0; // as host/bench/subjects.cpp numbers them
+layout(constant_id = option_id) const int function = 0; // numbered as in host/lab/bench/subjects.hpp
 
 float value(vec2 p, uint instance) {
     vec3 place = vec3(p, 0.5);

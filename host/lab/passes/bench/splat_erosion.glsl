@@ -1,8 +1,9 @@
-// The erosion filter with stripes of random splats, from its description: runevision, "Fast and gorgeous erosion filter",
-// March 2026. In each octave, each of 4 x 4 cells has one splat at a random place: a wave with the direction at the point,
-// under a round window. The benchmark compares gabor_eroded with it; structs and parameters are the same.
+// The erosion filter with stripes of random splats, as described by runevision, "Fast and gorgeous erosion
+// filter", March 2026. In each octave, each of the 4 x 4 cells around a point has one splat at a random
+// place: a wave under a round window, with the direction needed at the point. The benchmark compares this
+// filter with gabor_eroded; structs and parameters are the same.
 
-// Two random numbers in [0, 1) for a cell: PCG2D of Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
+// Two random numbers in [0, 1) for a cell: PCG2D by Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
 vec2 gabor_splat_place(ivec2 cell, uint seed) {
     uvec2 word = uvec2(cell) * 1664525u + (1013904223u + seed);
     word.x += word.y * 1664525u;
@@ -23,7 +24,7 @@ vec2 gabor_splat_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {
     for (int j = -1; j <= 2; ++j) {
         for (int i = -1; i <= 2; ++i) {
             vec2 d = offset - vec2(float(i), float(j)) - gabor_splat_place(cell + ivec2(i, j), seed);
-            float window = max(exp(-2.0 * dot(d, d)) - 0.0111, 0.0); // ends 1.5 cells away: no splat beyond these is nearer
+            float window = max(exp(-2.0 * dot(d, d)) - 0.0111, 0.0); // ends 1.5 cells away; all other splats are farther
             float phase = 6.2831853 * dot(d, wave);
             sum += window * vec2(cos(phase), sin(phase));
         }
@@ -51,7 +52,7 @@ GaborTerrain gabor_splat_eroded(vec2 p, GaborTerrain base, GaborErosion erosion,
         float full = gabor_splat_mask(steep / erosion.onset, rounding);
         mask *= full * full;
         vec2 across = vec2(-steer.y, steer.x) / steep;
-        float cells = frequency / 0.9; // as many waves under a window as gabor_eroded has
+        float cells = frequency / 0.9; // gives a window as many waves as in gabor_eroded
         vec2 z = gabor_splat_stripes(p * cells, 0.9 * across, erosion.sharpness, seed + uint(i) * 0x9e3779b9u);
         gully = mix(gully, erosion.gully_weight * z.x, mask);
         gully_slope = mix(gully_slope, -6.2831853 * frequency * erosion.gully_weight * z.y * across, mask);

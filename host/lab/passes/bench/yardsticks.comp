@@ -1,12 +1,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The noises to compare with, from the same text as in docs/benchmark.html.
+// The noises for comparison; docs/benchmark.html has the same text.
 
 #include "bench.glsl"
 #include "yardsticks.glsl"
 
-layout(constant_id = option_id) const int function = 0; // as Yardstick in host/lab/bench/subjects.hpp
+layout(constant_id = option_id) const int function = 0; // numbered as in host/lab/bench/subjects.cpp
 
 float value(vec2 p, uint instance) {
     switch (function) {
@@ -25,6 +25,6 @@ float value(vec2 p, uint instance) {
     case 7:
         return seminal_noise(p, frequency, orientation, instance);
     default:
-        return p.x * 1.0e-9; // only the picture's memory
+        return p.x * 1.0e-9; // measures only the writing of pixels
     }
 }
