@@ -207,7 +207,7 @@ class Periods(RenderTest):
         for flags, seamless in ((["--tileable"], True), ([], False)):
             pixels = self.render(*flags, **tile).pixels.astype(float)
             for axis in (0, 1):
-                # Across the edge the steps from pixel to pixel are as large as they are inside.
+                # The steps from pixel to pixel are as large across the edge as inside.
                 inside = np.abs(np.diff(pixels, axis=axis)).max()
                 across = np.abs(np.take(pixels, 0, axis) - np.take(pixels, -1, axis)).max()
                 self.assertEqual(across < 1.05 * inside, seamless, f"{flags}, axis {axis}: {across}, {inside}")
