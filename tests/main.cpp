@@ -1,4 +1,4 @@
-// Catch2's main, with validation layers unless GABOR_VALIDATION says otherwise; any message from them is a
+// Catch2's main with validation layers, unless GABOR_VALIDATION says otherwise; any message of theirs is a
 // failure.
 
 #define CATCH_CONFIG_RUNNER

@@ -1,7 +1,7 @@
 """Measures the cost of textures and of pictures of 16384 x 16384 pixels, for the tables of docs/farm.md.
 
-tools/test-long farm runs it. It needs what test_cluster.py needs, GNU time and 4 GiB of disk. Each method's picture is
-compared with the first method's. CPU seconds include all processes, even Slurm's own, and depend little on other load.
+tools/test-long farm runs it. Needs what test_cluster.py needs, GNU time, and 4 GiB of disk; each method's picture is
+compared with the first one's. CPU seconds include all processes, also Slurm's own, and depend little on other load.
 """
 
 import contextlib
@@ -26,7 +26,7 @@ ADOPTS_ORPHANS = 36 # PR_SET_CHILD_SUBREAPER of Linux's prctl
 
 
 def cost(work, within=contextlib.nullcontext()):
-    """Returns the seconds that `work` takes and the CPU seconds of all its processes, including orphans."""
+    """The seconds that `work` takes, and the CPU seconds of all its processes, including orphans."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -52,7 +52,7 @@ def sh(*command, **environment):
 
 
 def gabor(*arguments):
-    """Runs the program and appends its peak memory in KiB to the file `memory`."""
+    """Writes the peak memory in KiB to the file `memory`."""
     sh("time", "-a", "-o", "memory", "-f", "%M", PROGRAM, *arguments)
 
 

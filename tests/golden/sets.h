@@ -1,4 +1,5 @@
-// The macros of each set of functions, for C++ and GLSL. GABOR_OF_SET chooses the set, whose values are in SET.txt.
+// The macros of each set of functions, for C++ and GLSL. GABOR_OF_SET chooses the set, whose values are in
+// SET.txt.
 
 #if defined GABOR_OF_noise_one
 #define GOLDEN_NOISE

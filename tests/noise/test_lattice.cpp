@@ -56,7 +56,7 @@ class Characteristic {
 };
 
 constexpr double frequency_step = 0.07;
-constexpr int frequencies = 200; // at which the characteristic function is known, up to 14
+constexpr int frequencies = 200; // number of samples of the characteristic function, up to 14
 constexpr double value_step = 0.05;
 constexpr int values = 241; // from -6 to 6
 
@@ -325,9 +325,9 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
     sigmas.check("products, in units of 5.5 sigma");
 }
 
-// A word is its column's times its row's modulo 2^32, and all are odd: of the corners of a rectangle the
-// fourth word is the quotient of two by the other, for multiplication is commutative. This checks whether
-// amplitudes show it.
+// A word is its column's word times its row's, modulo 2^32, and all words are odd. Since multiplication is
+// commutative, three words at the corners of a rectangle determine the fourth. This checks whether amplitudes
+// show it.
 TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do their leading bits",
           "[lattice][randomness]") {
     struct Sides {
@@ -366,7 +366,7 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
             }
             const std::string name =
                 fmt::format("{} x {} {}", sides.x, sides.y, over_seeds ? "over seeds" : "in a square");
-            const double sigma = std::sqrt(8 * n); // sigma of either part of a product of four, with E|A|^2 = 2
+            const double sigma = std::sqrt(8 * n); // for either part of a product of four, E|A|^2 = 2
             for (const auto& [sum, conjugated] :
                  {std::pair(alternating, "A1 A2* A3 A4*"), {plain, "A1 A2 A3 A4"}}) {
                 see(sum.real() / sigma, fmt::format("Re {}, {}", conjugated, name));

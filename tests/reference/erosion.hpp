@@ -33,8 +33,8 @@ struct Ground {
     std::array<float, 2> period{};
 };
 
-/// The hills and the erosion of shaders/gabor_erosion.glsl in double precision, from the equations and not from
-/// the shader.
+/// The hills and the erosion of shaders/gabor_erosion.glsl in double precision, from the equations and not
+/// from the shader.
 Terrain terrain(const Ground& ground, Vector dx, Vector dy, std::uint32_t seed);
 Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terrain& base,
                const Erosion& erosion, std::uint32_t seed);

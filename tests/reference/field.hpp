@@ -12,7 +12,7 @@ struct Field {
     std::complex<double> value;
     std::complex<double> slope_x;
     std::complex<double> slope_y;
-    std::array<double, 4> four{}; ///< independent noises, of which the first is the noise itself; lattice noise only
+    std::array<double, 4> four{}; ///< independent noises, first the noise itself; lattice noise only
 
     /// Adds a noise whose kernel radii along x and y are `radius` times those of this one.
     void add(double weight, const Field& other, std::array<double, 2> radius = {1, 1}) {

@@ -8,8 +8,9 @@
 
 namespace gabor::noise {
 
-/// A node's window along one axis and its derivatives, at a distance d in units of its radius; 0 where |d| >= 1.
-/// It is Hann's, (1 + cos pi d) / 2, or for two taps c / sqrt(c^2 + (1 - c)^2) with c = (1 - |d|)^2 (1 + 2 |d|).
+/// A node's window along one axis and its derivatives, at a distance d in units of its radius; 0 where |d|
+/// >= 1. It is Hann's, (1 + cos pi d) / 2, or for two taps c / sqrt(c^2 + (1 - c)^2) with c = (1 - |d|)^2 (1
+/// + 2 |d|).
 struct LatticeWindow {
     double value = 0;
     double slope = 0;
@@ -80,13 +81,13 @@ class Lattice {
     std::uint32_t seed_;
 };
 
-/// gabor_noise_isotropic in double precision; each of the nine nodes has three waves 60 degrees apart, turned at
-/// random:
+/// gabor_noise_isotropic in double precision; each of the nine nodes has three waves 60 degrees apart, turned
+/// at random:
 ///     n(p) = K / sqrt(3) Im sum_c h(x - c_x) h(y - c_y) sum_m A_cm exp(2 pi i F u_cm.(p - c)).
 Lattice::Field lattice_isotropic(const LatticePlace& place, double frequency, std::uint32_t seed);
 
-/// Cosine, sine and intensity of a complex noise's stripes: the value divided by its length if the length exceeds
-/// 1 / sharpness, otherwise `sharpness` times the value.
+/// Cosine, sine and intensity of a complex noise's stripes: the value divided by its length if the length
+/// exceeds 1 / sharpness, otherwise `sharpness` times the value.
 std::array<double, 3> lattice_stripes(std::complex<double> value, double sharpness);
 
 } // namespace gabor::noise

@@ -8,8 +8,8 @@
 
 namespace gabor::noise {
 
-/// The oracle for solid and surface noise: shaders/gabor_lattice_3d.glsl in double precision, from the equations
-/// and not from the shader.
+/// The oracle for solid and surface noise: shaders/gabor_lattice_3d.glsl in double precision, from the
+/// equations and not from the shader.
 class Lattice3d {
   public:
     using Vector = std::array<double, 3>;
@@ -64,8 +64,8 @@ struct WeightedWave {
 std::vector<WeightedWave> surface_waves(const Lattice3d::Vector& normal, double frequency,
                                         const Lattice3d::Vector& direction, std::uint32_t seed);
 
-/// gabor_noise_3d_isotropic, or one of the two noises of gabor_noise_surface_isotropic. Each node of the lattice
-/// has waves along its own frame:
+/// gabor_noise_3d_isotropic, or one of the two noises of gabor_noise_surface_isotropic. Each node of the
+/// lattice has waves along its own frame:
 ///     n(p) = K Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
 class Isotropic3d {
   public:

@@ -34,8 +34,8 @@ double length(const Spectrum::Vector& v) {
 } // namespace
 
 // A range is cut into n pieces with a lobe in the middle of each, where n is the integer part of c. As the
-// fraction of c goes from 0.8 to 1, the amplitudes of these lobes fall linearly to 0, and those of n + 1 other
-// lobes rise.
+// fraction of c goes from 0.8 to 1, the amplitudes of these lobes fall linearly to 0, and those of n + 1
+// other lobes rise.
 std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,
                                        double orientation_spread, std::uint32_t seed) {
     struct Piece {

@@ -33,8 +33,8 @@ class Spectrum {
 
     Field field(double x, double y) const;
 
-    /// The same at a place. A lobe whose kernel radius is not 1 has other nodes: 3/2 of them in its radius,
-    /// or as many as make a whole number in a period, at least 3.
+    /// The same at a place. A lobe whose kernel radius is not 1 has its own nodes: 3/2 per radius, or as many
+    /// as put a whole number, at least 3, into a period.
     Field field(const LatticePlace& place) const;
 
     using Vector = std::array<double, 2>;

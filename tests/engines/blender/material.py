@@ -1,4 +1,4 @@
-"""Draws the maps that `gabor render --maps` wrote to a folder, in the room and under the lamp of the viewer's lit view
+"""A folder that `gabor render --maps` wrote, in the room and under the lamp of the viewer's lit view
 (shaders/passes/light.glsl), in Blender's Cycles: material.py FOLDER VALUES.raw AZIMUTH/ELEVATION..."""
 
 import json
@@ -22,7 +22,7 @@ def smoothstep(low, high, x):
 
 
 def room(tree, height):
-    """Makes the environment texture that Cycles expects, with the lowest row first. The picture's up is +y, and the eye is at +z."""
+    """The environment texture that Cycles expects, rows from the lowest up. The picture's up is +y, and the eye is at +z."""
     up = np.pi * ((np.arange(height) + 0.5) / height - 0.5)[:, None]
     around = np.pi * (np.arange(2 * height) + 0.5)[None] / height
     x, down = -np.cos(up) * np.cos(around), -np.cos(up) * np.sin(around)
@@ -64,7 +64,7 @@ world.node_tree.links.new(room(world.node_tree, 256).outputs[0], world.node_tree
 
 bpy.ops.object.camera_add(location=(0, 0, 1.8))
 scene.camera = bpy.context.object
-scene.camera.data.angle = 2 * math.atan(0.5 / 1.8)  # angle of the longer side
+scene.camera.data.angle = 2 * math.atan(0.5 / 1.8)  # of the longer side
 
 bpy.ops.object.light_add(type="POINT")
 lamp = bpy.context.object

@@ -1,5 +1,5 @@
-"""Draws the MaterialX document in a folder that `gabor render --maps` wrote, in the room and under the lamp of the
-viewer's lit view (shaders/passes/light.glsl), with MaterialX's own renderer in OpenGL: material.py FOLDER VALUES.raw
+"""The MaterialX document of a folder that `gabor render --maps` wrote, in the room and under the lamp of the viewer's
+lit view (shaders/passes/light.glsl), by MaterialX's own renderer in OpenGL: material.py FOLDER VALUES.raw
 AZIMUTH/ELEVATION..."""
 
 import json
@@ -25,7 +25,7 @@ def smoothstep(low, high, x):
 
 
 def directions(height):
-    """The directions of MaterialX's environment map: the top row comes first, and the middle is +z, towards the eye."""
+    """MaterialX's environment map: rows go down from the top, and its middle is +z, towards the eye."""
     up = np.pi * (0.5 - (np.arange(height) + 0.5) / height)[:, None]
     around = np.pi * (np.arange(2 * height) + 0.5)[None] / height - np.pi
     return np.dstack([-np.cos(up) * np.sin(around), np.sin(up) + 0 * around, np.cos(up) * np.cos(around)])
@@ -38,7 +38,7 @@ def room(d):
 
 
 def irradiance(d):
-    """The irradiance divided by pi."""
+    """Over pi."""
     light = directions(32)
     area = np.sqrt(1 - light[..., 1:2] ** 2) * (np.pi / 32) ** 2
     return np.maximum(np.tensordot(d, light, (2, 2)), 0).reshape(-1, 32 * 64) @ (room(light) * area).reshape(-1, 3) / np.pi
@@ -66,14 +66,14 @@ lamp.setInputValue("decay_rate", 0.0)
 generator = glsl.GlslShaderGenerator.create()
 context = gen.GenContext(generator)
 context.registerSourceCodeSearchPath(search)
-context.getOptions().fileTextureVerticalFlip = True  # v = 0 is the first row, as in OpenGL
+context.getOptions().fileTextureVerticalFlip = True  # as in OpenGL, v = 0 is the first row
 context.getOptions().hwMaxActiveLightSources = 1
 colours = gen.DefaultColorManagementSystem.create(generator.getTarget())
 colours.loadLibrary(document)
 generator.setColorManagementSystem(colours)
 
 renderer = mx_glsl.GlslRenderer.create(16, 16, mx_render.FLOAT)
-renderer.initialize()  # must come before the textures
+renderer.initialize()  # before the textures
 files = mx_glsl.GLTextureHandler.create(mx_render.StbImageLoader.create())
 files.setSearchPath(mx.FileSearchPath(str(folder)))
 renderer.setImageHandler(files)

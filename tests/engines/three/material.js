@@ -1,5 +1,5 @@
-// Draws the glTF material in a folder that `gabor render --maps` wrote, in the room and under the lamp of the viewer's lit
-// view (shaders/passes/light.glsl): material.html?maps=FOLDER&lights=AZIMUTH/ELEVATION;...
+// The glTF material of a folder that `gabor render --maps` wrote, in the room and under the lamp of the viewer's lit view
+// (shaders/passes/light.glsl): material.html?maps=FOLDER&lights=AZIMUTH/ELEVATION;...
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
@@ -11,7 +11,7 @@ function smoothstep(low, high, x) {
     return t * t * (3 - 2 * t);
 }
 
-// Returns the room as an environment map, whose middle is -z and whose top is +y.
+// The room on a map of all directions: its middle is -z, its top +y.
 function room(height) {
     const values = new Float32Array(2 * height * height * 4);
     for (let row = 0, i = 0; row < height; ++row)
@@ -52,7 +52,7 @@ async function draw() {
         lamp.position.set(2.5 * Math.cos(e) * Math.cos(a), -2.5 * Math.cos(e) * Math.sin(a), 2.5 * Math.sin(e));
         renderer.setRenderTarget(target);
         renderer.render(scene, camera);
-        const rgba = new Float32Array(4 * width * height); // the lowest row comes first
+        const rgba = new Float32Array(4 * width * height); // rows from the lowest up
         renderer.readRenderTargetPixels(target, 0, 0, width, height, rgba);
         values.push(...Array.from({ length: height }, (_, row) => rgba.subarray(4 * width * (height - 1 - row),
                                                                                4 * width * (height - row))));
