@@ -1,4 +1,4 @@
-"""`gabor join`: joined regions equal, byte for byte, the picture rendered at once."""
+"""Checks that regions joined by `gabor join` equal, byte for byte, the picture rendered at once."""
 
 import pathlib
 import unittest

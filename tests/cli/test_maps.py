@@ -1,4 +1,4 @@
-"""`gabor render --maps`: a material's maps for other programs."""
+"""Tests `gabor render --maps`, which writes a material's maps for other programs."""
 
 import json
 import struct

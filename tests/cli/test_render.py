@@ -1,4 +1,4 @@
-"""`gabor render`: what each option does to the file."""
+"""Tests what each option of `gabor render` does to the file."""
 
 import re
 import shutil
@@ -78,7 +78,7 @@ class Files(RenderTest):
 
     def test_every_compression_keeps_every_bit(self):
         if not shutil.which("exrmultiview"):
-            self.skipTest("needs exrmultiview, of OpenEXR's tools, to decompress")
+            self.skipTest("needs exrmultiview from OpenEXR's tools to decompress")
         plain = self.render(output="plain.exr", **SMALL)
         options = [f"--{name}={value}" for name, value in SMALL.items()]
         for compression in ("rle", "zips", "zip", "piz"):

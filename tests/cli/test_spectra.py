@@ -1,4 +1,4 @@
-"""`gabor render` with spectra, the filter, views, paint, several values and the phasor."""
+"""Tests `gabor render` with spectra, the filter, views, paint, several values and the phasor."""
 
 import json
 import re
@@ -17,7 +17,7 @@ LOBES = [{"frequency": 3.2, "orientation": 0, "power": 3}, {"frequency": 3.2, "o
 
 
 def power(values):
-    """The power spectrum, whose mean is 1 for variance 1."""
+    """The power spectrum, normalized so that variance 1 gives mean 1."""
     return np.abs(np.fft.fft2(values - values.mean())) ** 2 / values.size
 
 
@@ -95,7 +95,7 @@ class Spectra(SpectraTest):
         # The variances of the waves, evenly spread, and of the window's spectrum add up.
         f = np.linspace(-8, 8, 8193)
         of_window = np.sum(window_power(f) * f * f) / np.sum(window_power(f))
-        # Each wave is a lobe in the middle of one of equal pieces, as many as shaders/gabor_spectrum.glsl says.
+        # The lobes are in the middle of equal pieces, whose number is that in shaders/gabor_spectrum.glsl.
         waves = [(share * part, 2.4 * (1 + 0.25 * place), np.radians(10) * angle)
                  for share, place in pieces(2.857 * 0.25 * 2.4 + 0.8)
                  for part, angle in pieces(10 / 90 * (4.44 * 2.4 * (1 + 0.25 * place) + 0.6) + 0.8)]

@@ -1,4 +1,4 @@
-"""`gabor render --terrain`: eroded mountains in any unit, with the same pixels in regions as in the whole."""
+"""Tests `gabor render --terrain`: eroded mountains in any unit, with the same pixels in regions as in the whole."""
 
 import json
 import unittest

@@ -139,7 +139,7 @@ def complex_lattice_3d(x, y, z, direction):
 # ---- Other outputs of nodes ----------------------------------------------------------------------------------------
 
 # Each function gives one number for each p = (x, y) in kernel radii: a weighted sum of its results.
-STEP = 1e-5  # for derivatives, which are then exact within 1e-6
+STEP = 1e-5  # step for derivatives, which are then exact within 1e-6
 
 
 def plane(x, y, **options):

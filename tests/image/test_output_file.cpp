@@ -75,7 +75,7 @@ bool forbid_nameless_files() {
     return filter_calls(program);
 }
 
-/// Makes the kernel kill this process as soon as it makes that system call.
+/// Makes the kernel kill this process as soon as it makes this system call.
 bool kill_at(unsigned call) {
     sock_filter program[] = {
         {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},

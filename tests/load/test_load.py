@@ -56,7 +56,7 @@ class Load(ProgramTest):
         self.assertEqual(len(set(files.values())), 1)
 
     def test_large_pictures_in_bounded_memory(self):
-        """Renders a picture of 32768 x 32768 pixels, 4 GiB, measures it, and fits noise to its PNG."""
+        """Renders a picture (with GABOR_LONG, 32768 x 32768 pixels, 4 GiB), measures it, and fits noise to its PNG."""
         side = 32768 if LONG else 4096
         if shutil.disk_usage(self.folder).free < 5 * side * side:
             self.skipTest("needs more disk space")

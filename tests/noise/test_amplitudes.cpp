@@ -1,4 +1,4 @@
-// The field of node amplitudes: repeated lines, special nodes, similar seeds, and periodicity.
+// Tests the field of node amplitudes for repeated lines, special nodes, similar seeds and periodicity.
 
 #include "reference/lattice.hpp"
 
@@ -71,7 +71,7 @@ TEST_CASE("lines at any distance have equal, nearly equal or opposite words only
                 const std::uint32_t difference = (a - b) & 0x7fffff; // the highest bit is set in both
                 equal_here += difference == 0;
                 near_here += difference < 64 || difference > 0x7fffff - 63;
-                low_here += ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // for the imaginary part
+                low_here += ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // equal imaginary parts
             }
             INFO("axis " << axis << ", distance " << distance << ": " << equal_here << " equal, " << near_here
                          << " nearly, " << low_here << " in the low bits");

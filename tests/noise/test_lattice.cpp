@@ -56,7 +56,7 @@ class Characteristic {
 };
 
 constexpr double frequency_step = 0.07;
-constexpr int frequencies = 200; // number of samples of the characteristic function, up to 14
+constexpr int frequencies = 200; // samples of the characteristic function, up to 14
 constexpr double value_step = 0.05;
 constexpr int values = 241; // from -6 to 6
 

@@ -142,7 +142,7 @@ TEST_CASE("recipes have their published values", "[noise]") {
     }
 }
 
-TEST_CASE("visited impulses and recipe names", "[noise]") {
+TEST_CASE("recipes visit the expected number of impulses, and an unknown recipe is refused", "[noise]") {
     CHECK(noise::visited_impulses(noise::find_recipe("one")) == 9);
     CHECK(noise::visited_impulses(noise::find_recipe("pure")) == 16);
     CHECK(noise::visited_impulses(noise::find_recipe("paper")) == 18);

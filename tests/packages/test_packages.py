@@ -76,7 +76,7 @@ class Npm(Package):
     tools = "node", "npm"
 
     def test_installs_and_is_imported(self):
-        three = self.folder / "three"  # a substitute for three
+        three = self.folder / "three"  # a substitute for three.js
         (three / "src").mkdir(parents=True)
         (three / "package.json").write_text(json.dumps(
             {"name": "three", "version": "0.187.0", "type": "module", "exports": {"./tsl": "./src/tsl.mjs"}}))

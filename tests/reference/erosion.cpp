@@ -21,8 +21,7 @@ double mix(double a, double b, double t) {
     return (1 - t) * a + t * b;
 }
 
-// A position on a lattice axis: `local` node spacings from node `cell`, with `nodes` nodes per unit of
-// length.
+// A position on a lattice axis: `local` spacings from node `cell`, with `nodes` nodes per unit of length.
 struct Axis {
     std::int32_t cell;
     double local;

@@ -60,7 +60,7 @@ struct WeightedWave {
     std::uint32_t seed;
 };
 
-/// The sum of gabor_noise_surface. Normals and directions have length 1.
+/// The terms of gabor_noise_surface's sum. Normals and directions have length 1.
 std::vector<WeightedWave> surface_waves(const Lattice3d::Vector& normal, double frequency,
                                         const Lattice3d::Vector& direction, std::uint32_t seed);
 

@@ -33,10 +33,10 @@ using render::Request;
 
 namespace {
 
-constexpr std::size_t channels = 6; // number of channels in GaborMaterial
+constexpr std::size_t channels = 6; // the channels of GaborMaterial
 constexpr std::size_t height_channel = 3;
 
-// A material whose parameters are numbers, in the order of its struct.
+// A material that takes its parameters as an array of numbers, in the order of its struct.
 struct Material {
     std::string_view name;
     std::vector<float> (*by_default)();

@@ -383,7 +383,7 @@ TEST_CASE("filtered colours of space keep their mean", "[render]") {
 TEST_CASE("a region matches the whole bit for bit, whatever the bands", "[render]") {
     const vulkan::Device device;
     std::vector<render::Request> requests{{.width = 1500, .height = 4000, .scale = 20, .lobes = stretched}};
-    for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) // in more than two bands
+    for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) // pictures of more than two bands
         requests.push_back({.width = 2500,
                             .height = 4000,
                             .scale = 20,

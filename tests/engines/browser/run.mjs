@@ -76,7 +76,7 @@ try {
     const shown = await deviation(tab, Buffer.from(await (await tab.$("canvas")).screenshot()));
     if (!facts.picture && !(Math.abs(shown - 0.24) < 0.04))
         throw new Error(`the page's grey values should have a standard deviation of 0.24, but it is ${shown}`);
-    if (scripts.length) { // on a phone
+    if (scripts.length) { // checks the page on a phone
         await tab.setViewport({ width: 390, height: 844 });
         await new Promise(resolve => setTimeout(resolve, 1000));
         const wide = await tab.evaluate(() => [...document.querySelectorAll("body *")]

@@ -33,7 +33,7 @@ globalThis.drawn = (async () => {
         .replace(/vec2 p = vec2\(pixel\.x, iResolution\.y - pixel\.y\) \/ [\d.]+;/, "vec2 p = pixel / 32.0;");
     asked = false;
     changed();
-    await new Promise(resolve => setTimeout(resolve, 500)); // until it draws sharply
+    await new Promise(resolve => setTimeout(resolve, 500)); // wait until the page draws sharply
     await new Promise(resolve => requestAnimationFrame(resolve));
     return { engine: "docs/demo", dialect: "GLSL 300 es", ...measure(document.createElement("canvas"), text) };
 })();
