@@ -71,7 +71,7 @@ TEST_CASE("lines at any distance have equal, nearly equal or opposite words only
                 const std::uint32_t difference = (a - b) & 0x7fffff; // the highest bit is set in both
                 equal_here += difference == 0;
                 near_here += difference < 64 || difference > 0x7fffff - 63;
-                low_here += ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // equal imaginary parts
+                low_here += ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // same imaginary part
             }
             INFO("axis " << axis << ", distance " << distance << ": " << equal_here << " equal, " << near_here
                          << " nearly, " << low_here << " in the low bits");

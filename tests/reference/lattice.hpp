@@ -8,9 +8,9 @@
 
 namespace gabor::noise {
 
-/// A node's window along one axis and its derivatives, at a distance d in units of its radius; it is 0
-/// beyond. It is Hann's window, (1 + cos pi d) / 2, or for two taps c / sqrt(c^2 + (1 - c)^2) with c = (1 -
-/// |d|)^2 (1 + 2 |d|).
+/// A node's window along one axis and its derivatives, at a distance d in units of its radius; 0 if |d| >= 1.
+/// Hann's window is (1 + cos pi d) / 2. For two taps, it is c / sqrt(c^2 + (1 - c)^2), where
+///     c = (1 - |d|)^2 (1 + 2 |d|).
 struct LatticeWindow {
     double value = 0;
     double slope = 0;
