@@ -251,7 +251,7 @@ std::uint64_t draws() {
     return text ? std::strtoull(text, nullptr, 10) : 2'000'000;
 }
 
-// Numbers with mean 0 and variance 1 from a word: the amplitude's parts and their squares.
+// Numbers of mean 0 and variance 1 from a word: the amplitude's parts, and their squares.
 struct Numbers {
     double part[4];
 };
