@@ -50,7 +50,7 @@ class Engines(ProgramTest):
         x, down = np.meshgrid(np.arange(side) + 0.5, np.arange(side) + 0.5)
         vec2 = lambda x, y: types.SimpleNamespace(x=x, y=y, xy=(x, y))
         for snippet in snippets:
-            upwards = "gl_FragCoord" in snippet  # OpenGL counts from the bottom, others from the top
+            upwards = "gl_FragCoord" in snippet  # OpenGL counts rows from the bottom, other engines from the top
             place = eval(snippet.replace(".xy", ""), {
                 "gl_FragCoord": vec2(x, side - down), "FRAGCOORD": vec2(x, down), "position": vec2(x, down),
                 "vec2": vec2, "height": side})

@@ -257,7 +257,7 @@ class Foreign(StatsTest):
         return self.random.normal(3, 2, (height, width)).astype("f4")
 
     def test_reports_are_those_of_this_version(self):
-        """One picture correlates over 2 pixels and has 16 x 16 blocks; one correlates over 10, has 8 x 8 and a known law."""
+        """Tests pixels that correlate over 2, which give 16 x 16 blocks, and over 10, which give 8 x 8 and have a known law."""
         white = self.random.normal(size=(200, 240))
         wave = np.sin(np.arange(240) * 0.9 + np.arange(200)[:, None] * 0.4)
         radius = np.hypot(np.fft.fftfreq(240), np.fft.fftfreq(200)[:, None])

@@ -9,7 +9,7 @@ from exr import Exr, Texture
 from program import ProgramTest
 
 NOISE = ["--frequency=1.5", "--orientation-spread=20", "--seed=7"]
-SCALED = 4 # levels with a scale that a flat picture may have
+SCALED = 4 # a flat picture may have the scale of these levels
 
 
 def text(texture, name):

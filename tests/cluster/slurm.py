@@ -1,4 +1,4 @@
-"""Slurm on this machine alone, without systemd or a database: munged, slurmctld and slurmd run while it is in use.
+"""Runs Slurm on this machine alone, without systemd or a database: munged, slurmctld and slurmd run while it is in use.
 Needs root, Debian's munge, slurmctld, slurmd and slurm-client, and a machine without its own Slurm, because clients
 read only /etc/slurm/slurm.conf."""
 

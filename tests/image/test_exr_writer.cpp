@@ -67,7 +67,7 @@ const Rect small = {0, 0, 8, 5};
 
 } // namespace
 
-TEST_CASE("Every compression keeps every bit, whatever the bands", "[exr]") {
+TEST_CASE("Every compression keeps every bit, with any bands", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
     const Rect window = {3, 5, 61, 150};

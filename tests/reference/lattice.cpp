@@ -128,7 +128,8 @@ struct Line {
 // `axis` is 0 for columns and 1 for rows; `radius` is in nodes per kernel radius.
 std::vector<Line> lines_around(int taps, std::int32_t cell, double local, double radius, std::int32_t period,
                                double wave, int axis, std::uint32_t seed) {
-    // Nodes are at the integers, and a window's radius is taps / 2 spacings for any number per kernel radius.
+    // Nodes are at the integers. A window's radius is taps / 2 spacings, for any number of nodes per kernel
+    // radius.
     const double window_radius = 0.5 * taps;
     std::vector<Line> lines;
     for (auto i = static_cast<std::int64_t>(std::ceil(local - window_radius));

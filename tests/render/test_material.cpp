@@ -416,7 +416,7 @@ TEST_CASE("each material has at least three presets, one of them named after it 
     }
 }
 
-TEST_CASE("a material excludes the noise's own parameters", "[material]") {
+TEST_CASE("a material cannot be combined with the noise's own parameters", "[material]") {
     const auto refused = [](Request request, const char* words) {
         CHECK_THROWS_WITH(render::check(request), Catch::Contains(words));
     };

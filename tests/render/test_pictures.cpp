@@ -380,7 +380,7 @@ TEST_CASE("filtered colours of space keep their mean", "[render]") {
     CHECK(mean[2] == Approx(3).margin(0.4));
 }
 
-TEST_CASE("a region matches the whole bit for bit, whatever the bands", "[render]") {
+TEST_CASE("a region matches the whole bit for bit, with any bands", "[render]") {
     const vulkan::Device device;
     std::vector<render::Request> requests{{.width = 1500, .height = 4000, .scale = 20, .lobes = stretched}};
     for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) // pictures of more than two bands

@@ -67,7 +67,7 @@ TEST_CASE("the index agrees with the sorted formula") {
           Approx(sorted_index(values, deviation) / unit).epsilon(1e-3).margin(1e-3));
 }
 
-TEST_CASE("the index of two values equals the result by hand") {
+TEST_CASE("the index of two values equals the one computed by hand") {
     // For x = +-0, u is 1/2 twice, so T = 1/24 + 2 (1/4)^2 = 1/6.
     const Estimate index = index_of({0.0f, -0.0f});
     CHECK(index.value == Approx(0).margin(262144 / 2 * 1e-3));
