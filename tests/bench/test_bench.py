@@ -28,7 +28,7 @@ class Bench(ProgramTest):
             self.assertLessEqual(row["seconds"], row["seconds_high"])
             self.assertGreater(row["pipeline_seconds"], 0)
             self.assertEqual(row["cvm"] is None, name in ("Perlin noise", "simplex noise", "writing alone"))
-        # 2^20 samples separate good from bad. With 16 times as many samples, the published noises have 0.49 and 0.37.
+        # 2^20 samples tell good noises from bad ones. With 16 times as many, the cvm of the published noises is 0.49 and 0.37.
         for name in published:
             cvm = rows[name]["cvm"]
             self.assertTrue(cvm["low"] < 0.55 and cvm["high"] > 0.33, f"{name}: {cvm}")
@@ -38,7 +38,7 @@ class Bench(ProgramTest):
         self.check_page(report)
 
     def check_page(self, report):
-        """tools/performance puts these figures and the cost of the code into a page without changing its prose."""
+        """Checks that tools/performance puts these figures and the cost of the code into a page without changing its prose."""
         page = self.folder / "page.md"
         page.write_text("before\n<!-- tools/performance -->\nold\n<!-- end -->\nafter\n")
         code = {"name": "gabor_noise, lattice", "instructions": 369.2, "inverse_throughput": 525.0, "registers": 32}

@@ -1,5 +1,5 @@
-"""The cost of the shaders on an AMD Navi 21, as RADV's compiler estimates it without one: no more than 5 % above the table
-of docs/performance.md, which tools/performance writes."""
+"""Checks that the cost of the shaders on an AMD Navi 21, which RADV's compiler estimates without the GPU, is at most 5 %
+above the table in docs/performance.md, which tools/performance writes."""
 
 import json
 import os
@@ -19,7 +19,7 @@ with tempfile.TemporaryDirectory() as folder:
     measured = json.loads(measured_file.read_text())
 
 if measured["driver"] != driver:
-    print(f"skipped: recorded with {driver}, and this is {measured['driver']}: nothing to compare")
+    print(f"skipped: the table was recorded with {driver}, and this is {measured['driver']}")
     sys.exit(77)
 
 now = {code["name"]: code for code in measured["code"]}
@@ -32,5 +32,5 @@ for name, *before in recorded:
     for figure, was, slack in zip(("instructions", "inverse_throughput", "registers"), map(int, before), (0.5, 0.5, 8)):
         if now[name][figure] > slack + (was if figure == "registers" else 1.05 * was):
             worse.append(f"{name}: {figure} {now[name][figure]:.1f}, recorded {was}")
-print("\n".join(worse) or "no more than recorded")
+print("\n".join(worse) or "no cost has risen")
 sys.exit(bool(worse))

@@ -5,7 +5,7 @@ import re
 
 
 def can_hide_files(folder):
-    """Whether the file system supports unnamed files; elsewhere a killed program leaves a hidden one."""
+    """Whether the file system supports unnamed files; without them a killed program leaves a hidden file."""
     try:
         os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY))
         return True
@@ -22,10 +22,10 @@ def prepare(folder, names, older):
 
 
 def check_files(test, folder, complete, older):
-    """complete: bytes by name. Returns the names of those that are complete.
+    """complete: the bytes of each complete file, by name. Returns the names of the files that are complete.
 
-    While it replaces an older file, the new one briefly has a hidden name; it is complete, and the next replacement
-    removes it."""
+    While the program replaces an older file, the new one briefly has a hidden name; it is complete, and the next
+    replacement removes it."""
     names = complete.keys()
     for path in list(folder.iterdir()):
         hidden = re.fullmatch(r"\.(.+)\.gabor-[0-9a-f]{8}", path.name)

@@ -28,8 +28,8 @@ class Exr:
         row = np.dtype([("y", "<i4"), ("size", "<i4")] + [(name, kind, (width,)) for name, kind in self.types.items()])
         offsets = np.frombuffer(data, "<u8", height, at)
         start = at + offsets.nbytes
-        assert np.array_equal(offsets, start + row.itemsize * np.arange(height, dtype="u8")), "table of offsets"
-        assert len(data) == start + row.itemsize * height, "length of the file"
+        assert np.array_equal(offsets, start + row.itemsize * np.arange(height, dtype="u8")), "wrong table of offsets"
+        assert len(data) == start + row.itemsize * height, "wrong length of the file"
         rows = np.frombuffer(data, row, height, start)
         assert np.array_equal(rows["y"], np.arange(top, bottom + 1)) and (rows["size"] == row.itemsize - 8).all()
         self.channels = {name: rows[name] for name in self.types}
@@ -48,16 +48,16 @@ class Exr:
 
 
 class Texture:
-    """An uncompressed file of tiles in levels, each half of the one before, rounded down. levels: for each level, name ->
-    array of height x width."""
+    """An uncompressed tiled file with levels, each half as large as the one before, rounded down. levels: for each level,
+    name -> array of height x width."""
 
     def __init__(self, path):
         data = pathlib.Path(path).read_bytes()
-        assert data.startswith(struct.pack("<ii", 20000630, 2 | 0x200)), "not an OpenEXR file of tiles"
+        assert data.startswith(struct.pack("<ii", 20000630, 2 | 0x200)), "not a tiled OpenEXR file"
         self.attributes, at = read_attributes(data, len(START))
         assert self.attributes["compression"][1] == b"\0", "compressed"
         side, other, mode = struct.unpack("<iiB", self.attributes["tiles"][1])
-        assert (side, other, mode) == (64, 64, 1), "tiles of 64 x 64, mip-mapped, rounding down"
+        assert (side, other, mode) == (64, 64, 1), "not mip-mapped tiles of 64 x 64, rounding down"
         left, top, right, bottom = struct.unpack("<4i", self.attributes["dataWindow"][1])
         self.window = left, top, right - left + 1, bottom - top + 1
         types = read_channel_types(self.attributes["channels"][1])
@@ -106,8 +106,8 @@ def read_channel_types(data):
 
 
 def write_exr(path, channels, parameters=None, window=None):
-    """channels: name -> array of height x width, of a type in PIXEL_TYPES. parameters: the text of the attribute
-    `gabor`. window: the data window to claim in the header, to write a damaged file."""
+    """channels: name -> array of height x width, of a type in PIXEL_TYPES. parameters: the text of the
+    `gabor` attribute. window: another data window for the header, to write a damaged file."""
     channels = {name: np.asarray(values) for name, values in sorted(channels.items())}
     height, width = next(iter(channels.values())).shape
     box = struct.pack("<4i", *(window or (0, 0, width - 1, height - 1)))

@@ -19,8 +19,7 @@ LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None)
 
 def environment(**changes):
     """This process's environment with these changes; None removes a variable. Validation is on unless GABOR_VALIDATION
-    says
-    otherwise: any message of Vulkan's validation layers is then a failure."""
+    says otherwise; any message from Vulkan's validation layers is then a failure."""
     merged = {"GABOR_VALIDATION": "1", **os.environ, **changes}
     return {name: value for name, value in merged.items() if value is not None}
 
@@ -45,7 +44,7 @@ class ProgramTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def files(self):
-        """The contents of the folder: bytes of files, None for folders."""
+        """The contents of the folder: the bytes of each file, and None for each folder."""
         return {str(path.relative_to(self.folder)): None if path.is_dir() else path.read_bytes()
                 for path in self.folder.rglob("*")}
 
@@ -75,25 +74,25 @@ class ProgramTest(unittest.TestCase):
         self.assert_fails(2, words, *arguments, **options)
 
     def assert_plausible(self, interval, truth, name):
-        """The true value lies within 1.5 times the 95 % interval. Of 40 pictures, two had it outside the interval, the
-        furthest at 1.18 times its half-width."""
+        """Checks that the true value lies within 1.5 times the 95 % interval. In two of 40 pictures it lay outside the
+        interval, at most at 1.18 times its half-width."""
         middle, half = (interval["low"] + interval["high"]) / 2, (interval["high"] - interval["low"]) / 2
         self.assertLess(abs(truth - middle), 1.5 * half, f"{name}: {truth}, {interval}")
 
     def assert_numbers(self, path, texts):
-        """Each number of each text is the one in a line of the file, within 0.1 %. GABOR_GOLDEN=write writes the file, and
-        fails."""
+        """Checks that the numbers in each text are those in its line of the file, within 0.1 %. With GABOR_GOLDEN=write,
+        writes the file and fails."""
         found = [re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text) for text in texts]
         if os.environ.get("GABOR_GOLDEN") == "write":
             path.write_text("".join(" ".join(f"{float(number):.6g}" for number in numbers) + "\n" for numbers in found))
-            self.fail(f"{path} is written: look at what changed, and run the test without GABOR_GOLDEN")
+            self.fail(f"wrote {path}: review what changed, then run the test without GABOR_GOLDEN")
         for numbers, line in zip(found, path.read_text().splitlines(), strict=True):
             np.testing.assert_allclose(np.array(numbers, float), np.array(line.split(), float), rtol=1e-3, atol=1e-5)
 
 
 class RenderTest(ProgramTest):
     def render(self, *flags, output="out.exr", **options):
-        """Renders with these flags and --name=value of each option; returns the file."""
+        """Renders with these flags and with --name=value for each option; returns the file."""
         options = [f"--{name.replace('_', '-')}={value}" for name, value in options.items()]
         self.succeed("render", "-o", output, *flags, *options)
         return Exr(self.folder / output)

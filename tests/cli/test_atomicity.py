@@ -1,4 +1,4 @@
-"""Kills and interrupts `gabor render`: its file is complete or missing."""
+"""Checks that `gabor render`, killed or interrupted, leaves its file complete or missing."""
 
 import os
 import pathlib
@@ -30,7 +30,7 @@ class Atomicity(ProgramTest):
         self.complete = self.files()
 
     def moment(self):
-        """Half of them anywhere, half near the end, where the file appears."""
+        """A random moment: half of the time anywhere, half of the time near the end, where the file appears."""
         return self.duration * self.random.choice([self.random.uniform(0, 1), self.random.uniform(0.7, 1.1)])
 
     def begin(self, older):

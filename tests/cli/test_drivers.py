@@ -12,7 +12,7 @@ from program import LAVAPIPE, PROGRAM, ProgramTest
 
 SWIFTSHADER = next(iter(glob.glob("/usr/lib/chromium/vk_swiftshader_icd.json")), None)
 
-# Two more channels, partial cells at each edge, and cells on both sides of the origin.
+# Adds two channels, partial cells at each edge, and cells on both sides of the origin.
 COMMON = ("--size=300x200", "--scale=21.7", "--orientation=33", "--seed=7", "--quadrature", "--gradient")
 REQUESTS = [*(("--recipe", recipe) for recipe in ("one", "pure", "paper")), ("--tileable",), ("--time=0.3",),
             ("--frequency=9.5",), ("--region=10,20,111,77",)]
@@ -40,7 +40,7 @@ class Drivers(ProgramTest):
 
     @unittest.skipUnless(LAVAPIPE and SWIFTSHADER, "needs lavapipe and SwiftShader")
     def test_two_drivers_agree(self):
-        """Each driver is within 2e-5 of the exact noise up to frequency 4, and in proportion above: see
+        """Each driver is within 2e-5 of the exact noise up to frequency 4; above, its error grows in proportion: see
         render/request.hpp."""
         for options in REQUESTS:
             pixels = []

@@ -14,7 +14,7 @@ from program import LAVAPIPE, PROGRAM, ProgramTest, gabor
 
 class ErrorTest(ProgramTest):
     def refuse_render(self, words, *options, **settings):
-        """An existing file stays as it was, and no other is made."""
+        """Checks that an existing file stays as it was and that no other is made."""
         (self.folder / "old.exr").write_text("older")
         self.assert_refused(words, "render", "-o", "old.exr", *options, **settings)
 
@@ -218,7 +218,7 @@ class Disk(ErrorTest):
 
     def test_a_file_that_grows_too_large(self):
         (self.folder / "old.exr").write_text("older")
-        limited = ["sh", "-c", "ulimit -f 1024; exec \"$0\" \"$@\"", PROGRAM] # half or one MiB
+        limited = ["sh", "-c", "ulimit -f 1024; exec \"$0\" \"$@\"", PROGRAM] # half a MiB or one MiB
         for output in ("old.exr", "new.exr"):
             self.assert_fails(1, [output, "File too large"], "render", "-o", output, "--size=1024x1024",
                               command=limited)

@@ -1,4 +1,4 @@
-"""`gabor devices`, --help and --version."""
+"""Tests `gabor devices`, --help and --version."""
 
 import json
 import pathlib

@@ -1,4 +1,4 @@
-"""`gabor join`: joined regions equal, byte for byte, the picture rendered at once."""
+"""Checks that regions joined by `gabor join` equal, byte for byte, the picture rendered at once."""
 
 import pathlib
 import unittest
@@ -32,7 +32,7 @@ class JoinTest(ProgramTest):
 
 class Joined(JoinTest):
     def test_every_tiling_in_every_compression(self):
-        # Strips cut at block boundaries, strips cut elsewhere, and tiles; the last in mixed order.
+        # Strips cut at block boundaries, strips cut elsewhere, and tiles in mixed order.
         tilings = {"none": (STRIPS, UNEVEN, TILES, ["0,0,96,75"]), "zip": (STRIPS, UNEVEN, TILES), "rle": (UNEVEN,),
                    "zips": (UNEVEN,), "piz": (STRIPS, UNEVEN)}
         for compression, all_windows in tilings.items():

@@ -1,4 +1,4 @@
-"""`gabor render --maps`: a material's maps for other programs."""
+"""Tests `gabor render --maps`, which writes a material's maps for other programs."""
 
 import json
 import struct
@@ -18,7 +18,7 @@ WIDTH, HEIGHT = 96, 64
 
 
 def read_deep_png(path):
-    """The 16 bits of each pixel."""
+    """Returns the 16-bit values of the pixels."""
     data = path.read_bytes()
     assert data.startswith(SIGNATURE)
     width, height, bits, kind = struct.unpack_from(">IIBB", data, 16)
@@ -61,7 +61,7 @@ class Maps(RenderTest):
         self.assertTrue(((maps["occlusion"] > 0) & (maps["occlusion"] <= 1)).all())
 
     def test_normals_match_the_height(self):
-        """x to the right and y up in the picture. At this distance the height is smooth between pixels."""
+        """In the picture, x is to the right and y up. At this scale the height is smooth between pixels."""
         scale = 1500
         _, maps = self.maps(f"--scale={scale}")
         down, right = np.gradient(maps["height"], 1 / scale)
@@ -106,7 +106,7 @@ class Maps(RenderTest):
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
 
     def test_levels_reflect_a_light_as_their_pixels_do(self):
-        """The GGX highlight on a mip level, and the mean of the highlights on the pixels that it averages."""
+        """Compares the GGX highlight on a mip level with the mean of the highlights on the pixels that it averages."""
         side, block = 256, 16
         self.succeed("render", "--material=leather", f"--size={side}x{side}", "--maps", "set", "--texture")
         levels = Texture(self.folder / "set" / "maps.exr").levels

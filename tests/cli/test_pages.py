@@ -28,7 +28,7 @@ class Readme(ProgramTest):
         stats = json.loads(self.succeed("stats", "noise.exr", "--json", "-"))
         for name, truth in (("mean", 0), ("variance", 1)):
             self.assert_plausible(stats[f"{name}_interval"], truth, name)
-        self.assertLess(abs(stats["cvm"]["value"]), 1.25 * stats["smallest_cvm"])  # of 40 pictures at most 1.04
+        self.assertLess(abs(stats["cvm"]["value"]), 1.25 * stats["smallest_cvm"])  # at most 1.04 in 40 pictures
 
     def test_its_cycles_match_the_table_of_performance(self):
         performance = (ROOT / "docs" / "performance.md").read_text()
@@ -40,7 +40,7 @@ class Readme(ProgramTest):
 
 class Engines(ProgramTest):
     def test_every_snippet_draws_the_readmes_picture(self):
-        """The places where each snippet evaluates the noise, in its engine's pixel order."""
+        """Evaluates the noise at each snippet's places, in its engine's pixel order."""
         side = 96
         self.succeed("render", "-o", "noise.exr", f"--size={side}x{side}", "--scale=32", "--frequency=4",
                      "--orientation=45", "--seed=7")
@@ -50,7 +50,7 @@ class Engines(ProgramTest):
         x, down = np.meshgrid(np.arange(side) + 0.5, np.arange(side) + 0.5)
         vec2 = lambda x, y: types.SimpleNamespace(x=x, y=y, xy=(x, y))
         for snippet in snippets:
-            upwards = "gl_FragCoord" in snippet  # OpenGL counts from the bottom, others from the top
+            upwards = "gl_FragCoord" in snippet  # OpenGL counts rows from the bottom, other engines from the top
             place = eval(snippet.replace(".xy", ""), {
                 "gl_FragCoord": vec2(x, side - down), "FRAGCOORD": vec2(x, down), "position": vec2(x, down),
                 "vec2": vec2, "height": side})

@@ -1,4 +1,4 @@
-"""`gabor render`: what each option does to the file."""
+"""Tests what each option of `gabor render` does to the file."""
 
 import re
 import shutil
@@ -78,7 +78,7 @@ class Files(RenderTest):
 
     def test_every_compression_keeps_every_bit(self):
         if not shutil.which("exrmultiview"):
-            self.skipTest("needs exrmultiview, of OpenEXR's tools, to decompress")
+            self.skipTest("needs exrmultiview from OpenEXR's tools to decompress")
         plain = self.render(output="plain.exr", **SMALL)
         options = [f"--{name}={value}" for name, value in SMALL.items()]
         for compression in ("rle", "zips", "zip", "piz"):
@@ -207,7 +207,7 @@ class Periods(RenderTest):
         for flags, seamless in ((["--tileable"], True), ([], False)):
             pixels = self.render(*flags, **tile).pixels.astype(float)
             for axis in (0, 1):
-                # Across the edge the steps from pixel to pixel are as large as they are inside.
+                # The steps from pixel to pixel are as large across the edge as inside.
                 inside = np.abs(np.diff(pixels, axis=axis)).max()
                 across = np.abs(np.take(pixels, 0, axis) - np.take(pixels, -1, axis)).max()
                 self.assertEqual(across < 1.05 * inside, seamless, f"{flags}, axis {axis}: {across}, {inside}")

@@ -1,4 +1,4 @@
-"""`gabor render` with spectra, the filter, views, paint, several values and the phasor."""
+"""Tests `gabor render` with spectra, the filter, views, paint, several values and the phasor."""
 
 import json
 import re
@@ -17,7 +17,7 @@ LOBES = [{"frequency": 3.2, "orientation": 0, "power": 3}, {"frequency": 3.2, "o
 
 
 def power(values):
-    """The power spectrum, of mean 1 for variance 1."""
+    """The power spectrum, normalized so that variance 1 gives mean 1."""
     return np.abs(np.fft.fft2(values - values.mean())) ** 2 / values.size
 
 
@@ -27,7 +27,7 @@ def frequencies(side, scale):
 
 
 def window_power(f):
-    """|Fourier transform|^2 of Hann's window along an axis, of integral 1."""
+    """|Fourier transform|^2 of Hann's window along an axis, normalized to integral 1."""
     return (np.sinc(2 * f) + (np.sinc(2 * f + 1) + np.sinc(2 * f - 1)) / 2) ** 2 * 4 / 3
 
 
@@ -92,10 +92,10 @@ class Spectra(SpectraTest):
         weight = measured / measured.sum()
         along = sign * (x * np.cos(np.radians(30)) + y * np.sin(np.radians(30)))
         across = sign * (-x * np.sin(np.radians(30)) + y * np.cos(np.radians(30)))
-        # Variances add: of the waves, evenly spread, and of the window's spectrum.
+        # The variances of the waves, evenly spread, and of the window's spectrum add up.
         f = np.linspace(-8, 8, 8193)
         of_window = np.sum(window_power(f) * f * f) / np.sum(window_power(f))
-        # Of lobes in the middle of equal pieces, as many as shaders/gabor_spectrum.glsl says.
+        # The lobes are in the middle of equal pieces, whose number is that in shaders/gabor_spectrum.glsl.
         waves = [(share * part, 2.4 * (1 + 0.25 * place), np.radians(10) * angle)
                  for share, place in pieces(2.857 * 0.25 * 2.4 + 0.8)
                  for part, angle in pieces(10 / 90 * (4.44 * 2.4 * (1 + 0.25 * place) + 0.6) + 0.8)]
@@ -165,7 +165,7 @@ class Spectra(SpectraTest):
 
     def test_a_body_has_all_of_a_material_on_every_side(self):
         metal = self.render(material="brushed-metal", view="sphere", size="80x60", scale=20).channels
-        np.testing.assert_allclose(metal["metalness"][metal["A"] == 1], 1, atol=0.02)  # from up to three planes
+        np.testing.assert_allclose(metal["metalness"][metal["A"] == 1], 1, atol=0.02)  # a blend of up to three planes
 
     def test_contradictory_requests(self):
         good = self.write_lobes(LOBES)
@@ -271,7 +271,7 @@ class Space(SpectraTest):
         """A sum of lobes equals the sum of the lobes rendered alone, each with its own kernel radius."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 3, "orientation": 110, "power": 1}]
         for view, ratio in ((["--view=slice", "--depth=1.3"], 3), (["--view=sphere"], 1), (["--view=torus", "--solid"], 2)):
-            # A lobe alone has another seed than in a sum, so its noise is found by giving the other lobe almost no power.
+            # A lobe alone has a different seed than in a sum, so the other lobe stays, with almost no power.
             second, both, first = (self.render(*view, "--gradient", size="120x100", scale=12, lobes=self.write_lobes(
                 [{**lobes[0], "power": of_first}, lobes[1]])).pixels for of_first in (0, ratio, 1e9))
             share = ratio / (ratio + 1)
@@ -283,7 +283,7 @@ class Space(SpectraTest):
         wide = self.render(view="slice", lobes=self.write_lobes([{"frequency": 1, "radius": 2}]), size="80x60", scale=10)
         plain = self.render(view="slice", frequency=2, size="80x60", scale=20)
         np.testing.assert_allclose(wide.pixels, plain.pixels, atol=4e-5)
-        # A spread in the slice's plane is narrow where its angle is.
+        # A narrow spread of orientation in the slice's plane gives a narrow spectrum.
         values = self.render(view="slice", frequency=3, orientation_spread=20, size="384x384", scale=8).pixels
         x, y = frequencies(384, 8)
         measured = power(values)
@@ -331,7 +331,7 @@ class Channels(SpectraTest):
             np.testing.assert_allclose(even, plain, atol=4e-5)
 
     def test_paint_changes_without_a_seam(self):
-        """One noise before the middle third, the other after it, from left to right or from top to bottom."""
+        """The paint has one noise before its middle third and the other after it, from left to right or from top to bottom."""
         frequency = np.repeat(np.array([[2, 2, 5, 5]], "<f4"), 2, axis=0)
         for size, turned in (("400x200", np.asarray), ("200x400", np.transpose)):
             picture = {"size": size, "scale": 40}
@@ -359,7 +359,7 @@ class Channels(SpectraTest):
             np.testing.assert_allclose(painted, plain, atol=4e-5)
 
     def test_directions_turn_the_short_way_around(self):
-        """From 177 to -177 degrees: the wave vector turns by 6 degrees and not by 354."""
+        """From 177 to -177 degrees, the wave vector turns by 6 degrees and not by 354."""
         self.paint_directions(np.zeros((2, 2)), np.array([[0.53, 0.47]] * 2))
         drawn = self.render("--paint=flow.png", size="400x200", scale=40, frequency=2).pixels
         self.assertLess(np.abs(np.diff(drawn, n=2, axis=1)).max(), (2 * np.pi * 3 / 40) ** 2 * 5)

@@ -1,4 +1,4 @@
-"""`gabor stats`: against numpy on the same pixels, and against what was rendered."""
+"""Compares `gabor stats` with numpy on the same pixels and with what was rendered."""
 
 import json
 import pathlib
@@ -76,7 +76,7 @@ class Rendered(StatsTest):
         self.assertEqual((stats["width"], stats["height"], stats["parameters"]["width"]), (200, 101, 300))
 
     def test_joined_regions_give_the_numbers_of_the_whole(self):
-        # More rows than are read at once; a variance known from another channel; a variance to measure first.
+        # Three cases: more rows than are read at once, a variance known from another channel, and one to measure first.
         for options, channel in ((["--size=1500x1100", "--scale=9"], "Y"),
                                  (["--size=300x200", "--filter", "--scale=9", "--compression=zip"], "Y"),
                                  (["--size=300x200", "--phasor"], "intensity")):
@@ -105,7 +105,7 @@ class Rendered(StatsTest):
             self.assertEqual(self.stats("packed.exr"), plain, compression)
 
     def test_the_peak_is_where_requested(self):
-        # Angles turn from right to down; the other way round, 20, 120 and -60 degrees would be 160, 60 and 60.
+        # Angles turn from right to down; with the other sense, 20, 120 and -60 degrees would be 160, 60 and 60.
         for frequency, scale, orientation in [(4, 16, 0), (4, 16, 20), (4, 16, 45), (4, 16, 90), (4, 16, 120),
                                               (4, 16, -60), (3, 32, 200), (6, 13, 150)]:
             with self.subTest(frequency=frequency, scale=scale, orientation=orientation):
@@ -162,8 +162,8 @@ class Laws(StatsTest):
             self.assertIn(f"compared with a normal distribution of analytic mean 0 and variance {stats['reference_variance']:.6g}", text)
 
     def test_gradients(self):
-        """The wave's and the windows' contributions to the slope; the latter is the energy of a window's derivative
-        over the window's, summed on a grid."""
+        """The slope's variance is the wave's contribution plus the windows': the energy of a window's derivative divided by
+        the window's energy, each summed on a grid."""
         x = (np.arange(4000) + 0.5) / 4000
         blend = np.hypot(1 - (s := x**2 * (3 - 2 * x)), s)
         for recipe, window in (("lattice", (1 + np.cos(np.pi * x)) / 2), ("lattice-2", (1 - s) / blend)):
@@ -175,8 +175,8 @@ class Laws(StatsTest):
         self.assert_known(1, "Y")
 
     def test_filtered(self):
-        """The energy that a blur leaves of a wave's window and of its derivative along each axis, relative to the
-        window's."""
+        """The variance is the energy of the blurred windowed wave, or of its derivative, along each axis, relative to the
+        window's energy."""
         x = np.arange(-8, 8, 1 / 512)
         window = np.where(np.abs(x) < 1, (1 + np.cos(np.pi * x)) / 2, 0)
         def left(frequency, scale):
@@ -226,7 +226,7 @@ class Laws(StatsTest):
         self.render()
         least = self.stats()["smallest_cvm"]
         self.assertGreater(least, 0.5)
-        side = 2 ** int(np.ceil(np.log2(512 * np.sqrt(least / 0.5))))  # the least cvm falls with the number of pixels
+        side = 2 ** int(np.ceil(np.log2(512 * np.sqrt(least / 0.5))))  # the smallest cvm falls with the number of pixels
         self.assertIn(f"too small to test its distribution; render {side} x {side} for that", self.succeed("stats", "in.exr"))
         self.render("--frequency=1", scale=3, size="1024x1024")
         self.assertLess(self.stats()["smallest_cvm"], 0.5)
@@ -257,7 +257,7 @@ class Foreign(StatsTest):
         return self.random.normal(3, 2, (height, width)).astype("f4")
 
     def test_reports_are_those_of_this_version(self):
-        """Of pixels that correlate over 2, in 16 x 16 blocks, and over 10, in 8 x 8 blocks, with a law that is known."""
+        """Tests pixels that correlate over 2, which give 16 x 16 blocks, and over 10, which give 8 x 8 and have a known law."""
         white = self.random.normal(size=(200, 240))
         wave = np.sin(np.arange(240) * 0.9 + np.arange(200)[:, None] * 0.4)
         radius = np.hypot(np.fft.fftfreq(240), np.fft.fftfreq(200)[:, None])

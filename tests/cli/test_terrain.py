@@ -1,4 +1,4 @@
-"""`gabor render --terrain`: eroded mountains in any unit, with the same pixels in regions as in the whole."""
+"""Tests `gabor render --terrain`: eroded mountains in any unit, with the same pixels in regions as in the whole."""
 
 import json
 import unittest
@@ -80,7 +80,7 @@ class Terrain(ProgramTest):
         down = Exr(self.folder / "down.exr").channels
         self.succeed("render", "--view=terrain", "--size=160x120", "--scale=20", "--seed=5", "-o", "map.exr")
         above = Exr(self.folder / "map.exr").channels["height"]
-        # From straight above, what the camera looks at is the middle of the map.
+        # From straight above, the camera looks at the middle of the map.
         self.assertAlmostEqual(down["height"][78, 80], above[60, 80], delta=0.1)
         self.assertAlmostEqual(down["height"].std(), above.std(), delta=0.5 * above.std())
         self.succeed("render", "--view=landscape", "--size=160x120", "--scale=20", "--pitch=0", "-o", "sky.exr")

@@ -9,7 +9,7 @@ from exr import Exr, Texture
 from program import ProgramTest
 
 NOISE = ["--frequency=1.5", "--orientation-spread=20", "--seed=7"]
-SCALED = 4 # the levels whose scale a flat picture may have
+SCALED = 4 # a flat picture may have the scale of these levels
 
 
 def text(texture, name):
@@ -52,7 +52,7 @@ class Levels(TextureTest):
         texture = self.texture(512, 512, scale=8)
         kept = [(level["Y"].astype(float)**2).mean() for level in texture.levels]
         said = [1 - level["removed"].mean() for level in texture.levels]
-        np.testing.assert_allclose(kept[:3], said[:3], rtol=0.08) # a sample of 64 x 64 radii varies by 2 %
+        np.testing.assert_allclose(kept[:3], said[:3], rtol=0.08) # 64 x 64 radii have a sampling error of 2 %
         self.assertGreater(said[0], 0.6)
         self.assertLess(max(kept[4:]), 0.01)
         self.assertGreater(min(level["removed"].min() for level in texture.levels[5:]), 0.99)
@@ -74,7 +74,7 @@ class Levels(TextureTest):
 
 class Joined(TextureTest):
     def levels(self, width, height, options, strips=3):
-        """Renders level 0 in uneven strips and all others whole, down to a line."""
+        """Renders level 0 in uneven strips and all other levels whole, down to a line."""
         regions = []
         for level in range(min(width, height).bit_length()):
             rows = [height * k // strips for k in range(strips + 1)] if level == 0 else [0, height >> level]

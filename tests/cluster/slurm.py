@@ -1,4 +1,4 @@
-"""Slurm on this machine alone, without systemd or a database: munged, slurmctld and slurmd run while it is in use.
+"""Runs Slurm on this machine alone, without systemd or a database: munged, slurmctld and slurmd run while it is in use.
 Needs root, Debian's munge, slurmctld, slurmd and slurm-client, and a machine without its own Slurm, because clients
 read only /etc/slurm/slurm.conf."""
 
@@ -41,13 +41,13 @@ def missing():
     if absent := [name for name in ("munged", "slurmctld", "slurmd", "squeue") if not shutil.which(name)]:
         return f"needs {', '.join(absent)}"
     if CONFIGURATION.exists():
-        return f"{CONFIGURATION} is there already"
+        return f"{CONFIGURATION} already exists"
     return ""
 
 
 @contextlib.contextmanager
 def cluster(folder, cores=2):
-    """A queue with one node and this number of cores."""
+    """Runs a queue with one node and this number of cores."""
     host = socket.gethostname().split(".")[0]
     for name in ("state", "spool"):
         (folder / name).mkdir(parents=True)
@@ -85,5 +85,5 @@ def wait_for(condition, seconds):
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
-            raise TimeoutError(f"not within {seconds} s")
+            raise TimeoutError(f"still waiting after {seconds} s")
         time.sleep(0.2)

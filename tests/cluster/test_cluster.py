@@ -1,5 +1,5 @@
-"""tools/cluster, on this machine and on a real Slurm, makes the same bytes as a single run, runs nothing twice and
-leaves no job.
+"""Checks that tools/cluster, on this machine and on a real Slurm, makes the same bytes as a single run, runs nothing
+twice and leaves no job.
 
 tools/test-long farm runs it; GABOR_PROGRAM and GABOR_LAB are the programs. It prints its measurements.
 """
@@ -39,7 +39,7 @@ TASKS = (4 + 1) + (5 + 1 + 6 + 1) + 2 + 2 + 2
 
 
 class FarmTest(ProgramTest):
-    """The programs log their requests and results."""
+    """Wraps the programs in scripts that log each request when it begins and when it succeeds."""
 
     def setUp(self):
         super().setUp()
@@ -91,7 +91,7 @@ class FarmTest(ProgramTest):
         self.assertEqual(len(whole), 1 + 1 + 2 + 2 + 4)
         for name in whole:
             self.assertEqual(files[name.removeprefix("one/")], files[name], name)
-        self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are joined")
+        self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are left after the join")
 
     def assert_nothing_done_twice(self, but=0):
         """Checks that no task ran twice, except `but` tasks of cancelled jobs, which may end before they say so."""
@@ -117,7 +117,7 @@ class Local(FarmTest):
         self.assert_nothing_done_twice()
         before = self.begun()
         self.finish(self.start("--cores", "2"))
-        self.assertEqual(self.begun(), before, "a second run has nothing to do")
+        self.assertEqual(self.begun(), before, "a second run must have nothing to do")
 
 
 @unittest.skipIf(slurm.missing(), slurm.missing())
@@ -138,7 +138,7 @@ class Slurm(FarmTest):
         run.kill()
         run.wait()
         left = slurm.jobs()
-        self.assertGreater(len(left), 0, "jobs outlive Snakemake")
+        self.assertGreater(len(left), 0, "jobs must outlive Snakemake")
         began = time.monotonic()
         self.finish(self.start(*SLURM))
         print(f"Slurm: {len(left)} jobs were left by the killed run; the rest took {time.monotonic() - began:.0f} s")

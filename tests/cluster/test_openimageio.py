@@ -1,5 +1,5 @@
-"""Textures as read by OpenImageIO, which most renderers use: every level has the variance that `removed`
-leaves, and maketx's levels do not.
+"""Checks textures with OpenImageIO, which most renderers use: every level has the variance that `removed` leaves, but
+maketx's levels do not.
 
 tools/test-long farm runs it, by a Python that has OpenImageIO; GABOR_PROGRAM is the program.
 """

@@ -1,4 +1,4 @@
-"""HLSL to SPIR-V by the DirectX shader compiler, whose library is at GABOR_DXC: dxc.py SHADER.hlsl SHADER.spv
+"""Compiles HLSL to SPIR-V with the DirectX shader compiler, whose library is at GABOR_DXC: dxc.py SHADER.hlsl SHADER.spv
 OPTION..."""
 
 import ctypes
@@ -17,7 +17,7 @@ class Text(ctypes.Structure):
 
 
 def method(pointer, number, result, *types):
-    """A method of an object by index, counted after the common ones: outside Windows, three methods and two
+    """Returns an object's method by its index after the common ones, which outside Windows are three methods and two
     destructors."""
     table = ctypes.cast(pointer, ctypes.POINTER(ctypes.POINTER(ctypes.c_void_p)))[0]
     call = ctypes.CFUNCTYPE(result, ctypes.c_void_p, *types)(table[5 + number])

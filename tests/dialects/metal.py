@@ -8,7 +8,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def as_cpp(text):
-    """C++ has no swizzles: they become calls."""
+    """Turns swizzles into calls, since C++ has none."""
     text = re.sub(r"\.([xyzw]{2,4}) = ([^;]*);", r".set_\1(\2);", text)
     return re.sub(r"\.([xyzw]{2,4})\b", r".\1()", text)
 
@@ -18,6 +18,6 @@ def is_gcc(compiler):
 
 
 def options(compiler):
-    """Constants without a suffix are float in Metal."""
+    """The options that make constants without a suffix float, as in Metal."""
     single = ["-fsingle-precision-constant"] if is_gcc(compiler) else ["-Xclang", "-cl-single-precision-constant"]
     return ["-std=c++20", *single, "-I", HERE, "-I", HERE.parents[1] / "tools"]

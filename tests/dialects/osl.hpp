@@ -1,10 +1,10 @@
-// The types and functions of the Open Shading Language that the shaders of shaders/nodes/osl need, in C++.
+// C++ versions of the Open Shading Language's types and functions that the shaders in shaders/nodes/osl need.
 #include <algorithm>
 #include <cmath>
 
 struct vector {
     float x, y, z;
-    vector(float all) : x(all), y(all), z(all) {} // as in OSL, where a number converts to a vector of three
+    vector(float all) : x(all), y(all), z(all) {} // like OSL, which converts a number to a vector
     vector(float x, float y, float z) : x(x), y(y), z(z) {}
     float operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
 };

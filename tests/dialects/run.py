@@ -1,5 +1,5 @@
-"""The scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp VALUES.raw DROP_IN [NAME=VALUE], with the programs
-of this folder in GABOR_SCENES, and for dxc, unity and unreal the compiler's library in GABOR_DXC."""
+"""Draws the scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp VALUES.raw DROP_IN [NAME=VALUE].
+GABOR_SCENES is the folder with the compiled programs, and GABOR_DXC the compiler's library for dxc, unity and unreal."""
 
 import json
 import os
@@ -23,7 +23,7 @@ def run(*command):
 
 
 def pasted(scene, text, ending):
-    """A file of the scene, with macros and with the drop-in in place of its include."""
+    """Writes the scene with the macros, and with the drop-in in place of its include; returns the file."""
     include = re.search(r'#include "gabor_.*\n', scene)[0]
     text = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + text
     path = pathlib.Path(values).with_suffix(ending)
@@ -32,7 +32,7 @@ def pasted(scene, text, ending):
 
 
 def included(path):
-    """A file with its includes expanded. They are relative to it or to the repository."""
+    """A file's text with its includes expanded, which are relative to the file or to the repository."""
     def contents(match):
         return included(next(file for file in (path.parent / match[1], HERE.parents[1] / match[1]) if file.exists()))
     return re.sub(r'^#include "(.*)"$', contents, path.read_text(), flags=re.MULTILINE)
@@ -61,7 +61,7 @@ def drawn_by_vulkan():
     return driver
 
 
-UNITY = {  # as reference.FUNCTIONS
+UNITY = {  # the same functions as in reference.FUNCTIONS
     "noise": "noise",
     "complex": "quadrature",
     "gradient": "noise + dot(gradient, float2(1.0, 2.0)) / 32.0",

@@ -1,5 +1,5 @@
-// As Unreal's material compiler writes a Custom node with an include file, out of the node's text; there its first
-// parameter has a name.
+// What Unreal's material compiler makes of a Custom node's text and its include file, but for the name of the
+// first parameter.
 #define MaterialFloat float
 #define MaterialFloat2 float2
 #include "shaders/nodes/unreal/gabor_lattice.ush"

@@ -1,5 +1,5 @@
-// Runs a compute shader that fills 256 x 257 floats on the device that VK_ICD_FILENAMES leaves, says which
-// that is, and writes them to a file: scene_vulkan SHADER.spv VALUES.raw
+// Runs a compute shader that fills 256 x 257 floats on the device that VK_ICD_FILENAMES leaves, prints the
+// device's name and writes the floats to a file: scene_vulkan SHADER.spv VALUES.raw
 
 #include "vulkan/device.hpp"
 #include "vulkan/pass.hpp"

@@ -1,11 +1,11 @@
-"""The Slang compiler, from the library in Python's slangpy: slangc.py FILE.slang ENTRY STAGE FILE.spv"""
+"""Runs the Slang compiler from the library in Python's slangpy: slangc.py FILE.slang ENTRY STAGE FILE.spv"""
 
 import ctypes
 import importlib.util
 import pathlib
 import sys
 
-SPIRV, SLANG, STAGES = 6, 1, {"vertex": 1, "fragment": 5, "compute": 6} # of slang.h
+SPIRV, SLANG, STAGES = 6, 1, {"vertex": 1, "fragment": 5, "compute": 6} # values from slang.h
 
 
 def library():

@@ -1,5 +1,5 @@
-"""Unity graphs refer only to existing things. Hand-written ports to other languages give the same noise as the GLSL:
-tools/test-engines runs them in renderers and browsers, this test on the CPU."""
+"""Checks that Unity graphs refer only to existing things, and that hand-written ports to other languages give the same
+noise as the GLSL. This test runs the ports on the CPU; tools/test-engines runs them in renderers and browsers."""
 
 import json
 import os
@@ -87,7 +87,7 @@ class UnityStripes(UnityNoise):
     graph_file = "Gabor Stripes.shadersubgraph"
 
 
-# Writes each function of gabor_lattice.tsl.js, as reference.FUNCTIONS has them, at the scene's points.
+# Writes the values of functions.mjs, one for each function of gabor_lattice.tsl.js, at the scene's points.
 TSL = """
 import { writeFileSync } from "node:fs";
 import { float, vec2, vec3 } from "./three_tsl.mjs";
@@ -102,7 +102,7 @@ console.log(JSON.stringify(Object.keys(functions)));
 """
 
 
-# Quadrature and gradient in the plane, noise and gradient in space, at the scene's points.
+# Writes quadrature and gradient in the plane, and noise and gradient in space, at the scene's points.
 BESIDE = """
 #include "gabor_lattice.hpp"
 #include "gabor_spectrum.hpp"
@@ -130,7 +130,7 @@ class ByHand(unittest.TestCase):
         self.values = self.folder / "values.raw"
 
     def compare(self, *command):
-        """The pictures that a program writes, one per function."""
+        """Compares the pictures that a program writes, one per function, with the reference."""
         said = subprocess.run([*command, self.values], check=True, stdout=subprocess.PIPE, text=True).stdout
         functions = json.loads(said or '["noise"]')
         for function, values in zip(functions, np.split(np.fromfile(self.values, "<f4"), len(functions))):
@@ -140,7 +140,7 @@ class ByHand(unittest.TestCase):
                 self.assertLess(error, 1e-5)
 
     def run_osl(self, name, scene):
-        """The output of a scene that calls an OSL shader as a C++ function."""
+        """Returns the output of a scene that calls an OSL shader as a C++ function."""
         shader, compiler = self.folder / "shader.hpp", os.environ.get("CXX", "c++")
         text = (NODES / "osl" / name).read_text()
         text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
@@ -152,7 +152,7 @@ class ByHand(unittest.TestCase):
         return np.fromfile(self.values, "<f4")
 
     def test_open_shading_language(self):
-        """Compares each output of the shader. The others are compared with the translation to C++."""
+        """Compares the noise with the reference and the shader's other outputs with the translation to C++."""
         values = self.run_osl("gabor_lattice.osl", "scene_osl.cpp")
         plane, space = values.reshape(-1, 2, 7).transpose(1, 2, 0).astype(float)
         error, place = reference.largest_difference("lattice", plane[0].astype("<f4"))

@@ -22,7 +22,7 @@ class Reference(unittest.TestCase):
             subprocess.run([os.environ["GABOR_PROGRAM"], "render", "-o", picture, f"--size={side}x{side}", "--scale=32",
                             f"--frequency={reference.FREQUENCY}", f"--seed={reference.SEED}", "--compression=none", "--recipe=one",
                             f"--orientation={math.degrees(reference.ORIENTATION)}"], check=True, timeout=50)
-            # In an uncompressed file a row is its number, its size and its pixels, and the rows end the file.
+            # In an uncompressed file, a row consists of its number, its size and its pixels, and the rows come last.
             rows = picture.read_bytes()[-side * (8 + 4 * side):]
         pixels = np.frombuffer(rows, "<f4").reshape(side, 2 + side)[:, 2:]
         difference = np.abs(pixels - reference.values("one")[:side])

@@ -1,5 +1,4 @@
-"""The translations of the lattice's drop-ins and of a texture by gabor fit: each call returns the same on the device as
-in GLSL,
+"""Checks the translations of the lattice's drop-ins and of a texture by gabor fit: each call returns the same as in GLSL,
 which other tests compare with the reference."""
 
 import json
@@ -21,11 +20,11 @@ SHADERS = ROOT / "shaders"
 sys.path.insert(0, str(HERE.parent / "fit"))
 from textures import colour_noise, write_png
 
-FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion", "gabor_direction", "sea"] # the last by gabor fit
+FILES = ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion", "gabor_direction", "sea"] # gabor fit writes the last one
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
-CALLS = {  # by function, a column of the matrix in docs/engines.md
+CALLS = {  # each call's function, a column of the matrix in docs/engines.md
     "gabor_noise(p, 4.0, 0.7854, 7u)": "noise",
     "gabor_noise_gradient(p, 4.0, 0.7854, 7u).y": "gradient",
     "gabor_noise_complex(p, 4.0, 0.7854, 7u).x": "complex",
@@ -37,7 +36,7 @@ CALLS = {  # by function, a column of the matrix in docs/engines.md
     "gabor_noise_isotropic(p, 2.0, 7u)": "isotropic",
     "gabor_noise_isotropic_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 7u).x": "isotropic",
     "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x": "filtered",
-    "gabor_noise_lobes(p, six(), 7u)": "lobes",  # more than the default of GABOR_LOBES, so the macro must work
+    "gabor_noise_lobes(p, six(), 7u)": "lobes",  # six are more than GABOR_LOBES' default, so the macro must work
     "gabor_noise_direction(p, 7u)": "direction map",
     "gabor_noise_3d(q, 2.0, vec3(1.0, 2.0, 3.0), 7u)": "solid",
     "gabor_noise_3d_gradient(q, 2.0, vec3(1.0, 2.0, 3.0), 7u).y": "solid",
@@ -78,7 +77,7 @@ void main()
 HLSL = SIX + """
 RWStructuredBuffer<float> values : register(u0);
 static float2 p;
-static float3 q; // not each call takes both
+static float3 q; // few calls use both p and q
 [numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
 {
     p = (float2(pixel.xy) + 0.5) / 32.0;
@@ -179,7 +178,7 @@ GCC = metal.is_gcc(COMPILER)
 
 
 def banded(shader, calls):
-    """A shader that draws each call as a band of one picture."""
+    """Returns a shader that draws each call as a band of one picture."""
     rows = 256 // len(calls)
     chosen = "".join(f"if (row / {rows} == {i}) noise = {call};\n    " for i, call in enumerate(calls))
     return shader.replace("ROWS", str(rows)).replace("CALLS", chosen)
@@ -192,7 +191,7 @@ def bands(values, calls):
 
 
 class Translations(unittest.TestCase):
-    DRAWN = {}  # by the shader, of each call
+    DRAWN = {}  # the values that the GLSL shader draws, by call
 
     @classmethod
     def setUpClass(cls):
@@ -238,7 +237,7 @@ class Translations(unittest.TestCase):
         return self.drawn(text + GLSL.replace("CALL", call), "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
 
     def compare(self, translated, calls=tuple(CALLS)):
-        """Materials have edges, which magnify different rounding."""
+        """Compares each call with GLSL, materials less strictly, because their edges magnify differences in rounding."""
         errors = {}
         for call in calls:
             with self.subTest(call):
@@ -298,7 +297,7 @@ class Translations(unittest.TestCase):
         self.compare(bands(values, calls).get, calls)
 
     def cpp(self, source, *options):
-        """The output of a C++ program, and the compiler's messages."""
+        """Returns the output of a C++ program and the compiler's messages."""
         program, values = self.folder / "program", self.folder / "values.raw"
         compiler = [COMPILER, "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
         source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + MAP + source
@@ -316,7 +315,7 @@ class Translations(unittest.TestCase):
         self.compare_cpp(metal.as_cpp(text), "float", "-O1", "-Wno-unused", *metal.options(COMPILER))
 
     def compare_cpp(self, before, vector, *options):
-        """Compares each call in a C++ program. `before` is the text before it, `vector` the prefix of its vectors."""
+        """Compares each call in a C++ program. `before` is the text before its main, `vector` the prefix of its vectors."""
         calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in CALLS]
         functions = (f"[](gabor_vec2 p, gabor_vec3 q) {{ return (void)p, (void)q, {call}; }}" for call in calls)
         values, _ = self.cpp(before + CPP.replace("CALLS", ", ".join(functions)), *options)
@@ -325,7 +324,7 @@ class Translations(unittest.TestCase):
 
     def test_cpp_vectors(self):
         """The compiler vectorizes a loop over points; values equal the shader's within 1e-6, and words are equal.
-        If the frequency is a constant, the compiler reorders products: + unknown hides it."""
+        If the frequency is a constant, the shader compiler reorders products, so + unknown hides it."""
         values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
                                 *["-fopt-info-vec"] * GCC)
         if GCC:

@@ -10,7 +10,7 @@ class Node {
     add(other) { return combined(this, other, (a, b) => a + b); }
     sub(other) { return combined(this, other, (a, b) => a - b); }
     mul(other) { return combined(this, other, this.type === "float" ? (a, b) => a * b : Math.imul); }
-    div(other) { return combined(this, other, (a, b) => a / b); } // integers are truncated as they are stored
+    div(other) { return combined(this, other, (a, b) => a / b); } // storing truncates integers
     bitXor(other) { return combined(this, other, (a, b) => a ^ b); }
     bitOr(other) { return combined(this, other, (a, b) => a | b); }
     shiftLeft(other) { return combined(this, other, (a, b) => a << b); }
@@ -23,7 +23,7 @@ for (const swizzle of ["x", "y", "z", "w", "yx", "zw", "xzw"])
         return new Node(this.type, [...swizzle].map(part => this.parts["xyzw".indexOf(part)]));
     } });
 
-// Numbers apply to all components, and a single value to all points.
+// A number applies to all components, and a single value to all points.
 function combined(a, b, operation) {
     if (!(b instanceof Node))
         b = converted(a.type)(b);

@@ -18,7 +18,7 @@ CALLS = {
 
 
 def on_vulkan(spirv, values):
-    """The driver's name, and the 256 x 256 values that a compute shader writes."""
+    """Returns the driver's name and the 256 x 256 values that a compute shader writes."""
     program = pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan"
     driver = subprocess.run([program, spirv, values], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
     return driver, np.fromfile(values, "<f4")[:65536]

@@ -1,7 +1,7 @@
-"""The scene that every engine draws, in double precision, from the equations and not from the shaders: the recipe `one`
-of gabor_noise.glsl, and gabor_lattice.glsl.
+"""The scene that every engine draws, computed in double precision from the equations, not from the shaders: the `one`
+recipe of gabor_noise.glsl, and gabor_lattice.glsl.
 
-A target of 256 x 257 floats, p = (pixel + 0.5) / 32 with the pixel's row and column counted from 0:
+The target has 256 x 257 floats, and p = (pixel + 0.5) / 32 with the pixel's row and column counted from 0:
     rows 0 to 255   gabor_noise(p, 4.0, 0.7854, 7u)
     row 256         gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u)
 """
@@ -38,7 +38,7 @@ def impulse_word(column, row, seed):
 
 
 def one(cell, x, y):
-    """The recipe `one` at cell + (x, y), in kernel radii, which are its cells."""
+    """The `one` recipe at cell + (x, y), in kernel radii; a cell is one radius wide."""
     energy = (WINDOW**2).integ()
     variance = (1 + FLOOR**2) / 2 * (energy(1) - energy(-1)) ** 2 / 2
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
@@ -74,8 +74,8 @@ def law(u):
 
 
 def amplitude(word, time=0.0):
-    """A node's amplitude: one part from the whole word, one from its low 20 bits, each of variance 1; with time, a mix
-    of three."""
+    """A node's amplitude: one part from the whole word, one from its low 20 bits, each with variance 1; with time, a mix
+    of three amplitudes."""
     if time:
         second = (word ^ (word >> 15)) * np.uint32(0xd35a2d97)
         third = (second ^ (second >> 15)) * np.uint32(0xd35a2d97)
@@ -88,7 +88,7 @@ def amplitude(word, time=0.0):
 
 
 def window(d, taps):
-    """It ends where d is 1 or -1. Hann's window; for two taps one whose shifted squares sum to 1."""
+    """Hann's window, or for two taps a window whose shifted squares sum to 1. It ends where d is 1 or -1."""
     if taps > 2:
         return np.where(abs(d) < 1, (1 + np.cos(np.pi * d)) / 2, 0)
     x = np.minimum(abs(d), 1)
@@ -98,11 +98,11 @@ def window(d, taps):
 
 def complex_lattice(cell, x, y, taps=3, period=(2**32, 2**32), seed=SEED, time=0.0, radius=(None, None),
                     wave=WAVE, amplitudes=None):
-    """The lattice's noise, the imaginary part, and its quadrature at cell + (x, y), in node spacings, of which there
-    are
-    `radius` to the kernel radius; it may repeat after a whole number of them. Amplitudes may be another's, by column and row."""
+    """The lattice's noise (imaginary part) and its quadrature (real part) at cell + (x, y), in node spacings. `radius` is the
+    kernel radius in spacings, and `period` the spacings after which the noise repeats. `amplitudes` may give others, by column
+    and row."""
     reach = taps / 2
-    energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows of one axis
+    energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows along one axis
     scale_x, scale_y = (each or reach for each in radius)
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     total = np.zeros(np.broadcast(x, y).shape, complex)
@@ -122,7 +122,7 @@ def lattice(cell, x, y, taps=3, period=2**32):
 
 
 def complex_lattice_3d(x, y, z, direction):
-    """Likewise in space, in kernel radii, with three taps."""
+    """The same in space, in kernel radii, with three taps."""
     wave = FREQUENCY * np.array(direction) / np.linalg.norm(direction)
     x, y, z = np.broadcast_arrays(1.5 * x, 1.5 * y, 1.5 * z)
     first = [np.floor(each).astype(np.int64) for each in (x, y, z)]
@@ -139,7 +139,7 @@ def complex_lattice_3d(x, y, z, direction):
 # ---- Other outputs of nodes ----------------------------------------------------------------------------------------
 
 # Each function gives one number for each p = (x, y) in kernel radii: a weighted sum of its results.
-STEP = 1e-5  # for derivatives, which are then exact within 1e-6
+STEP = 1e-5  # step for derivatives, which are then exact within 1e-6
 
 
 def plane(x, y, **options):
@@ -158,7 +158,7 @@ def four(x, y):
 
 
 def tiled(x, y):
-    """Periods of 2 and 1 kernel radii have 3 nodes each, the second of narrower windows."""
+    """The periods of 2 and 1 kernel radii have 3 nodes each, so the second has narrower windows."""
     return complex_lattice((0, 0), 1.5 * x, 3 * y, period=(3, 3), radius=(1.5, 3)).imag
 
 
@@ -170,7 +170,7 @@ def solid(x, y):
 
 
 def stripes(x, y):
-    """With sharpness 2."""
+    """Stripes with sharpness 2."""
     value = plane(x, y)
     even = value * np.minimum(2, 1 / abs(value))
     return (even.real + 2 * even.imag + 3 * abs(value)) / 4
@@ -221,10 +221,10 @@ def values(scene, rows=HEIGHT):
 
 def largest_difference(scene, drawn):
     """The largest difference from the scene or the function, with its row and column; a NaN counts as the largest.
-    Without gabor_noise_at its row may be missing; of a function only the first 32 rows are needed."""
+    The row of gabor_noise_at may be missing; a function needs only its first 32 rows."""
     drawn = np.asarray(drawn, np.float64).reshape(-1, WIDTH)
     if len(drawn) not in (HEIGHT - 1, HEIGHT) and not (scene in FUNCTIONS and 32 <= len(drawn) < HEIGHT):
-        raise ValueError(f"{len(drawn)} rows")
+        raise ValueError(f"unexpected number of rows: {len(drawn)}")
     difference = np.abs(drawn - values(scene, len(drawn) if scene in FUNCTIONS else HEIGHT)[:len(drawn)])
     difference[np.isnan(difference)] = np.inf
     place = np.unravel_index(difference.argmax(), difference.shape)

@@ -1,5 +1,5 @@
-"""A device that runs out of memory or is lost, at every call in turn: status 1, one line, no file, and an older file as
-it was. The layer in layer.cpp injects the faults."""
+"""If the device runs out of memory or is lost, at any call, the program exits with status 1, prints one line, writes no
+file and leaves an older one as it was. The layer in layer.cpp injects the faults."""
 
 import os
 import pathlib
@@ -15,7 +15,7 @@ FOUR_BANDS = ("--size=2200x4000", "--compression=none")
 
 
 def broken(function, call):
-    """Disables validation, which would print a line about the missing device."""
+    """The environment for this fault, without validation, which would print a line about the missing device."""
     return {"GABOR_VALIDATION": None, "VK_ADD_LAYER_PATH": LAYER, "VK_INSTANCE_LAYERS": "VK_LAYER_GABOR_fault",
             "GABOR_FAULT": f"{function}:{call}"}
 

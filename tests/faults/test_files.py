@@ -1,5 +1,5 @@
-"""Disks, folders and readers that fail while the program works. The output file stays unchanged, is complete, or is
-missing; one line says what failed, and the exit status tells whether the request was wrong."""
+"""Disks, folders and readers fail while the program works. The output file must be unchanged, complete or missing; one
+line must say what failed, and the exit status must tell whether the request was wrong."""
 
 import contextlib
 import os

@@ -1,4 +1,5 @@
-// The macros of each set of functions, GABOR_OF_SET, which has a file SET.txt: for C++ and GLSL.
+// The macros of each set of functions, for C++ and GLSL. GABOR_OF_SET chooses the set, whose values are in
+// SET.txt.
 
 #if defined GABOR_OF_noise_one
 #define GOLDEN_NOISE
@@ -13,7 +14,7 @@
 #define GABOR_WEIGHT_FLOOR 1.0f
 #define GABOR_PHASES 2
 #define GABOR_WINDOW vec3(1.0f, 0.0f, 0.0f)
-#elif defined GABOR_OF_noise_own // all that two phases and a window of three terms can need
+#elif defined GABOR_OF_noise_own // everything that two phases and a window with three terms can need
 #define GOLDEN_NOISE
 #define GABOR_IMPULSES 3
 #define GABOR_RADIUS 1.25f

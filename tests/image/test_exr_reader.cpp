@@ -166,7 +166,7 @@ TEST_CASE("Tiles are read as rows", "[exr]") {
     CHECK(read_all(alpha, rows) == ramp());
 }
 
-TEST_CASE("Of several parts, the first is read", "[exr]") {
+TEST_CASE("Only the first of several parts is read", "[exr]") {
     const ScratchFolder folder;
     Foreign first;
     first.add<float>("one");
@@ -353,7 +353,7 @@ TEST_CASE("A file with flipped bits is read or refused", "[exr]") {
     for (int i = 0; i < 100; ++i) {
         std::string damaged = whole;
         const std::size_t range =
-            i % 2 == 0 ? whole.size() : 500; // every other time the header and the offsets
+            i % 2 == 0 ? whole.size() : 500; // every other time in the header and the offsets
         for (int flips = 0; flips <= i % 3; ++flips)
             damaged[random() % range] ^= static_cast<char>(1 << random() % 8);
         write_file(path, damaged);

@@ -19,7 +19,7 @@ using gabor::RequestError;
 
 namespace {
 
-/// Every kind of float: any bit pattern at all, so that NaNs, infinities and denormals are among them.
+/// Floats with arbitrary bit patterns, including NaNs, infinities and denormals.
 std::vector<float> any_floats(std::size_t count) {
     std::vector<float> values(count);
     std::mt19937 random(7);
@@ -67,7 +67,7 @@ const Rect small = {0, 0, 8, 5};
 
 } // namespace
 
-TEST_CASE("Every compression keeps every bit, whatever the bands", "[exr]") {
+TEST_CASE("Every compression keeps every bit, with any bands", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
     const Rect window = {3, 5, 61, 150};
@@ -127,7 +127,7 @@ TEST_CASE("The parameters are stored as text", "[exr]") {
 
 TEST_CASE("Joining regions reports every pixel once", "[exr]") {
     const ScratchFolder folder;
-    // Rows of the first are copied block by block, those of the second are decoded.
+    // The first tiling's rows are copied block by block; the second's are decoded.
     const auto windows = GENERATE(std::vector<Rect>{{0, 0, 20, 32}, {0, 32, 20, 5}},
                                   std::vector<Rect>{{0, 0, 7, 37}, {7, 0, 13, 37}});
     std::vector<std::filesystem::path> regions;
@@ -176,7 +176,7 @@ TEST_CASE("A full disk makes an EXR fail with an error", "[exr]") {
 
 TEST_CASE("Writing an EXR into a pipe is refused without blocking", "[exr]") {
     const ScratchFolder folder;
-    const auto path = folder / "fifo"; // nobody reads it, so opening it would block forever
+    const auto path = folder / "fifo"; // without a reader, opening it would block forever
     REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
     CHECK_THROWS_AS(ExrWriter(path, {small, small, {"Y"}, "none", {}}), gabor::RequestError);
 }

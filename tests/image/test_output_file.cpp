@@ -43,7 +43,7 @@ mode_t mode(const fs::path& path) {
     return status.st_mode & 07777;
 }
 
-/// Runs `body` in a child process and returns how waitpid describes its end; `body` returns the exit status.
+/// Runs `body`, which returns the exit status, in a child process; returns the status from waitpid.
 template <class Body>
 int in_child(Body body) {
     const pid_t child = ::fork();
@@ -75,7 +75,7 @@ bool forbid_nameless_files() {
     return filter_calls(program);
 }
 
-/// Makes the kernel kill this process as soon as it makes that system call.
+/// Makes the kernel kill this process as soon as it makes this system call.
 bool kill_at(unsigned call) {
     sock_filter program[] = {
         {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
@@ -192,7 +192,7 @@ TEST_CASE("A path without a folder means the current one", "[output_file]") {
     CHECK(read_file(folder / "out") == "here");
 }
 
-TEST_CASE("A symbolic link stays and what it points to is replaced", "[output_file]") {
+TEST_CASE("A symbolic link stays, and the file that it points to is replaced", "[output_file]") {
     const ScratchFolder folder;
     fs::create_directory(folder / "real");
     write_file(folder / "real/old", "old");

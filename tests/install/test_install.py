@@ -109,7 +109,7 @@ class Install(unittest.TestCase):
                     f"--size={SIDE}x{SIDE}", "--scale=32", "--frequency=4", "--orientation=45", "--seed=7",
                     "--compression=none", cwd=self.build)
                 theirs = np.fromfile(self.build / f"{recipe}.raw", "<f4").reshape(SIDE, SIDE)
-                # In an uncompressed file a row is its number, its size and its pixels, and the rows end the file.
+                # In an uncompressed file, a row consists of its number, its size and its pixels, and the rows come last.
                 rows = (self.build / f"{recipe}.exr").read_bytes()[-SIDE * (8 + 4 * SIDE):]
                 ours = np.frombuffer(rows, "<f4").reshape(SIDE, 2 + SIDE)[:, 2:]
                 self.assertGreater(ours.std(), 0.5)

@@ -1,5 +1,5 @@
-"""Many processes, and pictures larger than memory: GABOR_LONG=1 runs everything, which takes half an hour and 10 GiB of
-disk."""
+"""Runs many processes, and renders pictures larger than memory. GABOR_LONG=1 runs everything, which takes half an hour
+and 10 GiB of disk."""
 
 import os
 import pathlib
@@ -16,7 +16,7 @@ from program import PROGRAM, ProgramTest, environment  # noqa: E402
 LONG = os.environ.get("GABOR_LONG")
 MIB = 1 << 20
 
-# The limit of resident memory for any picture. Most of it belongs to the driver and grows with the threads.
+# The limit on resident memory for any picture. Most memory belongs to the driver and grows with the number of threads.
 BOUND = 512 * MIB
 
 
@@ -56,7 +56,7 @@ class Load(ProgramTest):
         self.assertEqual(len(set(files.values())), 1)
 
     def test_large_pictures_in_bounded_memory(self):
-        """A render of 32768 x 32768, 4 GiB, its statistics, and a fit to its PNG."""
+        """Renders a picture (with GABOR_LONG, 32768 x 32768 pixels, 4 GiB), measures it, and fits noise to its PNG."""
         side = 32768 if LONG else 4096
         if shutil.disk_usage(self.folder).free < 5 * side * side:
             self.skipTest("needs more disk space")

@@ -27,7 +27,7 @@ std::ptrdiff_t descriptors() {
     return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
 }
 
-// Resident now, MiB.
+// The resident memory now, in MiB.
 double memory() {
     std::ifstream statm("/proc/self/statm");
     long size = 0, resident = 0;
@@ -57,7 +57,7 @@ void check_growth(const char* name, int times, Work work) {
     fmt::print("{} {}: memory {:.1f} MiB and {:+.2f}, descriptors {} and {:+}\n", times, name, memory_before,
                grown, descriptors_before, descriptors() - descriptors_before);
     CHECK(descriptors() == descriptors_before);
-    CHECK(grown < 4); // MiB: what allocators keep in reserve moves by less
+    CHECK(grown < 4); // MiB; the reserve that allocators keep varies by less
 }
 
 } // namespace

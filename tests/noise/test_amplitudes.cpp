@@ -1,4 +1,4 @@
-// The field of node amplitudes: repeated lines, special nodes, similar seeds, and periodicity.
+// Tests the field of node amplitudes for repeated lines, special nodes, similar seeds and periodicity.
 
 #include "reference/lattice.hpp"
 
@@ -17,12 +17,12 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Seeds far from each other, from a counter.
+// Turns a counter into seeds that are far from each other.
 std::uint32_t seed_of(std::uint32_t i) {
     return noise::lattice_lobe_seed(12345, static_cast<int>(i));
 }
 
-// A count above this is not chance if `expected` is the mean.
+// The largest count that can be chance if `expected` is the mean.
 double most(double expected) {
     return expected + 6 * std::sqrt(expected) + 6;
 }
@@ -71,7 +71,7 @@ TEST_CASE("lines at any distance have equal, nearly equal or opposite words only
                 const std::uint32_t difference = (a - b) & 0x7fffff; // the highest bit is set in both
                 equal_here += difference == 0;
                 near_here += difference < 64 || difference > 0x7fffff - 63;
-                low_here += ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // of the imaginary part
+                low_here += ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // same imaginary part
             }
             INFO("axis " << axis << ", distance " << distance << ": " << equal_here << " equal, " << near_here
                          << " nearly, " << low_here << " in the low bits");
@@ -159,7 +159,7 @@ TEST_CASE("the amplitudes around node (0, 0) have mean 0 and variance 1 over see
         CHECK(std::abs(sums[1] / seeds) < error * deviation);
         CHECK(std::abs(sums[2] / seeds / (deviation * deviation) - 1) < std::numbers::sqrt2 * error);
         CHECK(std::abs(sums[3] / seeds / (deviation * deviation) - 1) < std::numbers::sqrt2 * error);
-        CHECK(std::abs(sums[4] / seeds / (deviation * deviation)) < error + 5e-4); // they share 20 bits
+        CHECK(std::abs(sums[4] / seeds / (deviation * deviation)) < error + 5e-4); // the parts share 20 bits
     }
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("the fields of small seeds and of lobe seeds do not correlate", "[ampl
                 largest = std::max({largest, std::abs(with) / side, std::abs(mirrored) / side});
             }
         fmt::print("{}: largest correlation {:.2f} deviations\n", lobes ? "lobes" : "small seeds", largest);
-        CHECK(largest < 5); // 4032 moduli of normal complex numbers: exceeded by one of a million such sets
+        CHECK(largest < 5); // one in a million sets of 4032 moduli of normal complex numbers exceeds it
     }
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("periodograms of lines, diagonals and increments are flat", "[amplitud
              return Complex(sign(value.real()), sign(value.imag())) / std::numbers::sqrt2;
          })},
     };
-    // The largest of 65536 exponential numbers is 11.1 on average; 22 comes once in 5 * 10^4.
+    // The largest of 65536 exponential numbers is 11.1 on average; one in 5 * 10^4 sets reaches 22.
     for (const auto& [name, peak] : peaks) {
         fmt::print("{}: largest power of a wave {:.1f}\n", name, peak);
         CHECK(peak < 22);

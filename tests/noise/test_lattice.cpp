@@ -1,5 +1,5 @@
-// The law of the lattice noise by theory, without sampling: from the equations, the windows and the law of
-// the amplitudes.
+// Computes the law of the lattice noise without sampling, from the equations, the windows and the amplitudes'
+// law.
 
 #include "../largest.hpp"
 #include "reference/lattice.hpp"
@@ -20,7 +20,7 @@ using std::numbers::pi;
 
 namespace {
 
-// An axis' windows at offset x from a node, in node spacings.
+// The windows along an axis at offset x from a node, in node spacings.
 std::vector<LatticeWindow> windows(int taps, double x) {
     std::vector<LatticeWindow> all;
     for (int k = -taps; k <= taps; ++k)
@@ -28,7 +28,7 @@ std::vector<LatticeWindow> windows(int taps, double x) {
     return all;
 }
 
-// The characteristic function of a part of an amplitude, of variance 1, by linear interpolation.
+// The characteristic function of one part of an amplitude, with variance 1, by linear interpolation.
 class Characteristic {
   public:
     Characteristic() {
@@ -56,7 +56,7 @@ class Characteristic {
 };
 
 constexpr double frequency_step = 0.07;
-constexpr int frequencies = 200; // of the characteristic function: up to 14
+constexpr int frequencies = 200; // samples of the characteristic function, up to 14
 constexpr double value_step = 0.05;
 constexpr int values = 241; // from -6 to 6
 
@@ -80,7 +80,7 @@ std::vector<double> excess_distribution(const std::vector<double>& weights, cons
     return result;
 }
 
-// cvm as T at n = 2^18, less its value for normal samples: n times the integral of (F - Phi)^2 dPhi.
+// cvm is T at n = 2^18 minus its value for normal samples: n times the integral of (F - Phi)^2 dPhi.
 double cvm(const std::vector<double>& excess) {
     double sum = 0;
     for (int k = 0; k < values; ++k) {
@@ -123,7 +123,7 @@ Law law(int taps, double frequency, double orientation, int side, const Characte
                     power += window * window;
                 }
             }
-            REQUIRE(power == Approx(1).epsilon(1e-12)); // variance 1 at every place, whatever the wave
+            REQUIRE(power == Approx(1).epsilon(1e-12)); // variance 1 everywhere, whatever the wave
             const std::vector<double> excess = excess_distribution(weights, part);
             for (std::size_t k = 0; k < excess.size(); ++k)
                 together[k] += excess[k] / (side * side);
@@ -154,7 +154,7 @@ TEST_CASE("the lattice noise is normal at every place of a cell", "[lattice]") {
                        "{:.3f} at "
                        "the worst; pooled {:.4f}\n",
                        taps, frequency, all.mean, all.worst, pooled);
-            // With two taps a node's own place has its amplitude alone.
+            // With two taps, only a node's own amplitude counts at its place.
             CHECK(all.mean < (taps == 2 ? 0.4 : 0.002));
             CHECK(all.worst < (taps == 2 ? 7 : 0.05));
             CHECK(pooled < (taps == 2 ? 0.08 : 0.001));
@@ -181,7 +181,7 @@ TEST_CASE("the variances of the lattice noise and its derivatives are the same a
 }
 
 TEST_CASE("the covariance of the lattice noise depends little on the place", "[lattice]") {
-    // For two points a lag apart, without the wave: sums along x and y of h(x - x_i) h(x + lag - x_i).
+    // For two points a lag apart, without the wave, this sums h(x - x_i) h(x + lag - x_i) along x and y.
     constexpr int places = 24;
     constexpr int lags = 64; // from 0 to 2 kernel radii
     for (const int taps : {2, 3, 4}) {
@@ -260,7 +260,7 @@ Numbers numbers(std::uint32_t word) {
     const double high = static_cast<std::int32_t>(word) * 0x1p-31;
     const double low = static_cast<std::int32_t>(word << 12) * 0x1p-31;
     const double three = std::sqrt(3.0);
-    const double square = std::sqrt(45.0) / 2; // of u^2 - 1/3
+    const double square = std::sqrt(45.0) / 2; // scales u^2 - 1/3 to variance 1
     return {{three * high, three * low, square * (high * high - 1.0 / 3), square * (low * low - 1.0 / 3)}};
 }
 
@@ -312,7 +312,7 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
             for (int a = 0; a < 4; ++a) {
                 for (int b = 0; b < 4; ++b) {
                     if (figure.size() == 1 && figure[0].x == 0 && figure[0].y == 0 && a >= b)
-                        continue; // a number and itself; its square
+                        continue; // the same pair again, or a number with itself
                     sigmas.see(sums[a][b] / std::sqrt(static_cast<double>(count)), 0, 5.5, [&] {
                         return fmt::format("{} offsets from ({}, {}), numbers {} and {}, {}", figure.size(),
                                            figure[0].x, figure[0].y, a, b,
@@ -322,12 +322,12 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
             }
         }
     }
-    sigmas.check("products, of 5.5 sigma");
+    sigmas.check("products, in units of 5.5 sigma");
 }
 
-// A word is its column's times its row's modulo 2^32, and all are odd: of the corners of a rectangle the
-// fourth word is the quotient of two by the other, for multiplication is commutative. This checks whether
-// amplitudes show it.
+// A word is its column's word times its row's, modulo 2^32, and all words are odd. Since multiplication is
+// commutative, three words at the corners of a rectangle determine the fourth. This checks whether amplitudes
+// show it.
 TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do their leading bits",
           "[lattice][randomness]") {
     struct Sides {
@@ -366,7 +366,7 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
             }
             const std::string name =
                 fmt::format("{} x {} {}", sides.x, sides.y, over_seeds ? "over seeds" : "in a square");
-            const double sigma = std::sqrt(8 * n); // of either part of a product of four, E|A|^2 = 2
+            const double sigma = std::sqrt(8 * n); // for either part of a product of four, E|A|^2 = 2
             for (const auto& [sum, conjugated] :
                  {std::pair(alternating, "A1 A2* A3 A4*"), {plain, "A1 A2 A3 A4"}}) {
                 see(sum.real() / sigma, fmt::format("Re {}, {}", conjugated, name));
@@ -383,11 +383,11 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
                        alternating.real() / n / 4, alternating.imag() / n / 4, std::sqrt(8 / n) / 4);
         }
     }
-    sigmas.check("rectangles, of 5.5 sigma");
+    sigmas.check("rectangles, in units of 5.5 sigma");
 }
 
-// No more draws than this: a column's or row's word is one of 2^22, and longer sequences cover these too
-// evenly for chance.
+// The number of draws is limited, because a column's or row's word is one of 2^22, and longer sequences cover
+// these too evenly for chance.
 TEST_CASE("the leading bits of both parts of node words are uniform, along rows and columns and over seeds",
           "[lattice][randomness]") {
     constexpr std::uint64_t count = 1 << 21;
@@ -413,5 +413,5 @@ TEST_CASE("the leading bits of both parts of node words are uniform, along rows 
                        [&] { return fmt::format("sequence {}", along); });
         }
     }
-    sigmas.check("chi-squares, of 5.5 sigma");
+    sigmas.check("chi-squares, in units of 5.5 sigma");
 }

@@ -22,7 +22,7 @@ using gabor::noise::impulse_word;
 
 namespace {
 
-// In standard deviations; among a few thousand values a larger one is not chance.
+// In standard deviations; among a few thousand values, a larger value is not chance.
 constexpr double far = 5.5;
 
 std::uint64_t draws() {
@@ -39,7 +39,7 @@ struct Input {
     std::uint32_t word() const { return impulse_word(column, row, index, seed); }
 };
 
-// The sequences of words that pictures use: a square of cells around the origin, and seeds with impulses.
+// The sequences of inputs that pictures use: a square of cells around the origin, and seeds with impulses.
 Input in_square(std::uint64_t i) {
     const auto along = static_cast<std::int32_t>(i & 0x3fff);
     const auto across = static_cast<std::int32_t>(i >> 14);
@@ -63,7 +63,7 @@ struct Sequence {
 constexpr std::array sequences{Sequence{"cells", in_square}, Sequence{"seeds", over_seeds},
                                Sequence{"impulses", over_impulses}};
 
-// A field that the drop-in takes from a word: its six leading bits.
+// The six leading bits of a field that the drop-in takes from a word.
 struct Field {
     std::string_view name;
     int lowest;
@@ -78,7 +78,7 @@ struct Field {
 constexpr std::array fields{Field{"x", 8, 23}, Field{"y", 0, 23}, Field{"phase", 0, 8},
                             Field{"magnitude", 31, 1}, Field{"phase rate", 8, 3}};
 
-// Pearson's chi-square against equal counts, as a normal figure.
+// Pearson's chi-square against equal counts, converted to a standard normal value.
 double chi_square(const std::vector<std::uint64_t>& counts, std::uint64_t total) {
     const double expected = static_cast<double>(total) / static_cast<double>(counts.size());
     double sum = 0;
@@ -126,7 +126,7 @@ TEST_CASE("flipping any bit of an input flips each bit of the word half the time
 TEST_CASE("the fields of words are uniform", "[randomness]") {
     gabor::test::Largest largest;
     for (const Sequence& sequence : sequences) {
-        std::array<std::vector<std::uint64_t>, 4> counts; // the word's bytes, in twelve bits each
+        std::array<std::vector<std::uint64_t>, 4> counts; // for twelve bits at each byte of the word
         for (auto& field : counts)
             field.resize(4096);
         for (std::uint64_t i = 0; i < draws(); ++i) {

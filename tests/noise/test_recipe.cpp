@@ -6,7 +6,7 @@
 
 using namespace gabor;
 
-TEST_CASE("custom recipes can be spelled out") {
+TEST_CASE("custom recipes are parsed, printed and checked") {
     const noise::Recipe own = noise::find_recipe("N=2,R=1.25,A=0.5,phases=64,window=1:0.5:0");
     CHECK(own.impulses == 2);
     CHECK(own.radius == 1.25f);

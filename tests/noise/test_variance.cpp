@@ -11,7 +11,7 @@ using namespace gabor;
 
 namespace {
 
-// Composite Gauss-Legendre quadrature with 5 points on each of `panels` panels: exact far beyond the
+// Composite Gauss-Legendre quadrature with 5 points on each of `panels` panels, whose error is far below the
 // tolerances here.
 double integrate(const std::function<double(double)>& f, double from, double to, int panels) {
     constexpr double x[] = {0, 0.5384693101056831, 0.9061798459386640};
@@ -125,7 +125,7 @@ TEST_CASE("recipes have their published values", "[noise]") {
         float weight_floor;
         int phases;
         std::array<float, 3> window;
-        double sidelobe; // of the window along an axis, decibels
+        double sidelobe; // sidelobe of the window along an axis, in decibels
     };
     const Published published[] = {{"one", 1, 1, 0.675f, 256, {3, -4.5f, 2.5f}, -29.00},
                                    {"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, -41.45},
@@ -142,7 +142,7 @@ TEST_CASE("recipes have their published values", "[noise]") {
     }
 }
 
-TEST_CASE("visited impulses and recipe names", "[noise]") {
+TEST_CASE("recipes visit the expected number of impulses, and an unknown recipe is refused", "[noise]") {
     CHECK(noise::visited_impulses(noise::find_recipe("one")) == 9);
     CHECK(noise::visited_impulses(noise::find_recipe("pure")) == 16);
     CHECK(noise::visited_impulses(noise::find_recipe("paper")) == 18);

@@ -50,7 +50,7 @@ class Package(unittest.TestCase):
         self.archives = [ROOT / line for line in run(sys.executable, "-B", ROOT / "tools" / "package", name).splitlines()]
 
     def unpack(self):
-        """The archive's files, below self.folder."""
+        """Unpacks the archive below self.folder."""
         archive, = self.archives
         if archive.suffix == ".zip":
             with zipfile.ZipFile(archive) as packed:
@@ -70,13 +70,13 @@ class Package(unittest.TestCase):
 
 
 class Npm(Package):
-    """Installs it beside three.js without the registry. A substitute for three/tsl runs its module, as in the nodes'
-    tests."""
+    """Installs the package beside three.js without the registry. A substitute for three/tsl runs its module, as in the
+    tests of the nodes."""
 
     tools = "node", "npm"
 
     def test_installs_and_is_imported(self):
-        three = self.folder / "three"  # a substitute for three
+        three = self.folder / "three"  # a substitute for three.js
         (three / "src").mkdir(parents=True)
         (three / "package.json").write_text(json.dumps(
             {"name": "three", "version": "0.187.0", "type": "module", "exports": {"./tsl": "./src/tsl.mjs"}}))
@@ -93,9 +93,9 @@ class Npm(Package):
                   if path.is_file() and not LEFTOVERS.search(str(path))}
         self.assertLessEqual({"LICENSE", "README.md"} | wanted, names)
         described = json.loads((installed / "package.json").read_text())
-        self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 does not detect it
+        self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 does not detect the type
 
-        # Each drop-in by its exported name, as bundlers and Node.js resolve it.
+        # Reads each drop-in by its exported name, as bundlers and Node.js resolve it.
         (project / "sources.mjs").write_text("""
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -227,7 +227,7 @@ int main() {
 
 class Unity(Package):
     def test_each_file_has_an_id_of_its_own(self):
-        """Unity ignores files of a package that have no .meta."""
+        """Checks the .meta files, since Unity ignores a package's files that have none."""
         files = self.unpack()
         root = self.folder / "package"
         described = json.loads((root / "package.json").read_text())
@@ -272,7 +272,7 @@ class Blender(Package):
 
 
 class Vcpkg(Package):
-    """vcpkg itself would have to be downloaded. Stand-ins for its functions, written from its manual, run the port."""
+    """Runs the port with stand-ins for vcpkg's functions, written from its manual, since vcpkg would have to be downloaded."""
 
     tools = "cmake",
     VCPKG = """

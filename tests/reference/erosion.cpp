@@ -21,7 +21,7 @@ double mix(double a, double b, double t) {
     return (1 - t) * a + t * b;
 }
 
-// A position on a lattice axis: `local` nodes from node `cell`, with `nodes` per unit of length.
+// A position on a lattice axis: `local` spacings from node `cell`, with `nodes` nodes per unit of length.
 struct Axis {
     std::int32_t cell;
     double local;
@@ -29,8 +29,8 @@ struct Axis {
     std::int32_t period;
 };
 
-// Nodes per unit are a multiple of 1 / 65536, chosen in single precision, or fit a whole number into the
-// period.
+// The number of nodes per unit is a multiple of 1 / 65536, chosen in single precision, or puts a whole number
+// of nodes into the period.
 Axis axis_at(std::int32_t cell, double local, float period, float nodes) {
     const auto steps =
         static_cast<std::int64_t>(std::floor(std::clamp(nodes, 1e-4f, 3e4f) * 65536.0f + 0.5f));
@@ -139,7 +139,7 @@ Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terra
         result.ridge = mix(result.ridge, z.real(), mask);
         result.height += depth * gully;
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            // Of cos(2 pi wave.p), with the length of z held fixed.
+            // The slope of cos(2 pi wave.p), with the length of z held fixed.
             gully_slope[axis] =
                 mix(gully_slope[axis], -erosion.gully_weight * two_pi * wave[axis] * z.imag(), mask);
             result.slope[axis] += depth * gully_slope[axis];

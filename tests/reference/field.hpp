@@ -6,15 +6,15 @@
 
 namespace gabor::noise {
 
-/// The noise in the plane as a complex number, and its gradient per kernel radius; the imaginary part is the
-/// noise itself.
+/// The noise in the plane as a complex number, whose imaginary part is the noise itself, and its gradient per
+/// kernel radius.
 struct Field {
     std::complex<double> value;
     std::complex<double> slope_x;
     std::complex<double> slope_y;
-    std::array<double, 4> four{}; ///< independent noises, the first the noise itself; lattice noise only
+    std::array<double, 4> four{}; ///< independent noises, first the noise itself; lattice noise only
 
-    /// Adds a noise whose kernel radii along x and y are `radius` of these.
+    /// Adds a noise whose kernel radii along x and y are `radius` times those of this one.
     void add(double weight, const Field& other, std::array<double, 2> radius = {1, 1}) {
         value += weight * other.value;
         slope_x += weight / radius[0] * other.slope_x;

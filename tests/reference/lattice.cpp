@@ -120,15 +120,16 @@ Complex amplitude_at(std::uint32_t word, const LatticePlace& place) {
 // A column or a row of nodes whose windows reach the place.
 struct Line {
     LatticeWindow window;
-    double slope;                       // of the window, per kernel radius
+    double slope;                       // slope of the window, per kernel radius
     Complex wave;                       // phase of the noise's wave from the nodes to the place
-    std::array<std::uint32_t, 4> words; // of four noises
+    std::array<std::uint32_t, 4> words; // words of four noises
 };
 
-// `axis` is 0 for columns, 1 for rows; `radius` in nodes per kernel radius.
+// `axis` is 0 for columns and 1 for rows; `radius` is in nodes per kernel radius.
 std::vector<Line> lines_around(int taps, std::int32_t cell, double local, double radius, std::int32_t period,
                                double wave, int axis, std::uint32_t seed) {
-    // Nodes are at the integers; a window's radius is taps / 2 of them, whatever the nodes per kernel radius.
+    // Nodes are at the integers. A window's radius is taps / 2 spacings, for any number of nodes per kernel
+    // radius.
     const double window_radius = 0.5 * taps;
     std::vector<Line> lines;
     for (auto i = static_cast<std::int64_t>(std::ceil(local - window_radius));
@@ -175,7 +176,7 @@ Lattice::Field Lattice::field(const LatticePlace& place) const {
 
 namespace {
 
-// Adds a wave of a node to the noise x, y nodes away from it, with three taps.
+// Adds a wave of a node to the noise (x, y) node spacings away from it, with three taps.
 void add_wave(Field& sum, const LatticePlace& place, double x, double y, double wave_x, double wave_y,
               Complex amplitude) {
     const LatticeWindow across = lattice_window(3, x / 1.5);
@@ -214,7 +215,7 @@ Lattice::Field lattice_isotropic(const LatticePlace& place, double frequency, st
     const auto nearest_y = static_cast<std::int64_t>(std::floor(place.local_y + 0.5));
     Lattice::Field sum;
     for (std::int64_t j = nearest_y - 1; j <= nearest_y + 1; ++j) {
-        std::array<std::uint32_t, 4> row{}; // of three amplitudes and the angle
+        std::array<std::uint32_t, 4> row{}; // words of three amplitudes and of the angle
         std::uint32_t mixed = lattice_line_word(wrapped(place.cell_y + j, place.period_y), 1, seed);
         for (std::uint32_t& word : row) {
             mixed = next_word(mixed);

@@ -28,7 +28,7 @@ Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// The sum of two vectors.
+// The weighted sum of two vectors.
 Vector sum(double s, const Vector& a, double t, const Vector& b) {
     return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
@@ -85,7 +85,7 @@ Lattice3d::Field filtered_field(const Lattice3d::Place& place, const Vector& dx,
     return mean;
 }
 
-// As of Spectrum::removed: `correlation_of` is that of the waves at an offset.
+// The same as Spectrum::removed. `correlation_of` is the waves' correlation at an offset.
 template <typename CorrelationOf>
 double removed_share(const Lattice3d::Place& place, const Vector& dx, const Vector& dy, double step,
                      const CorrelationOf& correlation_of) {
@@ -98,7 +98,7 @@ double removed_share(const Lattice3d::Place& place, const Vector& dx, const Vect
         double windows = 1;
         for (std::size_t axis = 0; axis < 3 && windows > 0; ++axis)
             windows *= hann_correlation(offset[axis] * place.radius[axis] / nodes_per_radius);
-        if (windows > 0) // most points of a large pixel are farther apart than windows reach
+        if (windows > 0) // most points of a large pixel are too far apart for the windows
             kept += weight * windows * correlation_of(offset);
     }
     return 1 - kept;
@@ -160,7 +160,7 @@ Lattice3d::Field Lattice3d::field(const Place& place, const Vector& offset, cons
     using namespace std::complex_literals;
     struct Line {
         double window;
-        double slope; // of the window, per kernel radius
+        double slope; // slope of the window, per kernel radius
         Complex wave;
     };
     std::array<std::array<Line, 3>, 3> lines{};
@@ -247,7 +247,7 @@ Isotropic3d::Frame isotropic_frame(std::uint32_t word) {
 }
 
 std::vector<Isotropic3d::Node> Isotropic3d::nodes(const Lattice3d::Place& place, const Vector& reach) const {
-    std::array<std::vector<std::pair<double, std::uint32_t>>, 3> lines; // where, and its word
+    std::array<std::vector<std::pair<double, std::uint32_t>>, 3> lines; // each line's position and word
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double around = reach[axis] + nodes_per_radius;
         for (double i = std::ceil(place.local[axis] - around); i <= place.local[axis] + around; ++i)
@@ -330,8 +330,8 @@ Lattice3d::Field Isotropic3d::filtered(const Lattice3d::Place& place, const Vect
                           [&](const Vector& offset) { return field(place, offset, around); });
 }
 
-// The mean of cos(2 pi F u.d) over directions u is sin(t) / t in space and, with d along the surface, J_0(t)
-// there, t = 2 pi F |d|.
+// The mean of cos(2 pi F u.d) over directions u is sin(t) / t in space, and J_0(t) on a surface with d along
+// it, where t = 2 pi F |d|.
 double Isotropic3d::removed(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const {
     return removed_share(place, dx, dy, std::min(0.06, 0.1 / (frequency_ + 1e-9)), [&](const Vector& offset) {
         const double distance = tangents_

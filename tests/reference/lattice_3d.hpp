@@ -8,13 +8,13 @@
 
 namespace gabor::noise {
 
-/// Solid and surface noise of shaders/gabor_lattice_3d.glsl in double precision, from the equations and not
-/// from the shader: the oracle.
+/// The oracle for solid and surface noise: shaders/gabor_lattice_3d.glsl in double precision, from the
+/// equations and not from the shader.
 class Lattice3d {
   public:
     using Vector = std::array<double, 3>;
 
-    /// Where to evaluate: as GaborPlace3d.
+    /// Where to evaluate the noise, like GaborPlace3d.
     struct Place {
         std::array<std::int32_t, 3> cell{};
         std::array<float, 3> local{};
@@ -30,7 +30,7 @@ class Lattice3d {
         std::array<std::complex<double>, 3> slope;
     };
 
-    /// `wave` in cycles per kernel radius.
+    /// `wave` is in cycles per kernel radius.
     Lattice3d(const Vector& wave, std::uint32_t seed, bool animated = false);
 
     Field field(const Place& place) const;
@@ -45,7 +45,7 @@ class Lattice3d {
     using Complex = std::complex<double>;
     class Nodes;
 
-    /// At an offset from the place, in node spacings.
+    /// The field at an offset from the place, in node spacings.
     Field field(const Place& place, const Vector& offset, const Nodes& nodes) const;
 
     Vector wave_;
@@ -53,19 +53,19 @@ class Lattice3d {
     bool animated_;
 };
 
-/// One noise of a sum of independent ones.
+/// One noise in a sum of independent noises.
 struct WeightedWave {
     double weight;
     Lattice3d::Vector wave;
     std::uint32_t seed;
 };
 
-/// The sum of gabor_noise_surface. Normals and directions have length 1.
+/// The terms of gabor_noise_surface's sum. Normals and directions have length 1.
 std::vector<WeightedWave> surface_waves(const Lattice3d::Vector& normal, double frequency,
                                         const Lattice3d::Vector& direction, std::uint32_t seed);
 
-/// gabor_noise_3d_isotropic, or one of the two noises of gabor_noise_surface_isotropic: each node of the
-/// lattice has waves along a frame of its own,
+/// gabor_noise_3d_isotropic, or one of the two noises of gabor_noise_surface_isotropic. Each node of the
+/// lattice has waves along its own frame:
 ///     n(p) = K Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
 class Isotropic3d {
   public:
@@ -77,7 +77,7 @@ class Isotropic3d {
     Isotropic3d(double frequency, std::uint32_t seed, bool animated = false);
     Isotropic3d(double frequency, const Tangents& tangents, std::uint32_t seed, bool animated = false);
 
-    /// As in Lattice3d.
+    /// The same as Lattice3d::field.
     Lattice3d::Field field(const Lattice3d::Place& place) const;
     Lattice3d::Field filtered(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const;
     double removed(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const;

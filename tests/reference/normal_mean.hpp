@@ -10,13 +10,13 @@ namespace gabor::noise {
 
 /// A sample point for a function's mean under a normal density in the plane, with its weight.
 struct NormalPoint {
-    double u; ///< in deviations along the first axis
-    double v; ///< along the second
+    double u; ///< position along the first axis, in deviations
+    double v; ///< position along the second axis, in deviations
     double weight;
 };
 
-/// Points of the trapezoidal rule out to six deviations, spaced by at most `step` (in the unit of the
-/// deviations) and a third of a deviation.
+/// Points of the trapezoidal rule out to six deviations. Their spacing is at most `step`, in the unit of the
+/// deviations, and at most a third of a deviation.
 inline std::vector<NormalPoint> normal_points(const std::array<double, 2>& deviations, double step) {
     std::array<int, 2> half{};
     for (std::size_t i = 0; i < 2; ++i)
@@ -39,8 +39,8 @@ inline std::vector<NormalPoint> normal_points(const std::array<double, 2>& devia
     return points;
 }
 
-/// The integral of h(t) h(t + x) over that of h^2: the correlation of noise under Hann's window between two
-/// places x apart along an axis.
+/// The correlation of noise under Hann's window between two places x apart along an axis: the integral of
+/// h(t) h(t + x) divided by that of h^2.
 inline double hann_correlation(double x) {
     x = std::abs(x);
     if (x >= 2)

@@ -29,12 +29,12 @@ struct Window {
     double slope;
 };
 
-// At |x| <= 1.
+// |x| must be at most 1.
 Window window(const Recipe& recipe, double x) {
     const double u = 1 - x * x;
     double power = u;
     Window q{0, 0};
-    for (int n = 2; n <= 4; ++n) { // c u^n, and its derivative by u times du/dx = -2 x
+    for (int n = 2; n <= 4; ++n) { // c u^n, and its derivative with respect to u times du/dx = -2 x
         const double c = recipe.window[static_cast<std::size_t>(n - 2)];
         q.slope += c * n * power * (-2 * x);
         power *= u;
@@ -107,7 +107,7 @@ Reference::Field Reference::field(const Place& place) const {
     const bool still = place.time == 0 || recipe_.phases != 2;
     const double deviation =
         still ? deviation_ : std::sqrt(variance(recipe_, frequency_, orientation_, double{place.time}));
-    // The variance is in proportion to the number of impulses per unit area.
+    // The variance is proportional to the number of impulses per unit area.
     const double scale = recipe_.radius / (deviation * std::sqrt(radius_x * radius_y));
     return sum.scaled(scale);
 }

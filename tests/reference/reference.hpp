@@ -7,7 +7,7 @@
 
 namespace gabor::noise {
 
-/// Where to evaluate: as GaborPlace in shaders/gabor_noise.glsl.
+/// Where to evaluate the noise, like GaborPlace in shaders/gabor_noise.glsl.
 struct Place {
     std::int32_t cell_x = 0;
     std::int32_t cell_y = 0;
@@ -27,10 +27,10 @@ Place place_at(const Recipe& recipe, std::int32_t cell_x, std::int32_t cell_y, f
 /// and magnitude (31).
 std::uint32_t impulse_word(std::int32_t cell_x, std::int32_t cell_y, int index, std::uint32_t seed);
 
-/// The noise in double precision, from the equations and not from the shader: the oracle.
+/// The oracle: the noise in double precision, from the equations and not from the shader.
 class Reference {
   public:
-    /// `frequency` in cycles per kernel radius, `orientation` in radians.
+    /// `frequency` is in cycles per kernel radius, `orientation` in radians.
     Reference(const Recipe& recipe, double frequency, double orientation, std::uint32_t seed);
 
     using Field = noise::Field;

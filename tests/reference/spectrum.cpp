@@ -35,11 +35,11 @@ double length(const Spectrum::Vector& v) {
 
 // A range is cut into n pieces with a lobe in the middle of each, where n is the integer part of c. As the
 // fraction of c goes from 0.8 to 1, the amplitudes of these lobes fall linearly to 0, and those of n + 1
-// others rise.
+// other lobes rise.
 std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,
                                        double orientation_spread, std::uint32_t seed) {
     struct Piece {
-        double middle; // of the range from -1 to 1
+        double middle; // middle of the piece, in the range from -1 to 1
         double share;
         int index;
     };
@@ -91,7 +91,7 @@ static LatticePlace placed(const LatticePlace& place, std::array<double, 2> radi
     return result;
 }
 
-// Each lobe is a noise of its own, in units of its own kernel radii.
+// Each lobe is a separate noise, in units of its own kernel radii.
 Spectrum::Field Spectrum::field(const LatticePlace& place) const {
     double power = 0;
     for (const SpectrumLobe& lobe : lobes_)

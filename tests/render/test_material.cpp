@@ -33,10 +33,10 @@ using render::Request;
 
 namespace {
 
-constexpr std::size_t channels = 6; // of GaborMaterial
+constexpr std::size_t channels = 6; // the channels of GaborMaterial
 constexpr std::size_t height_channel = 3;
 
-// A material with its parameters as numbers, in the order of its struct.
+// A material that takes its parameters as an array of numbers, in the order of its struct.
 struct Material {
     std::string_view name;
     std::vector<float> (*by_default)();
@@ -73,7 +73,7 @@ const Material materials[]{
     made<GaborCarbonFibre, gabor_carbon_fibre_default, gabor_carbon_fibre_at>("carbon-fibre"),
     made<GaborStrata, gabor_strata_default, gabor_strata_at>("strata")};
 
-// The parameters of a request's material, without the padding of a buffer.
+// Returns the parameters of a request's material, without the padding of a buffer.
 std::vector<float> numbers_of(const Request& request) {
     std::vector<float> numbers;
     for (const render::Parameter& p : render::parameters()) {
@@ -111,7 +111,7 @@ std::array<float, channels> values_of(const GaborMaterial& m) {
     return {m.colour.x, m.colour.y, m.colour.z, m.height, m.roughness, m.metalness};
 }
 
-// Draws a square of `units` with `side` pixels, by the translation of the drop-ins to C++.
+// Draws a square of `units` with `side` pixels, using the translation of the drop-ins to C++.
 std::vector<float> drawn(const Material& material, const std::vector<float>& numbers, bool filtered,
                          bool tiled, int side, double units, std::uint32_t seed) {
     const float step = static_cast<float>(units / side);
@@ -194,8 +194,8 @@ void check_range(const std::vector<float>& picture) {
     CHECK(wrong == 0);
 }
 
-// Compares pixels of 1/64 unit with 16 x 16 samples each: the mean square over eight seeds, for one seed
-// alone says little where few features are in the picture.
+// Compares pixels of 1/64 unit with 16 x 16 samples each. The error is the root mean square over eight seeds,
+// because one seed says little if the picture has few features.
 void compare(const Material& material, const std::vector<float>& numbers) {
     INFO(material.name);
     constexpr int side = 256;
@@ -208,7 +208,7 @@ void compare(const Material& material, const std::vector<float>& numbers) {
         const std::vector<float> filtered = drawn(material, numbers, true, false, large, 0.25, seed);
         check_range(sharp);
         check_range(filtered);
-        // A square with many features; a quarter of a unit may have none.
+        // This square has many features; a quarter of a unit may have none.
         const std::vector<float> wide = drawn(material, numbers, false, false, side / 2, 15.7, seed);
         for (std::size_t k = 0; k < compared_channels.size(); ++k) {
             const std::size_t channel = compared_channels[k];
@@ -273,7 +273,7 @@ TEST_CASE("corduroy has five cords per unit", "[material]") {
 }
 
 TEST_CASE("a huge pixel has the mean colour, whatever the parameters", "[material]") {
-    const char* given = std::getenv("GABOR_MATERIAL_SETTINGS"); // 100 took six minutes
+    const char* given = std::getenv("GABOR_MATERIAL_SETTINGS"); // 100 settings took six minutes
     const int settings = given ? std::atoi(given) : 2;
     constexpr int samples = 100'000;
     std::mt19937 random(7);
@@ -283,12 +283,12 @@ TEST_CASE("a huge pixel has the mean colour, whatever the parameters", "[materia
         double largest_error = 0;
         for (int i = 0; i < settings;) {
             Request request{.material = std::string(material.name)};
-            if (i > 0) // after the default
+            if (i > 0) // the first settings are the defaults
                 randomize(request, random);
             const std::vector<float> numbers = numbers_of(request);
             std::uniform_real_distribution<float> place(0, 3000);
             std::array<double, 3> sum{}, square{};
-            bool clamped = false; // of the random settings
+            bool clamped = false; // whether the random settings clamp tones
             for (int k = 0; k < samples && !clamped; ++k) {
                 const GaborPixel pixel = gabor_pixel(gabor_vec2(place(random), place(random)));
                 const auto values =
@@ -358,7 +358,7 @@ TEST_CASE("every material repeats after its period without a seam", "[material]"
             }
             fmt::print("  {:<14} {:<9} steps at the seam {:.2f} of those elsewhere\n", material.name,
                        filter ? "filtered" : "", seam / elsewhere);
-            // Weaves have an edge between two threads there.
+            // In weaves, the seam is an edge between two threads.
             CHECK(seam < 2.5 * elsewhere);
         }
 }
@@ -416,7 +416,7 @@ TEST_CASE("each material has at least three presets, one of them named after it 
     }
 }
 
-TEST_CASE("a material excludes the noise's own parameters", "[material]") {
+TEST_CASE("a material cannot be combined with the noise's own parameters", "[material]") {
     const auto refused = [](Request request, const char* words) {
         CHECK_THROWS_WITH(render::check(request), Catch::Contains(words));
     };

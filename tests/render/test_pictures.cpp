@@ -36,8 +36,8 @@ std::vector<float> rendered(const vulkan::Device& device, const render::Request&
     return pixels;
 }
 
-// The noises of a request's lobes, in its kernel radii, by the rule documented at gabor_noise_lobes and
-// gabor_noise_spread.
+// Returns the noises of a request's lobes, in the request's kernel radii, by the rule documented at
+// gabor_noise_lobes and gabor_noise_spread.
 std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
     std::vector<noise::SpectrumLobe> terms;
     for (std::size_t i = 0; i < request.lobes.size(); ++i) {
@@ -50,7 +50,7 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
             terms.push_back({lobe.frequency, angle, lobe.radii(), lobe.power, seed});
             continue;
         }
-        // A spread uses the longer of the lobe's own kernel radii as unit.
+        // A spread uses the longer of the lobe's own kernel radii as its unit.
         const double unit = std::ranges::max(lobe.radii());
         for (noise::SpectrumLobe term :
              noise::spread_lobes(lobe.frequency * unit, angle, lobe.frequency_spread,
@@ -64,8 +64,8 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
     return terms;
 }
 
-// One axis of a picture: nodes or cells per own kernel radius, their number in a period, and the one that
-// holds a place.
+// One axis of a picture: the nodes or cells per own kernel radius, their number in a period, and the cell
+// that contains a place.
 struct Nodes {
     double per_radius;
     std::int32_t period = 0;
@@ -74,7 +74,7 @@ struct Nodes {
 
     Nodes(const render::Request& request, int side, double pixel, double radius) {
         const double standard = request.recipe.radius;
-        const double units = side / request.scale / radius; // of the picture
+        const double units = side / request.scale / radius; // own kernel radii in the picture
         const bool tileable = std::get<render::Plane>(request.view).tileable;
         period = tileable ? static_cast<std::int32_t>(units * standard) : 0;
         per_radius = tileable ? period / units : standard;
@@ -112,8 +112,8 @@ noise::Field expected(const render::Request& request, const std::vector<noise::S
     return sum;
 }
 
-// Compares a region with the reference. The tolerance covers the phase's rounding in single precision, and
-// the small values of a low sine, which normalization amplifies.
+// Compares a region with the reference. The tolerance covers the phase's rounding in single precision and the
+// small values of a low sine, which normalization amplifies.
 void compare(test::Largest& largest, const vulkan::Device& device, const render::Request& request,
              const image::Rect& region, const std::string& name) {
     const std::vector<noise::SpectrumLobe> terms = terms_of(request);
@@ -175,7 +175,7 @@ TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]")
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
         test::Largest largest;
-        // For each scale a frequency as high as the pixels can show.
+        // The frequency is as high as the pixels can show at each scale.
         for (const auto& [scale, frequency] :
              {std::pair(2.0, 0.9), std::pair(2.3, 0.001), std::pair(7.77, 2.0), std::pair(31.7, 4.0),
               std::pair(32.0, 0.1), std::pair(500.0, 64.0), std::pair(4096.0, 4.0),
@@ -226,7 +226,7 @@ TEST_CASE("every channel of a picture or a tile is the sum of its lobes' noises,
                   Case{"tile", tile, is_wave ? whole : image::Rect{101 - 17, 94 - 12, 17, 12}}}) {
                 if (&request != &tile && !is_wave && recipe != noise::recipes().front())
                     continue;
-                for (const bool phasor : {false, true}) { // drawn pixel by pixel
+                for (const bool phasor : {false, true}) { // a phasor is drawn pixel by pixel
                     request.phasor = phasor;
                     request.values = phasor && recipe.is_lattice() ? 4 : 1;
                     CHECK(render::uses_blocks(request, render::viewport_of(request, {})) == !phasor);
@@ -340,9 +340,9 @@ TEST_CASE("colour pictures of space mix the values of grey ones", "[render]") {
                 const double y = grey[3 * i];
                 const double q = grey[3 * i + 1];
                 const double coverage = grey[3 * i + 2];
-                const auto law = [](double z) { return std::clamp(z, -4.0, 4.0); }; // where polynomials end
+                const auto law = [](double z) { return std::clamp(z, -4.0, 4.0); }; // like the polynomials
                 std::array expected{0.5 + law(y), law(q), law(0.6 * q + 0.8 * y), coverage};
-                if (coverage == 0) // beside the body
+                if (coverage == 0) // the pixel is beside the body
                     expected.fill(0);
                 for (std::size_t c = 0; c < 4; ++c)
                     largest.see(colours[4 * i + c], expected[c], 5e-6,
@@ -380,10 +380,10 @@ TEST_CASE("filtered colours of space keep their mean", "[render]") {
     CHECK(mean[2] == Approx(3).margin(0.4));
 }
 
-TEST_CASE("a region matches the whole bit for bit, whatever the bands", "[render]") {
+TEST_CASE("a region matches the whole bit for bit, with any bands", "[render]") {
     const vulkan::Device device;
     std::vector<render::Request> requests{{.width = 1500, .height = 4000, .scale = 20, .lobes = stretched}};
-    for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) // more than two bands
+    for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) // pictures of more than two bands
         requests.push_back({.width = 2500,
                             .height = 4000,
                             .scale = 20,
@@ -434,7 +434,7 @@ TEST_CASE("a filtered spectrum is the sum of its filtered lobes", "[render]") {
         for (int y = horizon ? 20 : 1; y < 40; y += 6) {
             for (int x = 2; x < 40; x += 13) {
                 noise::Spectrum::Vector at{(x + 0.5) / 5, (y + 0.5) / 5}, dx{0.2, 0}, dy{0, 0.2};
-                if (horizon) { // 20 x 20 pixels with the horizon in row 10
+                if (horizon) { // 20 x 20 pixels, with the horizon in row 10
                     const double rows = y + 0.5 - 10;
                     const double near = (40 - 0.5 - 10) / 5.0 / rows;
                     at = {near * (x + 0.5 - 20), -near * 40};
@@ -467,6 +467,6 @@ TEST_CASE("filtering a plane requires the lattice recipe, and tiles two of the w
     render::Request tile{
         .width = 54, .height = 54, .scale = 16, .lobes = several, .view = render::Plane{true}};
     CHECK_THROWS_WITH(render::check(tile), Catch::Contains("widest lobe"));
-    tile.width = tile.height = 55; // two of 1.7 kernel radii, 54.4 pixels
+    tile.width = tile.height = 55; // twice 1.7 kernel radii are 54.4 pixels
     CHECK_NOTHROW(render::check(tile));
 }

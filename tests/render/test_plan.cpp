@@ -39,13 +39,13 @@ std::string shader_of(const std::vector<std::pair<std::string, std::string>>& va
     return whole(request_of(values)).steps.front().shader;
 }
 
-// The columns' lines in a plan pixel by pixel.
+// The lines of the columns in a plan that draws pixel by pixel.
 std::vector<passes::Line> columns(const Request& request, Viewport viewport) {
     viewport.blocks = Blocks::none;
     return values_of<passes::Line>(plan(request, viewport).tables.at(0));
 }
 
-// Kernel cells from one line to the next, across the end of the world too.
+// The distance in kernel cells from one line to the next, also across the end of the world.
 double step(const passes::Line& from, const passes::Line& to) {
     const auto cells = static_cast<std::uint32_t>(to.cell) - static_cast<std::uint32_t>(from.cell);
     return static_cast<double>(static_cast<std::int32_t>(cells)) + double{to.local} - double{from.local};
@@ -167,7 +167,7 @@ TEST_CASE("every parameter of terrain changes its plan") {
             if (const auto* number = std::get_if<double>(&value))
                 set(after, parameter.name,
                     *number == 0   ? 2.0
-                    : *number == 5 ? 3.0 // octaves
+                    : *number == 5 ? 3.0 // the number of octaves
                                    : *number / 2);
             else
                 set(after, parameter.name, true);
@@ -192,7 +192,7 @@ TEST_CASE("a region has the columns of the whole") {
 }
 
 TEST_CASE("the default camera reproduces the picture's position exactly") {
-    // 1000 / 2 / 7.3 is no binary fraction, and the corner must be the origin all the same.
+    // 1000 / 2 / 7.3 is not a binary fraction, but the corner must be the origin.
     const Request request{.width = 1000, .height = 10, .scale = 7.3, .recipe = noise::find_recipe("one")};
     const std::vector<passes::Line> lines = columns(request, viewport_of(request, {0, 0, 1000, 1}));
     for (int i = 0; i < 1000; ++i) {
@@ -204,7 +204,7 @@ TEST_CASE("the default camera reproduces the picture's position exactly") {
 
 TEST_CASE("a camera is as precise far away as nearby") {
     Camera camera;
-    // Moves there and back in steps too small for one double so far away.
+    // Moves far away and back, in steps too small for a single double so far away.
     camera = camera.moved(2e9, -2e9);
     for (int i = 0; i < 1000; ++i)
         camera = camera.moved(1e-7, -1e-7);

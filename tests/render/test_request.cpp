@@ -21,7 +21,7 @@ using render::Value;
 
 namespace {
 
-// A value within the range that is not the default.
+// Returns a value within the range that is not the default.
 Value another(const Parameter& parameter, const Value& value) {
     switch (parameter.kind) {
     case Parameter::Kind::flag:
@@ -103,7 +103,7 @@ TEST_CASE("every parameter survives JSON and text exactly, and changes the reque
 }
 
 TEST_CASE("files of earlier versions load", "[request]") {
-    // Every value in every view, and lobes beside the values of one lobe.
+    // These files have every value in every view, and lobes beside the values of one lobe.
     const Request plain = render::from_json(
         R"({"recipe":"pure","frequency":3.5,"orientation":-20.0,"seed":9,"scale":17.0,"width":64,"height":48,
             "tileable":false,"time":0.25,"quadrature":true,"gradient":false,"frequency_spread":0.1,
@@ -165,7 +165,7 @@ TEST_CASE("out-of-range values are refused, however they are set", "[request]") 
                                          std::numeric_limits<double>::quiet_NaN()}) {
                 CHECK_THROWS_WITH(render::set(request, parameter.name, outside),
                                   Catch::Contains(std::string(parameter.name)));
-                parameter.put(request, outside == outside ? outside : 0.25); // as a program may
+                parameter.put(request, outside == outside ? outside : 0.25); // programs can bypass set()
                 if (outside != outside && parameter.kind != Parameter::Kind::integer)
                     parameter.put(request, outside);
                 if (parameter.kind != Parameter::Kind::integer)
@@ -181,7 +181,7 @@ TEST_CASE("out-of-range values are refused, however they are set", "[request]") 
     CHECK(refused > 100);
 }
 
-// Newer parameters may be missing in the file until it is written, as CONTRIBUTING.md says.
+// Newer parameters may be missing in the golden file until it is written again, as CONTRIBUTING.md says.
 TEST_CASE("ranges, sliders and defaults are those of this version", "[request]") {
     std::vector<std::string> rows;
     const auto add = [&](std::string_view name, const render::Range& range, const render::Range& slider,
@@ -211,7 +211,7 @@ TEST_CASE("ranges, sliders and defaults are those of this version", "[request]")
     CHECK(lines > 40);
 }
 
-// By the standard of sRGB, IEC 61966-2-1.
+// The conversion is that of the sRGB standard, IEC 61966-2-1.
 TEST_CASE("colours are converted to linear light", "[request]") {
     const auto colour = [](const char* text) {
         return std::get<std::array<double, 3>>(render::read(render::parameter("wood.early"), text));
@@ -258,7 +258,7 @@ TEST_CASE("a request has the parameters of its view and lobes", "[request]") {
     render::set_text(body, "view", "torus");
     CHECK(std::get<render::Body>(body.view) == render::Body{.shape = render::Shape::torus, .yaw = 30});
 
-    // Whatever their order.
+    // The order of parameters does not matter.
     CHECK(render::from_json(R"({"depth": 2, "view": "slice"})").view == render::View(render::Slice{2}));
 }
 

@@ -91,7 +91,7 @@ struct Camera {
         return along(plane, -0.25, eye());
     }
 
-    // Implicit function of the body, 0 on its surface, and its gradient.
+    // The body's implicit function, which is 0 on the surface.
     double value(const Vector3& p) const {
         if (body.shape == Shape::sphere)
             return dot(p, p) - 1;
@@ -107,7 +107,7 @@ struct Camera {
         return scaled(1 / std::sqrt(dot(gradient, gradient)), gradient);
     }
 
-    // First zero along a ray: small steps, which miss only the thinnest grazes, then bisection.
+    // Finds the first zero along a ray by small steps, which miss only the thinnest grazes, and bisection.
     std::optional<Vector3> hit(const Vector3& ray) const {
         double t = 2.9;
         for (; t < 5.5 && value(along(eye(), t, ray)) > 0; t += 0.005) {
@@ -122,7 +122,7 @@ struct Camera {
         return along(eye(), t, ray);
     }
 
-    // Intersection of the ray with the tangent plane.
+    // The intersection of the ray with the tangent plane.
     static Vector3 meet(const Vector3& from, const Vector3& ray, const Vector3& p, const Vector3& normal) {
         return along(from, dot(along(p, -1, from), normal) / dot(ray, normal), ray);
     }
@@ -176,7 +176,7 @@ Expected expected(const Request& request, const Vector3& normal, const Vector3& 
     return {value, std::sqrt(dot(slope, slope))};
 }
 
-// Largest difference of a filtered pixel from quadrature: see test_filter_3d.cpp.
+// The largest difference of a filtered pixel from quadrature; see test_filter_3d.cpp.
 constexpr double filter_error = 0.04;
 
 } // namespace
@@ -213,7 +213,7 @@ TEST_CASE("each pixel of a slice is the reference at its centre", "[solid]") {
 
 TEST_CASE("a sphere and a torus show the reference noise", "[solid]") {
     const vulkan::Device device;
-    // The default camera of gabor render, and another one at another time.
+    // The default camera of gabor render, and another camera at another time.
     const Body turned{.yaw = -70, .pitch = -55, .zoom = 1.4};
     for (const Body& pose : {Body(), turned})
         for (const Shape shape : {Shape::sphere, Shape::torus}) {
@@ -238,8 +238,8 @@ TEST_CASE("a sphere and a torus show the reference noise", "[solid]") {
                 test::Largest largest;
                 int compared = 0;
                 const int stride = request.filter ? (spread > 0 ? 17 : 21) : 2; // quadrature is slow
-                // Coverage blurs grazing rays. Isotropic noise is filtered up to pixels of 0.3 kernel radii,
-                // here of 1/8 radius where they face the eye.
+                // Coverage blurs grazing rays. Isotropic noise is filtered up to pixels of 0.3 kernel radii;
+                // here a pixel that faces the eye covers 1/8 radius.
                 const double least_facing = !request.filter ? 0.1 : spread > 0 ? 0.42 : 0.25;
                 for (int y = 0; y < request.height; y += stride) {
                     for (int x = 0; x < request.width; x += stride) {
@@ -255,7 +255,7 @@ TEST_CASE("a sphere and a torus show the reference noise", "[solid]") {
                         Vector3 dx{};
                         Vector3 dy{};
                         if (request.filter) {
-                            constexpr double step = 1e-4; // of a pixel
+                            constexpr double step = 1e-4; // in pixels
                             const auto moved = [&](double right, double down) {
                                 const Vector3 q = Camera::meet(
                                     camera.eye(), camera.ray(x + 0.5 + right, y + 0.5 + down), *p, normal);
@@ -265,8 +265,8 @@ TEST_CASE("a sphere and a torus show the reference noise", "[solid]") {
                             dy = moved(0, step);
                         }
                         const Expected here = expected(request, normal, scaled(unit, *p), dx, dy);
-                        // Places are off by 10^-6 of the unit, more at grazing angles; the normal turns
-                        // surface waves by at most four times as much.
+                        // Places are off by 10^-6 of the unit, and by more at grazing angles; the normal
+                        // turns surface waves by at most four times as much.
                         const double turning = solid || spread > 0 ? 1 : 4;
                         const double tolerance = (request.filter ? filter_error : 1e-5) +
                                                  5e-7 * turning * unit * (here.slope + 20) / facing;
@@ -359,7 +359,7 @@ TEST_CASE("a body has quadrature, gradient, phasor and normal beside its noise",
             normal.check("normal");
             continue;
         }
-        // The gradient of a slice is that of its pixels, rows growing downwards.
+        // The gradient of a slice is that of its pixels, whose rows count downwards.
         const double tolerance = 0.15 * 2 * std::numbers::pi * 1.5 * 3;
         for (std::size_t y = 1; y < 89; ++y) {
             for (std::size_t x = 1; x < 119; ++x) {

@@ -1,5 +1,5 @@
-"""The drop-ins, each after those that it needs and with a call of each function, in shaders of every dialect, and the
-names and constructs that they may use."""
+"""Compiles the drop-ins in shaders of every dialect, each after those that it needs and with a call of each function, and
+checks the names and constructs that they use."""
 
 import json
 import os
@@ -14,7 +14,7 @@ import unittest
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 
-# Each drop-in and the ones it needs.
+# Each drop-in with the ones that it needs.
 FILES = {
     "gabor_noise": ["gabor_noise"],
     "gabor_lattice": ["gabor_lattice"],
@@ -42,7 +42,7 @@ RECIPES = {
     "gabor_erosion": {"default": {}, "lattice-2": {"GABOR_TAPS": "2"}, "lattice-4": {"GABOR_TAPS": "4"}},
 }
 
-# Invalid values of macros, and the expected message of the compiler.
+# Invalid values of macros, and the compiler's expected message.
 BAD_MACROS = {
     "gabor_noise": [
         ("GABOR_IMPULSES", "0", "GABOR_IMPULSES is an int *, at least 1"),
@@ -72,7 +72,7 @@ COMPUTE = "layout(local_size_x = 8, local_size_y = 8) in;\n" \
           "layout(std430, binding = 0) writeonly buffer Result {{ float result[]; }};\n" \
           "void main()\n{{\n    see_all(int(gl_GlobalInvocationID.x));\n    result[gl_GlobalInvocationID.x] = seen;\n}}\n"
 
-# Dialect: version, text before the file, shader, qualifiers of its output, stage, compiler options.
+# For each dialect: version, text before the file, shader, qualifiers of its output, stage, compiler options.
 DIALECTS = {
     "450 fragment": ("450", "", FRAGMENT, "layout(location = 0) out", "frag", []),
     "450 compute": ("450", "", COMPUTE, "", "comp", []),
@@ -95,7 +95,7 @@ def strip_comments(text):
 
 
 def outermost(text):
-    """The text outside of braces and parentheses."""
+    """Returns the text outside of braces and parentheses."""
     while True:
         text, replaced = re.subn(r"\([^(){}]*\)|\{[^(){}]*\}", " ", text)
         if not replaced:
@@ -119,7 +119,7 @@ class Dialects(unittest.TestCase):
         return spirv
 
     def test_every_dialect_compiles_every_recipe(self):
-        """Includes the first recipe of each file twice; the include guard must work."""
+        """Includes each file twice with its first recipe, to test the include guard."""
         for dialect, (*parts, stage, options) in DIALECTS.items():
             for name, recipes in RECIPES.items():
                 for times, (recipe, macros) in zip([2] + [1] * len(recipes), recipes.items()):
@@ -213,14 +213,14 @@ class Names(unittest.TestCase):
 
     def test_it_states_its_precision(self):
         guard = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n"
-        for name in ("gabor_lattice", "gabor_noise"):  # all others are included after one of these
+        for name in ("gabor_lattice", "gabor_noise"):  # all other files are included after one of these
             with self.subTest(name):
                 text = (SHADERS / f"{name}.glsl").read_text()
                 self.assertEqual(text.count(guard), 1)
                 self.assertEqual(len(re.findall("^precision ", text, re.MULTILINE)), 2)
 
     def test_no_function_is_overloaded(self):
-        # WGSL tells functions apart by their names alone.
+        # WGSL distinguishes functions by name only.
         for files in FILES.values():
             code = strip_comments("".join((SHADERS / f"{file}.glsl").read_text() for file in files))
             code = re.sub(r"^#(?:elif|else)(?:.|\n)*?^#endif", "", code, flags=re.MULTILINE)
@@ -250,8 +250,8 @@ class Names(unittest.TestCase):
         self.assertNotRegex(self.code, r"\b[iu]?(sampler|texture|image)\w*\b")
 
     def test_it_has_no_constant_arrays_and_no_initializer_lists(self):
-        # Drivers copy constant arrays at each access; 300 es knows no initializer lists. Besides lobes the only arrays are
-        # of nodes, along an axis and in space, indexed by constants and in loops of constant length.
+        # Drivers copy constant arrays at each access, and 300 es has no initializer lists. Besides lobes, the only arrays are
+        # those of nodes, along an axis and in space, indexed by constants and in loops of constant length.
         self.assertEqual(set(re.findall(r"\w+ \w+\[\w+\]", self.code)),
                          {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]", "vec2 wave[9]"})
         self.assertNotRegex(self.code, r"const[^;()]*\[")

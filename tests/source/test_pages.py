@@ -13,7 +13,7 @@ README = (ROOT / "README.md").read_text()
 
 
 def anchors(page):
-    """The anchors of a page's headings, as GitHub makes them."""
+    """Returns the anchors that GitHub makes of a page's headings."""
     headings = re.findall(r"(?m)^#+ (.*)", re.sub(r"(?ms)^```.*?^```", "", page.read_text()))
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
@@ -51,7 +51,7 @@ class Pages(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stdout)
 
     def test_costs_match_the_performance_page(self):
-        """The milliseconds and cycles of README's rows are in the page's tables."""
+        """Checks that the milliseconds and cycles in README's rows are in the page's tables."""
         page = (ROOT / "docs" / "performance.md").read_text()
         rows = re.findall(r"(?m)^\| `?([^|`]+)`? \| (\d+) \| (\d*) \|$", README)
         self.assertEqual(len(rows), 3)

@@ -1,4 +1,4 @@
-"""Checks the source text: its format, its comments, and one version everywhere."""
+"""Checks the source text: its format, its comments, and that it names one version everywhere."""
 
 import json
 import pathlib
@@ -27,7 +27,7 @@ class Format(unittest.TestCase):
 
 
 class Comments(unittest.TestCase):
-    """Headers document functions and types with ///, a type at least through its members; other comments are //."""
+    """Headers must document functions and types with ///, a type at least through its members; other comments use //."""
 
     def test_declarations_in_headers_are_documented(self):
         missing = []

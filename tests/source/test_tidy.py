@@ -1,6 +1,6 @@
-"""clang-tidy over host/, with the checks of .clang-tidy: test_tidy.py BUILD_FOLDER, which has compile_commands.json.
+"""Runs clang-tidy on host/ with the checks of .clang-tidy: test_tidy.py BUILD_FOLDER, which has compile_commands.json.
 
-BUILD_FOLDER/tidy remembers files that passed, keyed by their contents and those of every project header that they
+BUILD_FOLDER/tidy remembers the files that passed, by a digest of their contents and of every project header that they
 include, so that only changed files are checked again."""
 
 import concurrent.futures
@@ -18,7 +18,7 @@ INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
 
 def contents(path, folders, seen):
-    """A digest of a file and of the project's headers that it includes."""
+    """Collects the contents of a file and of the project's headers that it includes."""
     if path in seen:
         return []
     seen.add(path)
@@ -45,7 +45,7 @@ version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=
 shared = version + (ROOT / ".clang-tidy").read_text()
 host = [command for command in json.loads((BUILD / "compile_commands.json").read_text())
         if pathlib.Path(command["file"]).is_relative_to(ROOT / "host")]
-assert len(host) > 20, "no compile commands of host/"
+assert len(host) > 20, "no compile commands for host/"
 (BUILD / "tidy").mkdir(exist_ok=True)
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
     found = list(filter(None, pool.map(lambda command: check(command, shared), host)))

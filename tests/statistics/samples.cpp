@@ -10,7 +10,7 @@ namespace samples {
 
 namespace {
 
-/// White noise under exp(-|d|^2 / (2 spread^2)), cut off at 4 spreads, of unit variance.
+/// White noise filtered by exp(-|d|^2 / (2 spread^2)), cut off at 4 spreads, with unit variance.
 std::vector<float> smooth(int width, int height, double spread, std::uint64_t seed) {
     const int reach = static_cast<int>(std::ceil(4 * spread));
     std::vector<float> kernel;
@@ -58,7 +58,7 @@ double Bent::norm() const {
 double Bent::index() const {
     using gabor::statistics::normal_cdf;
     using gabor::statistics::normal_density;
-    const int places = 20000; // of the midpoint rule over x in [-10, 10]
+    const int places = 20000; // points of the midpoint rule over x in [-10, 10]
     const double step = 20.0 / places;
     double sum = 0;
     for (int i = 0; i < places; ++i) {

@@ -23,9 +23,9 @@ struct Bent {
     void apply(std::span<float> values) const;
 };
 
-/// A picture of a stationary normal process of mean 0 and variance 1: A cos(2 pi f.x) + B sin(2 pi f.x), A
-/// and B white noise under the filter exp(-|d|^2 / (2 spread^2)). Its autocorrelation is exp(-|d|^2 / (4
-/// spread^2)) cos(2 pi f.d), its lobes have the full width at half maximum lobe_width(spread).
+/// A picture of a stationary normal process with mean 0 and variance 1: A cos(2 pi f.x) + B sin(2 pi f.x),
+/// where A and B are white noise filtered by exp(-|d|^2 / (2 spread^2)). Its autocorrelation is exp(-|d|^2 /
+/// (4 spread^2)) cos(2 pi f.d), and the full width of its lobes at half maximum is lobe_width(spread).
 struct Lobe {
     double spread; ///< pixels
     double fx = 0; ///< cycles per pixel

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int side = 256;
 constexpr int repetitions = 120;
-const samples::Lobe lobe{2.0}; // correlation exp(-|d|^2 / 16): 1e-7 beyond a block of 16 pixels
+const samples::Lobe lobe{2.0}; // its correlation is exp(-|d|^2 / 16), 1e-7 beyond a block of 16 pixels
 constexpr double correlation = 16;
 
 void add_picture(Blocks& blocks, const std::vector<float>& picture, int width) {

@@ -13,7 +13,7 @@ using namespace gabor::statistics;
 
 namespace {
 
-/// The index from the statistic's definition, by sorting.
+/// The index by the statistic's definition, which sorts the values.
 double sorted_index(std::vector<float> values, double deviation) {
     std::sort(values.begin(), values.end());
     const double n = static_cast<double>(values.size());
@@ -61,14 +61,14 @@ TEST_CASE("the index agrees with the sorted formula") {
     samples::Bent{c}.apply(values);
     for (float& value : values)
         value *= static_cast<float>(deviation);
-    // In units of the statistic T, whose standard deviation is at least 0.15.
+    // The unit is that of the statistic T, whose standard deviation is at least 0.15.
     const double unit = 262144 / static_cast<double>(count);
     CHECK(index_of(values, deviation).value / unit ==
           Approx(sorted_index(values, deviation) / unit).epsilon(1e-3).margin(1e-3));
 }
 
-TEST_CASE("two values, by hand") {
-    // x = +-0: u = 1/2 twice, T = 1/24 + 2 (1/4)^2 = 1/6.
+TEST_CASE("the index of two values equals the one computed by hand") {
+    // For x = +-0, u is 1/2 twice, so T = 1/24 + 2 (1/4)^2 = 1/6.
     const Estimate index = index_of({0.0f, -0.0f});
     CHECK(index.value == Approx(0).margin(262144 / 2 * 1e-3));
     CHECK(index.value - index.low == Approx(262144 / 2 * 1.96 / std::sqrt(45)).epsilon(1e-6));
@@ -94,8 +94,8 @@ TEST_CASE("a wrong deviation is detected") {
 }
 
 TEST_CASE("a deviation measured afterwards gives the same index as one known before") {
-    // Covers the widest range, in bins, of sums and differences of pairs (counted in units of their largest
-    // deviation), and slightly more.
+    // Covers the widest range of bins for sums and differences of pairs, which are counted in units of their
+    // largest deviation, and slightly more.
     const double relative = GENERATE(0.1, 0.5, 0.7, 1.2);
     std::vector<float> values = samples::normal(1000000, 8);
     samples::Bent{0.05}.apply(values);
@@ -118,7 +118,7 @@ TEST_CASE("indices are unbiased, and 95 % of their intervals cover the truth") {
         CHECK(normal.part == Approx(0.95).margin(0.02));
         CHECK(normal.mean == Approx(0).margin(3 * 262.144 * 0.149 / std::sqrt(1500)));
     }
-    SECTION("nearly normal: wider than necessary, never narrower") {
+    SECTION("nearly normal: intervals are wider than necessary, never narrower") {
         const double c = GENERATE(0.01, 0.03, 0.05);
         const Coverage near = coverage(1000, {c});
         INFO("c " << c << ", index " << samples::Bent{c}.index() << ", covered " << near.part);

@@ -1,4 +1,4 @@
-// The accumulator that tests compare with: one wrong point in a million fails.
+// Tests the accumulator that other tests compare with: one wrong point in a million must fail.
 
 #include "../largest.hpp"
 

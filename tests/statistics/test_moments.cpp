@@ -11,7 +11,7 @@ using namespace gabor::statistics;
 
 namespace {
 
-/// Skewed and heavy-tailed, far from 0 by `offset`.
+/// Skewed and heavy-tailed values, moved away from 0 by `offset`.
 std::vector<float> skewed_values(std::size_t count, double offset) {
     std::vector<float> values = samples::normal(count, 11);
     for (float& value : values)
@@ -55,7 +55,7 @@ void check(const Moments& moments, const std::vector<float>& values) {
 
 } // namespace
 
-TEST_CASE("moments of four numbers, by hand") {
+TEST_CASE("moments of four numbers equal those computed by hand") {
     Moments moments;
     for (const double value : {1.0, 2.0, 3.0, 6.0})
         moments.add(value);

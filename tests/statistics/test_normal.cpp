@@ -28,7 +28,7 @@ TEST_CASE("quantiles invert the distribution function, far into the tails") {
         CHECK(normal_quantile(normal_cdf(x)) == Approx(x).epsilon(1e-10).margin(1e-14));
 }
 
-TEST_CASE("quantiles at the ends of the range and beyond") {
+TEST_CASE("quantiles are defined at the ends of the range and beyond") {
     CHECK(normal_quantile(0) == -std::numeric_limits<double>::infinity());
     CHECK(normal_quantile(1) == std::numeric_limits<double>::infinity());
     CHECK(std::isnan(normal_quantile(-0.1)));

@@ -77,7 +77,7 @@ TEST_CASE("the power of one segment equals that of its windowed pixels") {
                     const double w = std::pow(std::sin(std::numbers::pi * x / 8), 2) *
                                      std::pow(std::sin(std::numbers::pi * y / 8), 2);
                     const double v = w * picture[static_cast<std::size_t>((top + y) * side + left + x)];
-                    expected += v * v / (9 * 9); // 9 segments; sum of sin^8 over 64 places is 9
+                    expected += v * v / (9 * 9); // there are 9 segments, and sin^8 over 64 places sums to 9
                 }
     const SpectrumSummary summary = summarize(spectrum.periodogram(), 8);
     CHECK(summary.power == Approx(expected).epsilon(1e-6));
@@ -88,7 +88,7 @@ TEST_CASE("white noise is white: power proportional to area") {
     const SpectrumSummary summary = spectrum_of(samples::normal(1024 * 1024, 9), 1024, 1024);
     CHECK(summary.power == Approx(1).epsilon(0.01));
     const double df = summary.radial_step;
-    // An annulus of radius f < 1/2 and width df has the area 2 pi f df of a plane of area 1.
+    // An annulus of radius f < 1/2 and width df has the area 2 pi f df in a plane of area 1.
     const double inner = std::accumulate(summary.radial.begin() + 52, summary.radial.begin() + 205, 0.0);
     double area = 0;
     for (int k = 52; k < 205; ++k)

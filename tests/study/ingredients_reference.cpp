@@ -32,7 +32,7 @@ std::uint32_t reversed(std::uint32_t word) {
     return result;
 }
 
-// In single precision, as on the device: rounding near the threshold would add or drop an impulse.
+// Single precision as on the device, because other rounding near the threshold would add or drop an impulse.
 int poisson(float mean, std::uint32_t cell_word) {
     int count = 0;
     std::uint32_t draw = 0;
@@ -50,7 +50,7 @@ int poisson(float mean, std::uint32_t cell_word) {
 
 // Point `index` of Sobol's sequence, as 32-bit fractions.
 std::pair<std::uint32_t, std::uint32_t> sobol(std::uint32_t index) {
-    // Direction numbers of the primitive polynomial x + 1 from m_1 = 1: v_(k+1) = v_k ^ (v_k >> 1).
+    // The direction numbers of the primitive polynomial x + 1, from m_1 = 1, are v_(k+1) = v_k ^ (v_k >> 1).
     std::uint32_t second = 0;
     for (std::uint32_t v = 0x80000000u, rest = index; rest != 0; rest >>= 1, v ^= v >> 1)
         if (rest & 1)
@@ -66,7 +66,7 @@ std::uint32_t owen(std::uint32_t fraction, std::uint32_t seed) {
     return reversed(v);
 }
 
-// A point of the parallelogram of a and b, moved into the Voronoi cell of its nearest lattice point.
+// Returns a point in the parallelogram of a and b, moved into the Voronoi cell of its nearest lattice point.
 std::pair<double, double> hexagon(const study::HexagonalLattice& hex, double u, double v) {
     const double x = (u - 0.5) * hex.a[0] + (v - 0.5) * hex.b[0];
     const double y = (u - 0.5) * hex.a[1] + (v - 0.5) * hex.b[1];
@@ -81,7 +81,7 @@ std::pair<double, double> hexagon(const study::HexagonalLattice& hex, double u, 
     return best;
 }
 
-// Sub-cell `index` of n equal ones in round(sqrt(n)) rows.
+// Returns a point in sub-cell `index` of n equal sub-cells in round(sqrt(n)) rows.
 std::pair<double, double> jittered(int n, int index, double u, double v) {
     const int rows = static_cast<int>(std::lround(std::sqrt(n)));
     const int row = index * rows / n;
@@ -156,7 +156,7 @@ std::vector<Impulse> cell_impulses(const Ingredients& it, std::int32_t cell_x, s
 double ingredients_sum(const Ingredients& it, const study::PlaneWave& wave, double x, double y,
                        std::uint32_t seed) {
     double sum = 0;
-    // Two cells each way are more than the kernel and the hexagons reach.
+    // The kernel and the hexagons reach less than two cells each way.
     for (int j = static_cast<int>(std::floor(y)) - 2; j <= std::floor(y) + 2; ++j)
         for (int i = static_cast<int>(std::floor(x)) - 2; i <= std::floor(x) + 2; ++i)
             for (const Impulse& impulse : cell_impulses(it, i, j, seed)) {

@@ -9,22 +9,22 @@
 namespace gabor::test {
 
 struct Impulse {
-    double x; ///< cells
+    double x; ///< in cells
     double y;
     double weight;
-    double phase; ///< turns
+    double phase; ///< in turns
 };
 
-/// The impulses of a cell, in double precision and from the definitions: the Sobol points from direction
-/// numbers, the hexagons from the lattice by brute force.
+/// The impulses of a cell in double precision, from the definitions: Sobol points from direction numbers, and
+/// hexagons from the lattice by brute force.
 std::vector<Impulse> cell_impulses(const study::Ingredients& ingredients, std::int32_t cell_x,
                                    std::int32_t cell_y, std::uint32_t seed);
 
-/// The sum over all cells that can be reached, without K.
+/// The sum over all cells within reach, without the factor K.
 double ingredients_sum(const study::Ingredients& ingredients, const study::PlaneWave& wave, double x,
                        double y, std::uint32_t seed);
 
-/// A value of passes/ingredients.comp: where it is, and of which instance.
+/// The position and the instance of a value that passes/ingredients.comp computes.
 struct Place {
     double x;
     double y;

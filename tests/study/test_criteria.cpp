@@ -15,7 +15,7 @@
 using namespace gabor;
 using namespace gabor::study;
 
-TEST_CASE("variance 1 with every ingredient", "[criteria]") {
+TEST_CASE("the variance is 1 with every ingredient", "[criteria]") {
     const vulkan::Device device;
     const auto check = [&](const Ingredients& it) {
         Noise noise(device, it);
@@ -33,7 +33,7 @@ TEST_CASE("variance 1 with every ingredient", "[criteria]") {
             check({Points::stratified, Weights::bernoulli, kernel, envelope, 3, 0});
 }
 
-TEST_CASE("Gaussianity as calibrated", "[criteria]") {
+TEST_CASE("Gaussianity is as calibrated", "[criteria]") {
     const vulkan::Device device;
     const auto check = [&](const Ingredients& it, std::uint64_t samples, double expected) {
         Noise noise(device, it);
@@ -90,12 +90,12 @@ TEST_CASE("complex normal amplitudes on a grid are normal at each place", "[crit
     CHECK(values.moments.excess_kurtosis() == Approx(0).margin(0.03));
 }
 
-TEST_CASE("contrast and places of the recommended noise", "[criteria]") {
+TEST_CASE("the recommended noise has the expected contrast and places", "[criteria]") {
     const vulkan::Device device;
     Noise noise(device, recommended);
     const statistics::InstanceStationarity windows = measure_windows(single(noise), 1 << 12, 1);
     CHECK(windows.contrast().interdecile ==
-          Approx(0.94).epsilon(0.06)); // figures that the paper's criteria share
+          Approx(0.94).epsilon(0.06)); // the paper's criteria share these figures
     CHECK(windows.median_deviation() == Approx(0.96).epsilon(0.02));
     const statistics::ProcessStationarity places = measure_places(single(noise), 1, 1 << 13, 1).stationarity;
     CHECK(places.variance().median == Approx(1).margin(0.01));
@@ -103,7 +103,7 @@ TEST_CASE("contrast and places of the recommended noise", "[criteria]") {
     CHECK(places.largest_mean() < 1.3 * places.chance_largest_mean());
 }
 
-TEST_CASE("an instance that repeats has the mean 0 if its kernel is a sine", "[criteria]") {
+TEST_CASE("an instance that repeats has mean 0 if its kernel is a sine", "[criteria]") {
     const vulkan::Device device;
     for (const Kernel kernel : {Kernel::sine, Kernel::cosine}) {
         Noise noise(device,
@@ -118,7 +118,7 @@ TEST_CASE("an instance that repeats has the mean 0 if its kernel is a sine", "[c
     }
 }
 
-TEST_CASE("a row of each table has finite numbers, the same for the same seed, and others for another",
+TEST_CASE("a row of each table has finite numbers, the same for the same seed and others for another",
           "[criteria]") {
     const vulkan::Device device;
     Effort effort = Effort::quick();

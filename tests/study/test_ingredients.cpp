@@ -1,5 +1,5 @@
-// Every combination of points, kernel and envelope, on the device, against the double-precision reference.
-// Weights alternate, since they only scale an impulse.
+// Compares every combination of points, kernel and envelope on the device with the double-precision
+// reference. Weights alternate, since they only scale an impulse.
 
 #include "ingredients_reference.hpp"
 #include "largest.hpp"

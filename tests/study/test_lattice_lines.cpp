@@ -21,9 +21,9 @@ using namespace gabor;
 
 namespace {
 
-constexpr int pictures = 12; // from other nodes, hence independent
+constexpr int pictures = 12; // made from different nodes, so independent
 
-// The side of each, in pixels.
+// The side of each picture, in pixels.
 int picture_side() {
     const double side = std::clamp(std::sqrt(test::law_samples() / 6), 256.0, 4096.0);
     return static_cast<int>(std::bit_floor(static_cast<unsigned>(side)));
@@ -35,8 +35,8 @@ using Peaks = std::array<double, NoiseLines::count>;
 // With 12 pictures, one of the six frequencies exceeds this by chance in one of 2500 runs.
 constexpr double beyond_chance = 2.5;
 
-// Largest peak of each function at the lattice's frequencies. `modulation`: of the amplitude along x, one
-// cycle per cell.
+// The largest peak of each function at the lattice's frequencies. `modulation` is that of the amplitude along
+// x, with one cycle per cell.
 Peaks peaks(const vulkan::Device& device, const char* recipe, double frequency, double modulation = 0) {
     const int side = picture_side();
     render::Request request;
@@ -91,8 +91,8 @@ TEST_CASE("the lattice does not show in power spectra", "[law]") {
         const Peaks two = peaks(device, "lattice-2", frequency);
         CHECK(two[NoiseLines::value] < beyond_chance);
         CHECK(two[NoiseLines::square] < beyond_chance);
-        // The test detects the kurtosis of `one`, which depends on the place, and 2 % of amplitude
-        // modulation.
+        // The test detects the kurtosis of `one`, which depends on the place, and an amplitude modulation
+        // of 2 %.
         const Peaks one = peaks(device, "one", frequency);
         for (const std::size_t f : {NoiseLines::magnitude, NoiseLines::fourth_power, NoiseLines::tails})
             CHECK(one[f] > 20);

@@ -1,4 +1,4 @@
-// The point sets: their numbers and positions.
+// Tests the numbers and positions of the points in each point set.
 
 #include "study/ingredients.hpp"
 #include "study/noise.hpp"
@@ -12,7 +12,7 @@
 using namespace gabor;
 using study::Points;
 
-TEST_CASE("exactly N impulses per cell, prime N included", "[points]") {
+TEST_CASE("each cell has exactly N impulses, even if N is prime", "[points]") {
     const vulkan::Device device;
     for (const Points points : study::all_points)
         for (const int n : {1, 2, 3, 5, 8, 13, 29}) {
@@ -28,7 +28,7 @@ TEST_CASE("Poisson counts have Poisson's law at every mean", "[points]") {
     for (const int mean : {1, 2, 4, 10, 30, 70, 450}) {
         constexpr int side = 96;
         const study::PointSet set = study::point_set(device, {.impulses = mean}, side, 17);
-        // Bins of whole counts with at least 20 expected each.
+        // Each bin has whole counts, and at least 20 are expected in it.
         const double cells = side * side;
         double chi = 0;
         int bins = 0;
@@ -94,7 +94,7 @@ TEST_CASE("hexagons tile without gaps: each point is nearest to its own centre, 
                 REQUIRE(distance(x, y, k) <= nearest + 1e-5);
             }
     }
-    // For 15 points the best lattice is nearly regular: distances to its neighbours differ by at most 5 %.
+    // For 15 points, the best lattice is nearly regular: distances to neighbours differ by at most 5 %.
     const study::HexagonalLattice hex = study::hexagonal_lattice(15);
     CHECK(std::hypot(hex.b[0], hex.b[1]) < 1.05 * std::hypot(hex.a[0], hex.a[1]));
 }

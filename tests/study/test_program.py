@@ -1,4 +1,4 @@
-"""`gabor-lab study` and `tools/plot` from outside."""
+"""Tests `gabor-lab study` and `tools/plot` from outside."""
 
 import csv
 import json
@@ -75,7 +75,7 @@ class StudyTest(ProgramTest):
                 for noise in noises}
         self.assertGreater(mean["one"], 5)
         self.assertLess(mean["lattice_3"], 5)
-        # The largest differences predicted at these lags, and those of the sparse noises.
+        # The largest differences that theory predicts at these lags, also for the sparse noises.
         theory = {noise: max(float(row["rms_theory"]) for row in self.table("law_covariance") if row["noise"] == noise)
                   for noise in noises}
         self.assertGreater(theory["lattice_2"], 0.15)

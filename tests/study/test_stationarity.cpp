@@ -21,7 +21,7 @@ std::vector<float> normal_values(std::size_t count, double deviation, unsigned s
 
 } // namespace
 
-TEST_CASE("quantiles and spreads of known values", "[stationarity]") {
+TEST_CASE("known values have the expected quantiles and spreads", "[stationarity]") {
     CHECK(quantile({3, 1, 2}, 0.5) == 2);
     CHECK(quantile({0, 10}, 0.25) == 2.5);
     CHECK(quantile({7}, 0.9) == 7);
@@ -40,7 +40,8 @@ TEST_CASE("windows of white noise have the spread of a chi-square law", "[statio
     InstanceStationarity whole;
     for (std::size_t i = 0; i < count; ++i)
         whole.add(std::span(values).subspan(i * pixels, pixels));
-    // The variance of 256 normal values: mean 4 (255 / 256), relative deviation sqrt(2 / 255), nearly normal.
+    // The variance of 256 normal values is nearly normal, with mean 4 (255 / 256) and relative deviation
+    // sqrt(2 / 255).
     CHECK(whole.contrast().median == Approx(4 * 255.0 / 256 * (1 - 2.0 / (9 * 255) * 3)).epsilon(0.003));
     CHECK(whole.contrast().interdecile == Approx(2 * 1.28155 * std::sqrt(2 / 255.0)).epsilon(0.02));
     CHECK(whole.median_deviation() == Approx(std::sqrt(whole.contrast().median)).epsilon(1e-6));

@@ -1,4 +1,4 @@
-// Tests without a device: spectra and tables.
+// Tests spectra and tables, without a device.
 
 #include "../image/scratch_folder.hpp"
 #include "error.hpp"
@@ -13,17 +13,17 @@
 using namespace gabor;
 using namespace gabor::study;
 
-TEST_CASE("the Pareto front of hand-made rows", "[frontier]") {
+TEST_CASE("the Pareto front of hand-made rows is found", "[frontier]") {
     const auto row = [](double visits, double cvm_high, double sidelobe, double interdecile = 0.01) {
         return Numbers{visits, 0, 0, 0, 1, interdecile, 0.02, 1, sidelobe, 0, 0, 0, cvm_high};
     };
     std::vector<Numbers> rows{
-        row(9, 0.5, -28),       row(9, 0.5, -28), // as good as the first: neither dominates the other
+        row(9, 0.5, -28),       row(9, 0.5, -28), // as good as the first; neither dominates the other
         row(18, 0.5, -28),                        // more visits for nothing
         row(18, 0.1, -28),                        // more visits for more Gaussianity
-        row(16, 0.6, -30),                        // for lower sidelobes
-        row(9, 0.01, -40, 0.2), // better than all, but not stationary: dominates nothing and is not on the
-                                // front
+        row(16, 0.6, -30),                        // more visits for lower sidelobes
+        row(9, 0.01, -40, 0.2), // better than all, but not stationary, so it dominates nothing and is not
+                                // on the front
     };
     mark_pareto(rows);
     std::vector<double> front;
@@ -32,13 +32,13 @@ TEST_CASE("the Pareto front of hand-made rows", "[frontier]") {
     CHECK(front == std::vector<double>{1, 1, 0, 1, 1, 0});
 }
 
-TEST_CASE("spectral purity of windows with known spectra", "[purity]") {
+TEST_CASE("windows with known spectra have the expected spectral purity", "[purity]") {
     // (1 - x^2)^2 has the spectrum j_2(a) / a^2, whose largest sidelobe is at a = 6.988.
     const double a = 6.9879;
     const double side = std::sph_bessel(2, a) / (a * a) * 15;
     CHECK(spectral_purity({"", Shape::separable, {1, 0, 0}}).sidelobe ==
           Approx(20 * std::log10(std::abs(side))).margin(0.01));
-    // (1 - r^2)^2 has J_3(a) / a^3, with its largest at a = 7.588.
+    // (1 - r^2)^2 has J_3(a) / a^3, whose largest sidelobe is at a = 7.588.
     const double b = 7.5883;
     CHECK(spectral_purity({"", Shape::radial, {1, 0, 0}}).sidelobe ==
           Approx(20 * std::log10(std::abs(std::cyl_bessel_j(3.0, b)) / (b * b * b) * 48)).margin(0.01));
@@ -49,7 +49,7 @@ TEST_CASE("spectral purity of windows with known spectra", "[purity]") {
     }
 }
 
-TEST_CASE("the seminal curve, inverted", "[convergence]") {
+TEST_CASE("the seminal curve is inverted correctly", "[convergence]") {
     SeminalCurve curve;
     curve.add(4, 39.3);
     curve.add(10, 5.83);
@@ -63,7 +63,7 @@ TEST_CASE("the seminal curve, inverted", "[convergence]") {
 
 namespace {
 
-// A table of three rows, which counts how often a row is measured.
+// A table of three rows that counts how often a row is measured.
 Table counted(int& measured) {
     const auto measure = [&measured](std::uint32_t seed) -> Numbers {
         ++measured;
@@ -83,7 +83,7 @@ void write(const Table& table, const std::filesystem::path& folder) {
 
 } // namespace
 
-TEST_CASE("a table is finished only under the conditions that it was measured under", "[table]") {
+TEST_CASE("a table counts as finished only under the conditions that it was measured under", "[table]") {
     int measured = 0;
     const Table table = counted(measured);
     const ScratchFolder folder;
@@ -125,7 +125,7 @@ TEST_CASE("tables with the same columns measure a row once", "[table]") {
     CHECK(measured == 6);
 }
 
-TEST_CASE("a folder that cannot be written in is refused before anything is measured", "[table]") {
+TEST_CASE("a folder that cannot be written to is refused before anything is measured", "[table]") {
     int measured = 0;
     const ScratchFolder folder;
     CHECK_THROWS_AS(write(counted(measured), folder / "nowhere"), RequestError);

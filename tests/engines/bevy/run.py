@@ -1,5 +1,5 @@
-"""Functions of the modules of shaders/nodes/bevy, imported, composed by naga_oil as Bevy does, and run on Vulkan:
-run.py VALUES.raw"""
+"""Imports functions from the modules in shaders/nodes/bevy, composes them with naga_oil as Bevy does, and runs them on
+Vulkan: run.py VALUES.raw"""
 
 import json
 import os

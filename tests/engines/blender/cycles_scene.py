@@ -1,4 +1,4 @@
-"""A plane with a Script node of the Open Shading Language, in Blender's Cycles: needs a Python that has bpy."""
+"""Renders a plane with a Script node of the Open Shading Language in Blender's Cycles. Needs a Python that has bpy."""
 
 import pathlib
 import shutil
@@ -22,8 +22,8 @@ class Said:
 
 
 def script_node(tree, shader, folder, **inputs):
-    """Sets only the inputs that the shader has. Blender writes the compiled shader beside its source, hence the
-    folder."""
+    """Makes a Script node and sets the inputs that the shader has. The folder is for the compiled shader, which Blender
+    writes beside its source."""
     shutil.copytree(shader.parent, folder, dirs_exist_ok=True)
     node = tree.nodes.new("ShaderNodeScript")
     node.mode, node.filepath = "EXTERNAL", f"{folder}/{shader.name}"
@@ -35,14 +35,14 @@ def script_node(tree, shader, folder, **inputs):
 
 
 def lit_by(tree, colour):
-    """Draws colours without tone mapping."""
+    """Makes the surface emit this colour, without tone mapping."""
     emission = tree.nodes.new("ShaderNodeEmission")
     tree.links.new(colour, emission.inputs["Color"])
     tree.links.new(emission.outputs[0], tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
 
 
 def plane(size, location):
-    """A square in the plane, and the still empty node tree of its material."""
+    """Makes a horizontal square; returns it and its material's empty node tree."""
     bpy.ops.mesh.primitive_plane_add(size=size, location=location)
     material = bpy.data.materials.new("material")
     material.use_nodes = True
@@ -52,7 +52,7 @@ def plane(size, location):
 
 
 def render(width, height, samples, folder, engine="CYCLES", osl=True):
-    """Red, green, blue and alpha, rows from the lowest up."""
+    """Returns red, green, blue and alpha, with the lowest row first."""
     scene = bpy.context.scene
     scene.render.engine = engine
     scene.cycles.shading_system = osl

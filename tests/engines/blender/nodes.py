@@ -1,5 +1,5 @@
-"""The node group of shaders/nodes/blender/gabor_noise in Cycles without OSL, or in Eevee: nodes.py cycles|eevee
-VALUES.raw, by a Python that has bpy. Its amplitudes come from White Noise nodes: these are drawn too, and the noise is
+"""Draws the node group of shaders/nodes/blender/gabor_noise in Cycles without OSL, or in Eevee: nodes.py cycles|eevee
+VALUES.raw. Needs a Python that has bpy. The amplitudes come from White Noise nodes. They are drawn too, and the noise is
 compared with the equations applied to them."""
 
 import json
@@ -22,8 +22,8 @@ FIRST = -4  # the first column and row whose amplitude is drawn
 
 
 def drawn(folder, value, least, steps):
-    """A square of 256 x 256, a pixel to each unit, seen from above: value(tree, (x, y)), above `least`, at each pixel.
-    Eevee's light has 11 bits: red has whole steps, of which there are `steps` to 1, and green the rest."""
+    """Draws value(tree, (x, y)), which must exceed `least`, on a square of 256 x 256 units seen from above, one pixel per unit.
+    Eevee's light has only 11 bits, so red carries whole steps of size 1 / `steps`, and green the rest."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     tree = plane(256, (128, 128, 0))
     bpy.ops.object.camera_add(location=(128, 128, 10))
@@ -95,9 +95,9 @@ nodes = (reference.law(white) / deviation) @ (1, 1j)
 x, y = np.meshgrid((np.arange(256) + 0.5) / 32, (np.arange(256) + 0.5) / 32)
 wanted = reference.complex_lattice((0, 0), 1.5 * x, 1.5 * y, amplitudes=lambda i, j: nodes[j - FIRST, i - FIRST])
 values.write_bytes(picture.astype("<f4").tobytes())
-law = {"mean": float(nodes.real.mean()), "variance": float((abs(nodes) ** 2).mean() / 2)} # of 2 x 65536 parts
+law = {"mean": float(nodes.real.mean()), "variance": float((abs(nodes) ** 2).mean() / 2)} # from 2 x 65536 parts
 if abs(law["mean"]) > 0.02 or abs(law["variance"] - 1) > 0.02 or not 0.5 < picture[0].std() < 2:
-    sys.exit(f"the law of White Noise's amplitudes is off: {law}")
+    sys.exit(f"White Noise's amplitudes have the wrong law: {law}")
 print(json.dumps({"engine": f"Blender, {engine.title()}", "version": bpy.app.version_string, "dialect": "its own nodes",
                   "driver": "CPU" if engine == "cycles" else "llvmpipe",
                   "functions": {"noise": abs(picture[0] - wanted.imag).max(), "complex": abs(picture[1] - wanted.real).max()}}))

@@ -1,4 +1,4 @@
-"""The Open Shading Language in Blender's Cycles: run.py SHADER.osl VALUES.raw, by a Python that has bpy."""
+"""Draws a shader in the Open Shading Language with Blender's Cycles: run.py SHADER.osl VALUES.raw. Needs a Python that has bpy."""
 
 import json
 import pathlib
@@ -31,7 +31,7 @@ def scalar(tree, operation, a, b):
     return node.outputs[0]
 
 
-# A square of 256 x 256, a pixel to each unit, seen from above.
+# A square of 256 x 256 units seen from above, one pixel per unit.
 bpy.ops.wm.read_factory_settings(use_empty=True)
 scene = bpy.context.scene
 tree = plane(256, (128, 128, 0))
@@ -41,13 +41,13 @@ scene.camera.data.type, scene.camera.data.ortho_scale = "ORTHO", 256
 
 folder = tempfile.TemporaryDirectory(prefix="gabor-")
 noise = script_node(tree, shader, folder.name, Scale=1.0, Frequency=4.0, Orientation=0.7854, Seed=7)
-output = noise.outputs.get("Noise") or noise.outputs[0]  # MaterialX's has one, and its inputs in the text
+output = noise.outputs.get("Noise") or noise.outputs[0]  # MaterialX's shader has one output, and its inputs in the text
 position = tree.nodes.new("ShaderNodeNewGeometry").outputs["Position"]
-pixel = math(tree, "ADD", math(tree, "FLOOR", position), (0.5, 0.5, 0.0))  # a sample may be anywhere in its pixel
+pixel = math(tree, "ADD", math(tree, "FLOOR", position), (0.5, 0.5, 0.0))  # samples may be anywhere in a pixel
 if "Vector" in noise.inputs:
     tree.links.new(math(tree, "MULTIPLY", pixel, (1 / 32, 1 / 32, 0)), noise.inputs["Vector"])
 
-# Light cannot be negative, so red carries the noise above 0, and green below.
+# Light cannot be negative, so red carries the noise above 0, and green the noise below.
 colour = tree.nodes.new("ShaderNodeCombineColor")
 tree.links.new(scalar(tree, "MAXIMUM", output, 0.0), colour.inputs[0])
 tree.links.new(scalar(tree, "MAXIMUM", scalar(tree, "MULTIPLY", output, -1.0), 0.0), colour.inputs[1])

@@ -1,8 +1,8 @@
 // Opens a page of this repository in a browser without a window and saves the drawn values:
 // run.mjs chrome|firefox PAGE[,SCRIPT...] VALUES.raw [DRIVER [FLAG...]]
-// Adds the scripts, as one, to a page opened from its file. The page sets globalThis.drawn to a promise of { engine, version,
-// dialect, driver, values }, and shows the noise in its canvas. Flags are for Chromium. The driver's name must contain DRIVER,
-// since browsers silently choose another.
+// With scripts, opens the page from its file and adds the scripts to it, joined into one. The page sets globalThis.drawn to a
+// promise of { engine, version, dialect, driver, values }, and shows the noise in its canvas. Flags are for Chromium. The
+// driver's name must contain DRIVER, since browsers may silently choose another driver.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -25,7 +25,7 @@ const server = createServer(async (request, response) => {
         response.writeHead(404).end();
     }
 });
-// The standard deviation of a picture's values, from 0 to 1.
+// Returns the standard deviation of a picture's values, which are from 0 to 1.
 function deviation(tab, png) {
     return tab.evaluate(async base64 => {
         const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
@@ -64,7 +64,7 @@ try {
     }
     const { values, ...facts } = await tab.evaluate(async () => {
         while (!("drawn" in globalThis))
-            await new Promise(resolve => setTimeout(resolve, 50)); // frames may be slow, as they are drawn on the CPU
+            await new Promise(resolve => setTimeout(resolve, 50)); // frames may be slow on the CPU
         const { values, ...facts } = await globalThis.drawn;
         return { values: Array.from(values), ...facts };
     });
@@ -72,11 +72,11 @@ try {
     if (scripts.length && messages.length)
         throw new Error("a page for visitors must not write to the console");
     if (!facts.driver.includes(wanted))
-        throw new Error(`the driver should be ${wanted}, and is ${facts.driver}`);
+        throw new Error(`the driver should be ${wanted} but is ${facts.driver}`);
     const shown = await deviation(tab, Buffer.from(await (await tab.$("canvas")).screenshot()));
     if (!facts.picture && !(Math.abs(shown - 0.24) < 0.04))
-        throw new Error(`the page should show grey values that deviate by 0.24 from their mean, and they do by ${shown}`);
-    if (scripts.length) { // on a phone
+        throw new Error(`the page's grey values should have a standard deviation of 0.24, but it is ${shown}`);
+    if (scripts.length) { // checks the page on a phone
         await tab.setViewport({ width: 390, height: 844 });
         await new Promise(resolve => setTimeout(resolve, 1000));
         const wide = await tab.evaluate(() => [...document.querySelectorAll("body *")]
@@ -84,7 +84,7 @@ try {
             .filter(each => each.getBoundingClientRect().left < -1 || each.getBoundingClientRect().right > innerWidth + 1)
             .map(each => each.outerHTML.slice(0, 80)));
         if (wide.length)
-            throw new Error(`on a phone these reach beyond the screen: ${wide.join(", ")}`);
+            throw new Error(`on a phone, these extend beyond the screen: ${wide.join(", ")}`);
     }
     await writeFile(output, new Uint8Array(Float32Array.from(values).buffer));
     console.log(JSON.stringify({ ...facts, version: `${facts.version ?? (await browser.version()).split("/").pop()}` }));

@@ -1,5 +1,5 @@
-// Opens every tab of docs/demo/index.html with every option, and draws the copied Shadertoy text. Each must compile and show
-// something. Measures the noise of one of them.
+// Opens every tab of docs/demo/index.html with every option, and draws the copied Shadertoy text. Each text must compile and
+// show something. Measures the noise of one text.
 function textOf(tab, settings) {
     history.replaceState(null, "", "#" + new URLSearchParams({ tab, ...settings }));
     readAddress();
@@ -24,7 +24,7 @@ globalThis.drawn = (async () => {
         for (const settings of choices.length ? choices : [{}]) {
             const shown = deviation(redOf(gl, textOf(name, settings)));
             if (!(shown > 0.01))
-                throw new Error(`${name} with ${JSON.stringify(settings)} shows values that deviate by ${shown}`);
+                throw new Error(`${name} with ${JSON.stringify(settings)} shows values with a standard deviation of ${shown}`);
             await new Promise(resolve => setTimeout(resolve, 0));
         }
     }
@@ -33,7 +33,7 @@ globalThis.drawn = (async () => {
         .replace(/vec2 p = vec2\(pixel\.x, iResolution\.y - pixel\.y\) \/ [\d.]+;/, "vec2 p = pixel / 32.0;");
     asked = false;
     changed();
-    await new Promise(resolve => setTimeout(resolve, 500)); // until it draws sharply
+    await new Promise(resolve => setTimeout(resolve, 500)); // wait until the page draws sharply
     await new Promise(resolve => requestAnimationFrame(resolve));
     return { engine: "docs/demo", dialect: "GLSL 300 es", ...measure(document.createElement("canvas"), text) };
 })();

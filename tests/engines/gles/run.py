@@ -1,6 +1,6 @@
-"""OpenGL ES alone, without a window: a drop-in in a fragment shader of GLSL 300 es after a header of its own:
+"""Draws with OpenGL ES alone, without a window: a drop-in in a fragment shader of GLSL 300 es after a given header,
 run.py HEADER VALUES.raw DROP_IN [NAME=VALUE]
-or a custom shader without version and header: run.py HEADER VALUES.raw SHADER.frag"""
+or a custom shader without version and header, run.py HEADER VALUES.raw SHADER.frag"""
 
 import ctypes
 import json
@@ -40,7 +40,7 @@ egl.eglGetProcAddress.restype = c_void_p
 
 
 def function(name, result, *types):
-    """A function of EGL or OpenGL ES."""
+    """Returns a function of EGL or OpenGL ES."""
     return ctypes.CFUNCTYPE(result, *types)(egl.eglGetProcAddress(name.encode()))
 
 

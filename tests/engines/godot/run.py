@@ -1,5 +1,5 @@
-"""Godot in the system under ROOT: run.py ROOT canvas|node|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]
-or, with a canvas shader of one's own, which may include all drop-ins: run.py ROOT canvas METHOD DRIVER VALUES.raw SHADER.gdshader"""
+"""Runs Godot in the system under ROOT: run.py ROOT canvas|node|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]
+or, with a custom canvas shader, which may include all drop-ins: run.py ROOT canvas METHOD DRIVER VALUES.raw SHADER.gdshader"""
 
 import pathlib
 import shutil

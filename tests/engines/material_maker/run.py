@@ -1,4 +1,4 @@
-"""Material Maker's node, expanded as Material Maker does, in a fragment shader: run.py VALUES.raw"""
+"""Draws Material Maker's node, expanded as Material Maker does, in a fragment shader: run.py VALUES.raw"""
 
 import json
 import pathlib
@@ -26,13 +26,13 @@ model = node["shader_model"]
 given = node["parameters"] | {"orientation": np.degrees(np.float32(0.7854))}  # the scene's orientation, slightly different from 45 degrees
 missing = {parameter["name"] for parameter in model["parameters"]} ^ set(given)
 if missing:
-    sys.exit(f"not both declared and passed: {missing}")
+    sys.exit(f"declared or passed, but not both: {missing}")
 output = model["outputs"][0]["f"]
 names = {"uv": "uv", "seed": "uintBitsToFloat(7u)"} | {name: f"{float(number):.9f}" for name, number in given.items()}
 value = re.sub(r"\$(\w+)", lambda name: names[name[1]], output)
-value = value.replace("gabor_unorm", "")  # it would clamp the largest values
+value = value.replace("gabor_unorm", "")  # gabor_unorm would clamp the largest values
 if value == output:
-    sys.exit("the node shows no gabor_unorm")
+    sys.exit("the node's output has no gabor_unorm")
 
 pixels, driver = drawn("#version 330\n", model["global"] + FRAGMENT.replace("VALUE", value), (256, 256))
 pathlib.Path(sys.argv[1]).write_bytes(pixels)

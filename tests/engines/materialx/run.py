@@ -1,6 +1,6 @@
 """Runs what MaterialX generates from shaders/nodes/materialx: run.py TARGET VALUES.raw
 
-Each function of a node is a graph that ends in a float. glsl is drawn with moderngl, and osl by Cycles. For the other
+Each function of a node is a graph that ends in a float. glsl is drawn with moderngl, and osl with Cycles. For the other
 targets, the nodes' functions are cut out of the generated text and run: essl, vulkan, wgsl and slang on Vulkan, msl and
 mdl as C++. First, all nodes are generated within a standard_surface and compiled if the target has a compiler here."""
 
@@ -51,19 +51,19 @@ PLACE = """<position name="position" type="vector3"><input name="space" type="st
 
 
 def weighed(kind, of, weights):
-    """The dot product of a vector output with weights."""
+    """Returns the nodes for the dot product of a vector output with weights."""
     return (f'<constant name="weights" type="{kind}"><input name="value" type="{kind}" value="{weights}" /></constant>'
             f'<dotproduct name="weighed" type="float"><input name="in1" type="{kind}" {of} />'
             f'<input name="in2" type="{kind}" nodename="weights" /></dotproduct>')
 
 
 def plus(of):
-    """The noise plus the weighted outputs."""
+    """Returns the node for the noise plus the weighted outputs."""
     return (f'<add name="out" type="float"><input name="in1" type="float" {of} /><input name="in2" type="float" '
             'nodename="weighed" /></add>')
 
 
-# As reference.FUNCTIONS; and the output of the graph.
+# The functions of reference.FUNCTIONS as graphs; the node "out" is the output.
 FUNCTIONS = {
     "noise": f'<gabornoise2d name="out" type="float">{FLAT}</gabornoise2d>',
     "complex": f'<gaborwave2d name="wave" type="multioutput">{FLAT}</gaborwave2d>'
@@ -118,7 +118,7 @@ def graph(nodes):
 
 
 def generated(target, content):
-    """The text of each stage of a document's shader."""
+    """Returns the text of each stage of a document's shader."""
     search = mx.getDefaultDataSearchPath()
     search.append(mx.FilePath(str(NODE)))
     library = mx.createDocument()
@@ -146,7 +146,7 @@ def run(*command, **options):
 
 
 def spirv(target, text, ending, folder):
-    """SPIR-V of GLSL (frag, vert or comp), by naga's WGSL where that is the target, or of Slang."""
+    """Compiles GLSL (frag, vert or comp) or Slang to SPIR-V; for the target wgsl, naga turns the GLSL into WGSL first."""
     source, made = folder / f"shader.{ending}", folder / "shader.spv"
     source.write_text(text)
     if target == "slang":
@@ -174,7 +174,7 @@ def compiled(target, stages, folder):
 
 # ---- The nodes' functions alone ------------------------------------------------------------------------------------
 
-# Named as in reference.FUNCTIONS.
+# The names are those of reference.FUNCTIONS.
 VALUES = {
     "noise": "field2d(p, 7).x",
     "complex": "field2d(p, 7).y",

@@ -1,4 +1,4 @@
-"""A fragment shader drawn with moderngl, without a window, into a texture of floats."""
+"""Draws a fragment shader with moderngl, without a window, into a texture of floats."""
 
 import moderngl
 import numpy as np
@@ -10,7 +10,7 @@ void main() { gl_Position = vec4(corner, 0.0, 1.0); }
 
 
 def drawn(head, fragment, size):
-    """The floats that the shader writes, row by row, and the driver's name; `head` comes before both stages."""
+    """Returns the floats that the shader writes, row by row, and the driver's name; `head` comes before both stages."""
     context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
     program = context.program(vertex_shader=head + VERTEX, fragment_shader=head + fragment)
     corners = context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4"))

@@ -1,4 +1,4 @@
-"""moderngl: a drop-in in a fragment shader: run.py "330 core"|"300 es" VALUES.raw DROP_IN [NAME=VALUE]"""
+"""Draws a drop-in in a fragment shader with moderngl: run.py "330 core"|"300 es" VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import json
 import pathlib

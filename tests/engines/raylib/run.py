@@ -1,5 +1,5 @@
-"""raylib: a drop-in in a fragment shader of GLSL 330, drawn into a texture of floats:
-run.py VALUES.raw DROP_IN [NAME=VALUE]. Needs a display: without one, xvfb-run -a python run.py ..."""
+"""Draws a drop-in in a fragment shader of GLSL 330 with raylib into a texture of floats:
+run.py VALUES.raw DROP_IN [NAME=VALUE]. Needs a display; without one, use xvfb-run -a python run.py ..."""
 
 import ctypes
 import json

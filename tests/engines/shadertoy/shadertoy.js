@@ -1,4 +1,4 @@
-// A Shadertoy text with the code that Shadertoy adds around it, drawn with plain WebGL 2.
+// Draws a Shadertoy text, with the code that Shadertoy adds around it, in plain WebGL 2.
 
 const VERTEX = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;
@@ -35,7 +35,7 @@ function draw(gl, text, width, height) {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
 }
 
-// The red channel of a picture of 256 x 256 pixels that mainImage draws.
+// Returns the red channel of a picture of 256 x 256 pixels that mainImage draws.
 function redOf(gl, text) {
     gl.getExtension("EXT_color_buffer_float");
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
@@ -49,11 +49,11 @@ function redOf(gl, text) {
     return pixels.filter((_, index) => index % 4 === 0);
 }
 
-// Draws it into the canvas; the noise before gabor_unorm, and the name of the driver.
+// Draws the text into the canvas; returns the noise before gabor_unorm and the driver's name.
 function measure(canvas, text) {
     const plain = text.replace("vec3(gabor_unorm(n))", "vec3(n)"); // the drop-in's own example has no vec3
     if (plain === text)
-        throw new Error("the text shows no vec3(gabor_unorm(n))");
+        throw new Error("the text has no vec3(gabor_unorm(n))");
     const gl = canvas.getContext("webgl2", { preserveDrawingBuffer: true });
     const values = redOf(gl, plain);
     draw(gl, text, canvas.width, canvas.height);

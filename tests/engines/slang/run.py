@@ -1,4 +1,4 @@
-"""Functions of the module of shaders/nodes/slang, imported, compiled to SPIR-V and run on Vulkan: run.py VALUES.raw"""
+"""Imports functions from the module in shaders/nodes/slang, compiles them to SPIR-V and runs them on Vulkan: run.py VALUES.raw"""
 
 import json
 import pathlib

@@ -1,4 +1,4 @@
-// A plane whose vertices gabor_eroded lifts, with three.js' standard material. Drag to turn it.
+// Draws a plane whose vertices gabor_eroded lifts, with three.js' standard material. Drag to turn it.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 

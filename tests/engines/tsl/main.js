@@ -9,8 +9,8 @@ const { screenCoordinate, uv, vec3, vec4 } = tsl;
 const forceWebGL = new URLSearchParams(location.search).get("backend") === "webgl";
 const target = new THREE.RenderTarget(256, 256, { type: THREE.FloatType, depthBuffer: false });
 
-// The red channel of the drawn picture. Rows of the screen go down in three.js, and so do WebGPU's; WebGL's targets are
-// read from below.
+// Returns the red channel of the drawn picture. Rows count from the top on three.js' screen and in WebGPU, but WebGL's
+// targets are read from the bottom.
 async function reds(renderer, render) {
     renderer.setRenderTarget(target);
     render();
@@ -21,7 +21,8 @@ async function reds(renderer, render) {
         .flatMap(start => Array.from(values.subarray(start, start + 256)));
 }
 
-// The difference between gabor_normal and the normal of a plane of side 4 whose height is 0.1 times the noise of 8 kernel radii.
+// Returns the difference between gabor_normal and the normal of a plane of side 4, which is lifted by 0.1 times the noise of 8
+// kernel radii.
 async function normal_error(renderer) {
     const p = uv().mul(8), field = gabor.gabor_field(p, 2, 0.5, 7).toVar();
     const wanted = tsl.normalize(vec3(field.zw.mul(-0.1 * 8 / 4), 1));

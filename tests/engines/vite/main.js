@@ -1,7 +1,7 @@
 import lattice from "./lattice.frag";
 import noise from "./noise.frag";
 
-// The page's address names the other drop-in, a header, and macros: ?drop_in=gabor_noise&GABOR_IMPULSES=2
+// The page's address can name the other drop-in, a header and macros: ?drop_in=gabor_noise&GABOR_IMPULSES=2
 const { drop_in = "gabor_lattice", header = "precision highp float;", ...macros } = Object.fromEntries(new URLSearchParams(location.search));
 const before = header + "\n" + Object.entries(macros).map(([name, value]) => `#define ${name} ${value}\n`).join("");
 const fragment = { gabor_lattice: lattice, gabor_noise: noise }[drop_in].replace("300 es\n", `$&${before}`);

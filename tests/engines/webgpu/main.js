@@ -1,4 +1,4 @@
-// The page's address names another drop-in, and constants: ?drop_in=gabor_lattice&GABOR_TAPS=4
+// The page's address can name another drop-in and constants: ?drop_in=gabor_lattice&GABOR_TAPS=4
 const { drop_in = "gabor_lattice", ...constants } = Object.fromEntries(new URLSearchParams(location.search));
 const noise = await (await fetch(`../../../shaders/translations/${drop_in}.wgsl`)).text();
 

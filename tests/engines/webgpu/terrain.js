@@ -1,4 +1,4 @@
-// A grid of triangles whose vertices gabor_eroded lifts.
+// Draws a grid of triangles whose vertices gabor_eroded lifts.
 const drop_in = async name => (await fetch(`../../../shaders/translations/${name}.wgsl`)).text();
 const code = await drop_in("gabor_lattice") + await drop_in("gabor_erosion") + `
 const side = 512u; // squares along each side
@@ -14,7 +14,7 @@ struct Corner {
 fn ground(p: vec2f) -> GaborTerrain {
     let x = vec2f(spacing, 0.0);
     let y = vec2f(0.0, spacing);
-    return gabor_eroded_filtered(p, x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u); // without gullies too fine for the grid
+    return gabor_eroded_filtered(p, x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u); // omits gullies too fine for the grid
 }
 
 @vertex fn lift(@builtin(vertex_index) index: u32) -> Corner {

@@ -1,4 +1,4 @@
-"""wgpu, with naga inside: a drop-in in a compute shader of GLSL 450, or its translation to WGSL:
+"""Runs a drop-in in a compute shader of GLSL 450, or its translation to WGSL, with wgpu, which contains naga:
 run.py glsl|wgsl VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import json
@@ -13,7 +13,7 @@ language, path, drop_in, *macros = sys.argv[1:]
 MACROS = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
 GLSL = "#version 450\n" + MACROS + (SHADERS / f"{drop_in}.glsl").read_text() + """
 layout(local_size_x = 8) in;
-layout(set = 0, binding = 0) buffer Values { float values[]; }; // naga knows no writeonly here
+layout(set = 0, binding = 0) buffer Values { float values[]; }; // naga does not support writeonly here
 
 void main()
 {
@@ -42,9 +42,9 @@ adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
 device = adapter.request_device_sync()
 size = 256 * 257 * 4
 values = device.create_buffer(size=size, usage=wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC)
-# For GLSL the label tells the stage: it must contain comp, vert or frag.
+# For GLSL, the label must contain comp, vert or frag, because it selects the stage.
 module = device.create_shader_module(label="comp", code=WGSL if language == "wgsl" else GLSL)
-# What is a macro in GLSL is an override constant in WGSL.
+# Macros in GLSL are override constants in WGSL.
 constants = {name: float(value) for name, value in (macro.split("=") for macro in macros)} if language == "wgsl" else {}
 pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main", "constants": constants})
 group = device.create_bind_group(layout=pipeline.get_bind_group_layout(0),

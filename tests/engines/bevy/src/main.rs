@@ -1,4 +1,4 @@
-//! compose OUT.spv SCENE.wgsl MODULE.wgsl...: what Bevy does with a shader and the modules that it imports, as SPIR-V.
+//! compose OUT.spv SCENE.wgsl MODULE.wgsl...: composes a shader and the modules that it imports as Bevy does, to SPIR-V.
 
 use naga::{back::spv, valid};
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor};
