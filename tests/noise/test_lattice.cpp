@@ -2,6 +2,7 @@
 // law.
 
 #include "../largest.hpp"
+#include "draws.hpp"
 #include "reference/lattice.hpp"
 
 #include <catch2/catch.hpp>
@@ -245,11 +246,6 @@ TEST_CASE("sidelobes of the lattice noise are at most -31 dB", "[lattice]") {
 }
 
 namespace {
-
-std::uint64_t draws() {
-    const char* text = std::getenv("GABOR_DRAWS");
-    return text ? std::strtoull(text, nullptr, 10) : 2'000'000;
-}
 
 // Numbers of mean 0 and variance 1 from a word: the amplitude's parts, and their squares.
 struct Numbers {

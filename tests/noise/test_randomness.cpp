@@ -2,6 +2,7 @@
 // tools/test-long draws 10^8.
 
 #include "../largest.hpp"
+#include "draws.hpp"
 #include "reference/reference.hpp"
 
 #include <catch2/catch.hpp>
@@ -24,11 +25,6 @@ namespace {
 
 // In standard deviations; among a few thousand values, a larger value is not chance.
 constexpr double far = 5.5;
-
-std::uint64_t draws() {
-    const char* text = std::getenv("GABOR_DRAWS");
-    return text ? std::strtoull(text, nullptr, 10) : 2'000'000;
-}
 
 struct Input {
     std::int32_t column;

@@ -14,7 +14,7 @@ using namespace gabor::statistics;
 
 namespace {
 
-constexpr int side = 256;
+constexpr int block_side = 256;
 constexpr int repetitions = 120;
 const samples::Lobe lobe{2.0}; // its correlation is exp(-|d|^2 / 16), 1e-7 beyond a block of 16 pixels
 constexpr double correlation = 16;
@@ -61,15 +61,15 @@ TEST_CASE("estimates from blocks are unbiased, and their intervals cover the tru
     Trial analytic{bent.index()};
     Trial measured{bent.index()};
     for (std::uint64_t seed = 1; seed <= repetitions; ++seed) {
-        std::vector<float> picture = samples::picture(side, side, lobe, seed);
+        std::vector<float> picture = samples::picture(block_side, block_side, lobe, seed);
         bent.apply(picture);
         Moments moments;
         for (float& value : picture)
             value = 5 + 2 * value;
         moments.add(picture);
 
-        Blocks against_theory(side, side, {5, 2, false});
-        add_picture(against_theory, picture, side);
+        Blocks against_theory(block_side, block_side, {5, 2, false});
+        add_picture(against_theory, picture, block_side);
         const auto known = against_theory.estimate(correlation);
         REQUIRE(known);
         CHECK(known->blocks_per_side == 16);
@@ -77,8 +77,8 @@ TEST_CASE("estimates from blocks are unbiased, and their intervals cover the tru
         variance.add(known->variance);
         analytic.add(known->cvm);
 
-        Blocks against_itself(side, side, fitted_normal(moments));
-        add_picture(against_itself, picture, side);
+        Blocks against_itself(block_side, block_side, fitted_normal(moments));
+        add_picture(against_itself, picture, block_side);
         measured.add(against_itself.estimate(correlation)->cvm);
     }
     check("mean", mean);

@@ -13,14 +13,14 @@ using namespace gabor::statistics;
 
 namespace {
 
-constexpr int side = 256;
+constexpr int lobe_side = 256;
 
-/// The periodogram that has `density` at each frequency, given in cells of 1 / side.
+/// The periodogram that has `density` at each frequency, given in cells of 1 / lobe_side.
 std::vector<double> periodogram_of(const std::function<double(double, double)>& density) {
     std::vector<double> periodogram;
-    for (int row = 0; row < side; ++row)
-        for (int x = 0; x <= side / 2; ++x)
-            periodogram.push_back(density(x, row < side / 2 ? row : row - side));
+    for (int row = 0; row < lobe_side; ++row)
+        for (int x = 0; x <= lobe_side / 2; ++x)
+            periodogram.push_back(density(x, row < lobe_side / 2 ? row : row - lobe_side));
     return periodogram;
 }
 
@@ -38,18 +38,19 @@ TEST_CASE("a Gaussian lobe is measured correctly") {
         summarize(periodogram_of([&](double fx, double fy) {
                       return 0.7 * gauss(fx - x, fy - y, sigma) + 0.7 * gauss(fx + x, fy + y, sigma);
                   }),
-                  side);
+                  lobe_side);
     INFO("lobe at " << x << ", " << y << ", sigma " << sigma);
     CHECK(summary.power == Approx(1.4).epsilon(1e-6));
-    CHECK(summary.radial_step == 1.0 / side);
+    CHECK(summary.radial_step == 1.0 / lobe_side);
     CHECK(std::reduce(summary.radial.begin(), summary.radial.end()) == Approx(1.4).epsilon(1e-6));
-    CHECK(summary.peak->frequency == Approx(std::hypot(x, y) / side).epsilon(1e-5));
+    CHECK(summary.peak->frequency == Approx(std::hypot(x, y) / lobe_side).epsilon(1e-5));
     const double degrees = std::atan2(y, x) * 180 / std::numbers::pi;
     CHECK(summary.peak->orientation == Approx(degrees < 0 ? degrees + 180 : degrees).margin(0.01));
-    CHECK(summary.bandwidth == Approx(2 * std::sqrt(2 * std::numbers::ln2) * sigma / side).epsilon(0.02));
+    CHECK(summary.bandwidth ==
+          Approx(2 * std::sqrt(2 * std::numbers::ln2) * sigma / lobe_side).epsilon(0.02));
     // Two lobes, each with sum of squares 0.7^2 / (4 pi sigma^2).
     const double squares = 2 * 0.7 * 0.7 / (4 * std::numbers::pi * sigma * sigma);
-    CHECK(summary.correlation == Approx(2 * side * std::sqrt(squares) / 1.4).epsilon(1e-4));
+    CHECK(summary.correlation == Approx(2 * lobe_side * std::sqrt(squares) / 1.4).epsilon(1e-4));
 }
 
 TEST_CASE("a wide ring has its own width, though it is not Gaussian") {
@@ -60,26 +61,26 @@ TEST_CASE("a wide ring has its own width, though it is not Gaussian") {
                       // Power per annulus: one period of 1 + cos, 60 wide at its base.
                       return std::abs(phase) < std::numbers::pi ? (1 + std::cos(phase)) / r : 0;
                   }),
-                  side);
-    CHECK(summary.bandwidth == Approx(30.0 / side).epsilon(0.015));
-    CHECK(summary.peak->frequency == Approx(65.0 / side).epsilon(0.15)); // it has no single peak
+                  lobe_side);
+    CHECK(summary.bandwidth == Approx(30.0 / lobe_side).epsilon(0.015));
+    CHECK(summary.peak->frequency == Approx(65.0 / lobe_side).epsilon(0.15)); // it has no single peak
 }
 
 TEST_CASE("lobes beyond the highest frequency appear where sampling aliases them") {
     const auto summary = summarize(periodogram_of([](double fx, double fy) {
                                        double power = 0;
                                        for (const double fold : {-1.0, 0.0, 1.0})
-                                           power += gauss(fx - 126 - fold * side, fy - 10, 4) +
-                                                    gauss(fx + 126 - fold * side, fy + 10, 4);
+                                           power += gauss(fx - 126 - fold * lobe_side, fy - 10, 4) +
+                                                    gauss(fx + 126 - fold * lobe_side, fy + 10, 4);
                                        return power;
                                    }),
-                                   side);
-    CHECK(summary.peak->frequency == Approx(std::hypot(126, 10) / side).epsilon(0.01));
+                                   lobe_side);
+    CHECK(summary.peak->frequency == Approx(std::hypot(126, 10) / lobe_side).epsilon(0.01));
     CHECK(summary.power == Approx(2).epsilon(1e-3));
 }
 
 TEST_CASE("a spectrum of zeros has no peak") {
-    const auto summary = summarize(periodogram_of([](double, double) { return 0; }), side);
+    const auto summary = summarize(periodogram_of([](double, double) { return 0; }), lobe_side);
     CHECK(summary.power == 0);
     CHECK(!summary.peak);
 }

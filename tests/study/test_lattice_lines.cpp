@@ -2,7 +2,7 @@
 // E[f(n)] is the same everywhere for every f. Otherwise it repeats from node to node and makes peaks at whole
 // numbers of cycles per node spacing. GABOR_LAW_SAMPLES sets the number of pixels.
 
-#include "../render/law.hpp"
+#include "../functions/law.hpp"
 #include "render/parameters.hpp"
 #include "render/renderer.hpp"
 #include "statistics/lines.hpp"
