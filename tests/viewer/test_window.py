@@ -184,6 +184,17 @@ class Window(ViewerTest):
         self.assertLessEqual(np.abs(here - back).max(), 1)
         self.assertGreater(here.std(), 30)
 
+    def test_the_highlight_of_metal_is_not_burnt_out(self):
+        self.play("""
+            open brushed-metal
+            fine
+            window metal.png
+            quit""", "plain.json", "--window", "1600x900")
+        view = read_colour_png(self.folder / "metal.png")[:, :1230]
+        burnt = (view.min(axis=2) >= 254).mean()
+        print(f"{100 * burnt:.2f} % of the pixels are white")
+        self.assertLess(burnt, 0.01)
+
     def test_without_a_display(self):
         self.assert_fails(1, ["no display"], DISPLAY=None, WAYLAND_DISPLAY=None)
 
