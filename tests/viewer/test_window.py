@@ -143,6 +143,28 @@ class Window(ViewerTest):
         self.assertEqual(len({round(orientation, 1) for _, orientation in lobes("more")}), 3)
         self.assertEqual(lobes("reset")[0][0], 4)
 
+    def test_the_frequency_plane_shows_the_power_of_the_lobes(self):
+        self.play("""
+            move 300 300
+            wait 3
+            window lobe.png
+            quit""", "plain.json", "--window", "1280x800")
+        plane = read_colour_png(self.folder / "lobe.png").astype(int)
+        pixels = 78 / 4 # per cycle per kernel radius: places as in the test above
+        cell = 2 * 2**2.5 / 72
+
+        def power(f):
+            """Of the lattice's window, (1 + cos(pi x)) / 2."""
+            return (np.sinc(2 * f) / (1 - 4 * f**2))**2
+
+        for x in range(11, 18): # to the right of the lobe and below the axis, where the power falls
+            y = 6
+            seen = plane[324 + y, 1118 + x, 2]
+            low, high = (215 * (1 + np.log10(power(max(x / pixels - less, 0)) * power(max(y / pixels - less, 0))) / 5)
+                         for less in (0, cell))
+            self.assertTrue(low - 6 <= seen <= high + 6, f"{low:.0f} {seen} {high:.0f}")
+        self.assertLess(plane[240:300, 1020:1060].max(), 60) # far from it there is only the scale
+
     def test_what_has_no_effect_says_so(self):
         self.play("""
             set view sphere
