@@ -23,7 +23,7 @@ constexpr double moving_budget = 0.022;        // seconds per frame for drawing 
 constexpr double resting_budget = 0.060;       // longer, since each frame also costs
 constexpr double waking_interval = 0.25;       // seconds between frames while nothing happens
 constexpr double saving_interval = 2;          // seconds between saves of the session
-constexpr const char* first_preset = "walnut"; // until something else was opened
+constexpr const char* first_preset = "desert"; // until something else was opened
 constexpr float widest_panel = 26;             // in font heights
 constexpr float narrowest_panel = 20;
 

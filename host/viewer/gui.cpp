@@ -25,37 +25,28 @@ namespace gabor::viewer {
 
 namespace {
 
-// Presses since the last frame: one that has ended before the next frame still counts, at its own place.
+// A press of a key, or a press or release of a button, that no frame has seen yet: it counts even if it has
+// ended by then.
 struct Press {
-    int key = -1;      ///< -1 for a button
-    int modifiers = 0; ///< held with it
-    int button = -1;
-    bool down = true;
-    ImVec2 at{};     ///< the pointer's place
-    double time = 0; ///< in seconds
+    int key; ///< -1 for a button
+    int button;
+    bool down;
+    int modifiers;
+    ImVec2 at;   ///< the pointer's place
+    double time; ///< in seconds
 };
 std::deque<Press> presses;
 ImVec2 pointer;
-constexpr int kept_modifiers = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT;
-
-void hold_modifiers(const Press& press) {
-    ImGui::GetIO().KeyCtrl = (press.modifiers & GLFW_MOD_CONTROL) != 0;
-    ImGui::GetIO().KeyShift = (press.modifiers & GLFW_MOD_SHIFT) != 0;
-}
 
 void note_key(GLFWwindow*, int key, int, int action, int modifiers) {
     const bool is_modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
     if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown) && !is_modifier)
-        presses.push_back({.key = key, .modifiers = modifiers & kept_modifiers});
+        presses.push_back({key, -1, true, modifiers, pointer, glfwGetTime()});
 }
 
 void note_button(GLFWwindow*, int button, int action, int modifiers) {
     if (button < IM_ARRAYSIZE(ImGuiIO::MouseDown))
-        presses.push_back({.modifiers = modifiers & kept_modifiers,
-                           .button = button,
-                           .down = action == GLFW_PRESS,
-                           .at = pointer,
-                           .time = glfwGetTime()});
+        presses.push_back({-1, button, action == GLFW_PRESS, modifiers, pointer, glfwGetTime()});
 }
 
 void note_pointer(GLFWwindow*, double x, double y) {
@@ -178,7 +169,7 @@ vk::raii::DescriptorPool make_descriptors(const vulkan::Device& device) {
 
 Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass, std::uint32_t images,
          float scale)
-    : device_(device), pass_(pass), density_(window.density()), scale_(scale) {
+    : device_(device), window_(window.handle()), pass_(pass), density_(window.density()), scale_(scale) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // see settings.hpp
     set_style(density_ * scale);
@@ -245,8 +236,7 @@ void Gui::begin() {
     load_fonts();
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    if (!take_keys())
-        take_button();
+    take_press();
     std::ranges::copy(buttons_, ImGui::GetIO().MouseDown);
     last_pointer_ = ImGui::GetIO().MousePos;
 }
@@ -255,50 +245,36 @@ bool Gui::has_input() const {
     return !presses.empty();
 }
 
-// Takes presses up to that of a button, the first with other modifiers, or of a key that must first be seen
-// released because this frame or the last one has seen it pressed. Returns whether there were any.
-bool Gui::take_keys() {
-    ImGuiIO& io = ImGui::GetIO();
-    const std::vector<int> previous = std::exchange(released_, {});
-    for (const int key : previous)
-        io.KeysDown[key] = false;
-    const auto held = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
-    io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-    io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    std::vector<int> taken;
-    const auto is_taken = [&](int key) { return std::ranges::find(taken, key) != taken.end(); };
-    const int modifiers = presses.empty() ? 0 : presses.front().modifiers;
-    for (; !presses.empty(); presses.pop_front()) {
-        const Press& next = presses.front();
-        if (next.key < 0 || next.modifiers != modifiers || io.KeysDownDuration[next.key] >= 0 ||
-            is_taken(next.key))
-            break;
-        taken.push_back(next.key);
-        hold_modifiers(next);
-        if (!io.KeysDown[next.key]) {
-            io.KeysDown[next.key] = true;
-            released_.push_back(next.key);
-        }
-    }
-    for (const Press& later : presses)
-        if (later.key >= 0 && !is_taken(later.key))
-            io.KeysDown[later.key] = false;
-    return !taken.empty();
-}
-
-// Takes the next press or release of a button.
-void Gui::take_button() {
+// Takes the next press of a key, or press or release of a button: a frame has one at most.
+void Gui::take_press() {
     constexpr float double_click = 0.3f; // seconds between the presses, however long a frame takes
     ImGuiIO& io = ImGui::GetIO();
     io.MouseDoubleClickTime = double_click;
-    if (presses.empty() || presses.front().key >= 0)
+    io.KeysDown[std::exchange(released_, 0)] = false;
+    const auto held = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
+    io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    for (const Press& later : presses)
+        if (later.key >= 0)
+            io.KeysDown[later.key] = false;
+    if (presses.empty())
         return;
     const Press next = presses.front();
-    io.MousePos = next.at;
-    hold_modifiers(next);
-    if (next.at.x != last_pointer_.x || next.at.y != last_pointer_.y)
-        return; // this frame moves the pointer there
+    const bool is_key = next.key >= 0;
+    if (!is_key)
+        io.MousePos = next.at;
+    if (is_key ? io.KeysDownDuration[next.key] >= 0
+               : next.at.x != last_pointer_.x || next.at.y != last_pointer_.y)
+        return; // this frame releases the key, or moves the pointer there
     presses.pop_front();
+    io.KeyCtrl = (next.modifiers & GLFW_MOD_CONTROL) != 0;
+    io.KeyShift = (next.modifiers & GLFW_MOD_SHIFT) != 0;
+    if (is_key) {
+        io.KeysDown[next.key] = true;
+        if (glfwGetKey(window_, next.key) != GLFW_PRESS)
+            released_ = next.key;
+        return;
+    }
     const auto button = static_cast<std::size_t>(next.button);
     buttons_.at(button) = next.down;
     if (next.down)

@@ -9,7 +9,6 @@
 #include <array>
 #include <set>
 #include <string_view>
-#include <vector>
 
 namespace gabor::viewer {
 
@@ -37,10 +36,10 @@ class Gui {
 
   private:
     void load_fonts();
-    bool take_keys();
-    void take_button();
+    void take_press();
 
     const vulkan::Device& device_;
+    GLFWwindow* window_;
     vk::RenderPass pass_;
     vk::raii::DescriptorPool descriptors_ = nullptr;
     ImGui_ImplVulkan_InitInfo info_{};
@@ -48,7 +47,7 @@ class Gui {
     float scale_;
     std::set<ImWchar> characters_; ///< besides those of western Europe
     bool loaded_ = false;          ///< whether the fonts are loaded, with all `characters_`
-    std::vector<int> released_;    ///< keys to release after this frame
+    int released_ = 0;             ///< key to release in the next frame; 0 for none
     std::array<bool, IM_ARRAYSIZE(ImGuiIO::MouseDown)> buttons_{}; ///< held
     std::array<double, IM_ARRAYSIZE(ImGuiIO::MouseDown)> pressed_at_{};
     ImVec2 last_pointer_{};

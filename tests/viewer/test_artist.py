@@ -117,7 +117,7 @@ class Artist(EventsTest):
         # As large as the view beside the panel, so that screen pixels are picture pixels.
         for name, parameters in (("noise", {"frequency": 2, "scale": 60}),
                                  ("leather", {"material": "leather", "scale": 60, "filter": True})):
-            (self.folder / f"{name}.json").write_text(json.dumps({"width": 276, "height": 480, **parameters}))
+            (self.folder / f"{name}.json").write_text(json.dumps({"width": 352, "height": 480, **parameters}))
             self.gabor("render", "--like", f"{name}.json", "-o", "expected.exr")
             expected = Exr(self.folder / "expected.exr").channels
             self.open(*WINDOW, f"{name}.json")
@@ -146,22 +146,22 @@ class Artist(EventsTest):
 
     def test_the_right_button_moves_the_light(self):
         self.open(*WINDOW, "leather")
-        self.point(138, 240) # the middle of the view
+        self.point(176, 240) # the middle of the view
         self.xdotool("mousedown", 3)
         self.frames(2)
-        for x, y in ((138, 120), (138 + 60, 240), (138, 240 + 120)):
+        for x, y in ((176, 120), (176 + 60, 240), (176, 240 + 120)):
             self.point(x, y)
             self.frames(2)
-            self.assertAlmostEqual(self.document["light_azimuth"], np.degrees(np.arctan2(y - 240, x - 138)), delta=0.5)
-            self.assertAlmostEqual(self.document["light_elevation"], 90 * (1 - np.hypot(x - 138, y - 240) / 240), delta=0.5)
+            self.assertAlmostEqual(self.document["light_azimuth"], np.degrees(np.arctan2(y - 240, x - 176)), delta=0.5)
+            self.assertAlmostEqual(self.document["light_elevation"], 90 * (1 - np.hypot(x - 176, y - 240) / 240), delta=0.5)
         self.xdotool("mouseup", 3)
         self.frames(3)
-        lit = self.screen(0, 100, 276, 300)
+        lit = self.screen(0, 100, 352, 300)
         self.keys("ctrl+z") # one step
         self.assertEqual((self.document["light_azimuth"], self.document["light_elevation"]), (-135, 38))
         self.wait_for(lambda state: state["fine"])
         self.frames(3)
-        self.assertGreater(np.abs(self.screen(0, 100, 276, 300) - lit).mean(), 3)
+        self.assertGreater(np.abs(self.screen(0, 100, 352, 300) - lit).mean(), 3)
         self.close()
 
     def test_files_are_chosen_in_a_dialog(self):

@@ -153,7 +153,7 @@ class Events(EventsTest):
         self.assertEqual((one["frequency"], one["seed"]), (3, 2))
         self.assertEqual(self.read("two.json"), two)
         self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s") # before any file was opened
-        self.assertEqual(json.loads(self.read("noise.json"))["material"], "wood") # of the first start
+        self.assertEqual(json.loads(self.read("noise.json"))["material"], "sand") # of the first start
         self.close()
 
     def test_a_session_that_was_killed_is_offered_again(self):
@@ -163,13 +163,13 @@ class Events(EventsTest):
             self.keys("n")
             if how == signal.SIGKILL: # it is saved within seconds
                 self.wait_for(lambda state: (self.folder / "config/gabor-noise/viewer.json").exists() and
-                              '"seed\\": 5' in (self.folder / "config/gabor-noise/viewer.json").read_text())
+                              '"seed\\": 3' in (self.folder / "config/gabor-noise/viewer.json").read_text())
             self.process.send_signal(how)
             self.end(-how)
             self.open(*WINDOW, *(["mine.json"] if how == signal.SIGTERM else []))
             self.assertIn("ended before", self.state["question"])
             self.keys("Return")
-            self.assertEqual((self.document["seed"], self.document["material"]), (4 + number, "wood")) # of the first start
+            self.assertEqual((self.document["seed"], self.document["material"]), (2 + number, "sand")) # of the first start
             self.keys("ctrl+q", "d") # the changes are still unsaved: it asks
             self.end()
             self.open(*WINDOW)

@@ -143,6 +143,28 @@ class Window(ViewerTest):
         self.assertEqual(len({round(orientation, 1) for _, orientation in lobes("more")}), 3)
         self.assertEqual(lobes("reset")[0][0], 4)
 
+    def test_the_frequency_plane_shows_the_power_of_the_lobes(self):
+        self.play("""
+            move 300 300
+            wait 3
+            window lobe.png
+            quit""", "plain.json", "--window", "1280x800")
+        plane = read_colour_png(self.folder / "lobe.png").astype(int)
+        pixels = 78 / 4 # per cycle per kernel radius: places as in the test above
+        cell = 2 * 2**2.5 / 72
+
+        def power(f):
+            """Of the lattice's window, (1 + cos(pi x)) / 2."""
+            return (np.sinc(2 * f) / (1 - 4 * f**2))**2
+
+        for x in range(11, 18): # to the right of the lobe and below the axis, where the power falls
+            y = 6
+            seen = plane[324 + y, 1118 + x, 2]
+            low, high = (215 * (1 + np.log10(power(max(x / pixels - less, 0)) * power(max(y / pixels - less, 0))) / 5)
+                         for less in (0, cell))
+            self.assertTrue(low - 6 <= seen <= high + 6, f"{low:.0f} {seen} {high:.0f}")
+        self.assertLess(plane[240:300, 1020:1060].max(), 60) # far from it there is only the scale
+
     def test_what_has_no_effect_says_so(self):
         self.play("""
             set view sphere
@@ -183,6 +205,17 @@ class Window(ViewerTest):
         here, back = (read_colour_png(self.folder / f"{name}.png")[:720, :900].astype(int) for name in ("here", "back"))
         self.assertLessEqual(np.abs(here - back).max(), 1)
         self.assertGreater(here.std(), 30)
+
+    def test_the_highlight_of_metal_is_not_burnt_out(self):
+        self.play("""
+            open brushed-metal
+            fine
+            window metal.png
+            quit""", "plain.json", "--window", "1600x900")
+        view = read_colour_png(self.folder / "metal.png")[:, :1230]
+        burnt = (view.min(axis=2) >= 254).mean()
+        print(f"{100 * burnt:.2f} % of the pixels are white")
+        self.assertLess(burnt, 0.01)
 
     def test_without_a_display(self):
         self.assert_fails(1, ["no display"], DISPLAY=None, WAYLAND_DISPLAY=None)
