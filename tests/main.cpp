@@ -1,5 +1,6 @@
-// For tests that use a device: validation layers, unless GABOR_VALIDATION says otherwise, any message of
-// which is a failure. Catch2 brings main; a main of its own would compile Catch2 once more, for 20 seconds.
+// For tests that use a device: turns validation layers on unless GABOR_VALIDATION says otherwise, and makes
+// any message from them a failure. Catch2 provides main; a custom main would compile Catch2 again, for 20
+// seconds.
 
 #include "vulkan/device.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How tests of functions draw arguments, and compare what comes out with the double-precision reference.
+// Helps tests of functions to draw arguments and to compare results with the double-precision reference.
 
 #include "largest.hpp"
 #include "reference/field.hpp"
@@ -14,12 +14,13 @@
 
 namespace gabor::test {
 
-/// 1e-5 up to frequency 4, proportional to it above: single precision limits the phase.
+/// The tolerance is 1e-5 up to frequency 4 and proportional to the frequency above, since single precision
+/// limits the phase.
 inline double tolerance(double frequency) {
     return 1e-5 * std::max(1.0, frequency / 4);
 }
 
-/// Derivatives scale with the frequency.
+/// The tolerance of derivatives, which scale with the frequency.
 inline double slope_tolerance(double frequency) {
     return tolerance(frequency) * (2 * std::numbers::pi * frequency + 2);
 }
@@ -35,7 +36,7 @@ class Draw {
         return static_cast<float>(std::uniform_real_distribution<>(low, high)(random_));
     }
 
-    /// `Vector(x, y)` or `Vector(x, y, z)` of uniform numbers.
+    /// Returns `Vector(x, y)` or `Vector(x, y, z)` with uniform numbers.
     template <typename Vector>
     Vector uniform(double low, double high) {
         Vector v;
@@ -44,7 +45,7 @@ class Draw {
         return v;
     }
 
-    /// On or next to a multiple of `step`, where windows and cells may end.
+    /// Returns a number on or next to a multiple of `step`, where windows and cells may end.
     float edge(float x, float step = 1) {
         return std::nextafter(step * std::round(x / step), word() % 2 ? 1e9f : -1e9f);
     }
@@ -55,7 +56,7 @@ class Draw {
 
 // ---- Comparisons of a drop-in's vectors, whose types differ from class to class
 
-/// A complex number, as (real part, noise).
+/// Compares a complex number, given as (real part, noise).
 template <typename Place>
 void see(Largest& largest, const auto& value, std::complex<double> expected, double tolerance,
          const Place& place) {
@@ -63,7 +64,7 @@ void see(Largest& largest, const auto& value, std::complex<double> expected, dou
     largest.see(value.y, expected.imag(), tolerance, place);
 }
 
-/// A GaborField.
+/// Compares a GaborField.
 template <typename Place>
 void see(Largest& values, Largest& slopes, const auto& field, const noise::Field& expected, double tolerance,
          double slope_tolerance, const Place& place) {
@@ -72,7 +73,7 @@ void see(Largest& values, Largest& slopes, const auto& field, const noise::Field
     see(slopes, field.slope_y, expected.slope_y, slope_tolerance, place);
 }
 
-/// (noise, d/dx, d/dy).
+/// Compares (noise, d/dx, d/dy).
 template <typename Place>
 void see_gradient(Largest& values, Largest& slopes, const auto& gradient, const noise::Field& expected,
                   double tolerance, double slope_tolerance, const Place& place) {
@@ -81,7 +82,7 @@ void see_gradient(Largest& values, Largest& slopes, const auto& gradient, const 
     slopes.see(gradient.z, expected.slope_y.imag(), slope_tolerance, place);
 }
 
-/// Numbers of a vector.
+/// Compares the numbers of a vector.
 template <std::size_t count, typename Place>
 void see(Largest& largest, const auto& vector, const std::array<double, count>& expected, double tolerance,
          const Place& place) {
@@ -89,8 +90,8 @@ void see(Largest& largest, const auto& vector, const std::array<double, count>& 
         largest.see(vector[static_cast<int>(c)], expected[c], tolerance, place);
 }
 
-/// Checks that a function has no jump along one of the paths in place, in size and in rotation of a pixel: on
-/// each side its slope predicts the next value of a smooth path to second order.
+/// Checks that a function has no jump as a pixel's place, size or rotation changes along a path. On a smooth
+/// path, the slope on each side predicts the next value to second order.
 template <typename Value>
 void check_path(Differences& of, int path, int steps, const Value& value) {
     Largest& largest = of[path % 3 == 0 ? "in place" : path % 3 == 1 ? "in size" : "in rotation"];

@@ -1,16 +1,16 @@
 #pragma once
 
-// gabor_lattice.glsl and the drop-ins that need it, translated to C++: for each number of taps a class whose
-// members are their functions. tests/golden shows that devices and translations give the same values.
+// gabor_lattice.glsl and the drop-ins that need it, translated to C++. For each number of taps, a class has
+// their functions as members. tests/golden shows that devices and translations give the same values.
 
 #include "compare.hpp"
 #include "reference/lattice.hpp"
 
-#include "gabor_lattice.hpp" // the vectors
+#include "gabor_lattice.hpp" // for its vectors
 
 namespace gabor::test {
 
-namespace { // each file compiles its own, with its options
+namespace { // each file compiles its own copy, with its own options
 
 #undef GABOR_TAPS
 #undef GABOR_LATTICE_HPP
@@ -53,7 +53,7 @@ struct Lattice3 {
 
 } // namespace
 
-/// The place as a drop-in takes it.
+/// Converts a place to the drop-in's type.
 template <typename Functions>
 auto place_of(Functions&, const noise::LatticePlace& place) {
     return typename Functions::GaborPlace{
@@ -84,8 +84,8 @@ inline noise::LatticePlace lattice_tile(int taps, gabor_vec2 p, gabor_vec2 tile)
     return place;
 }
 
-/// Any place: near the origin or in any cell, one coordinate in four on or next to a cell border, where a
-/// window ends; with or without a period; at rest or at any time.
+/// Draws a place near the origin or in any cell, with or without a period, at rest or at any time. One
+/// coordinate in four is on or next to a cell border, where a window ends.
 inline noise::LatticePlace any_lattice_place(Draw& draw, int taps) {
     noise::LatticePlace place;
     const auto along = [&](std::int32_t& cell, double& local, double& radius, std::int32_t& period) {
@@ -118,7 +118,8 @@ struct Pixel {
 
     Pixel() = default;
     Pixel(gabor_vec2 x, gabor_vec2 y) : dx(x), dy(y) {}
-    /// With the standard deviations `deviation` and `ratio` times that, its longer axis at an angle.
+    /// A pixel with the standard deviations `deviation` and `deviation * ratio`, with its longer axis at an
+    /// angle.
     Pixel(double deviation, double ratio, double angle)
         : dx(static_cast<float>(2 * deviation * std::cos(angle)),
              static_cast<float>(2 * deviation * std::sin(angle))),
@@ -129,8 +130,8 @@ inline std::string to_string(const Pixel& pixel) {
     return fmt::format("pixel ({}, {}), ({}, {})", pixel.dx.x, pixel.dx.y, pixel.dy.x, pixel.dy.y);
 }
 
-/// The standard deviation of a part of the gradient of isotropic noise: half of 4 pi^2 F^2 from the waves,
-/// pi^2 / 3 from the windows.
+/// The standard deviation of one component of the gradient of isotropic noise. The waves contribute half of
+/// 4 pi^2 F^2 to its square, the windows pi^2 / 3.
 inline double isotropic_slope(double frequency) {
     using std::numbers::pi;
     return std::sqrt(2 * pi * pi * frequency * frequency + pi * pi / 3);

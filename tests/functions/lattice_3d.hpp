@@ -34,7 +34,7 @@ inline noise::Lattice3d::Vector random_unit(Draw& draw) {
 /// Arguments of functions in space. The steps of a pixel are those of the filter.
 struct Sample3d {
     noise::Lattice3d::Place place;
-    gabor_vec3 p{0, 0, 0}; ///< of functions of a position, kernel radii
+    gabor_vec3 p{0, 0, 0}; ///< position in kernel radii, for functions that take one
     float frequency = 2;
     gabor_vec3 direction{1, 0, 0}, normal{0, 0, 1}, dx{0, 0, 0}, dy{0, 0, 0};
     std::uint32_t seed = 0;
@@ -49,12 +49,12 @@ inline std::string to_string(const Sample3d& s) {
         numbers(s.direction), numbers(s.normal), numbers(s.dx), numbers(s.dy), s.seed);
 }
 
-/// The place that functions of a position see.
+/// The place that functions of a position compute from it.
 inline noise::Lattice3d::Place lattice_place(gabor_vec3 p) {
     return {{}, {p.x * 1.5f, p.y * 1.5f, p.z * 1.5f}};
 }
 
-/// The sample's place as the drop-in takes it.
+/// Converts the sample's place to the drop-in's type.
 template <typename Functions>
 typename Functions::GaborPlace3d place_of(Functions&, const Sample3d& s, bool animated = false,
                                           bool filtered = false) {

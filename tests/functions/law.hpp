@@ -21,21 +21,21 @@
 
 namespace gabor::test {
 
-/// Number of samples per statistic: GABOR_LAW_SAMPLES, or 2^21 if it is not set. Half of these still put a
-/// variance error of 1 % at 7 standard errors.
+/// The number of samples per statistic: GABOR_LAW_SAMPLES, or 2^21 if it is not set. With half of these, an
+/// error of 1 % in the variance is still 7 standard errors.
 inline double law_samples() {
     const char* text = std::getenv("GABOR_LAW_SAMPLES");
     return text ? std::strtod(text, nullptr) : 1 << 21;
 }
 
-/// A number computed from one instance's numbers; by theory it is normal with mean 0.
+/// A value computed from one instance's numbers, which by theory is normal with mean 0.
 struct Statistic {
     std::string name;
     double deviation;
     std::function<double(std::span<const float>)> of;
 };
 
-/// A weighted sum of numbers, as a statistic.
+/// A term in a weighted sum of an instance's numbers.
 struct Term {
     std::size_t number;
     double factor = 1;
@@ -49,8 +49,8 @@ inline Statistic sum_of(std::string name, double deviation, std::vector<Term> te
             }};
 }
 
-/// Compares statistics over this share of the samples with the normal law; `instance()` gives the numbers of
-/// another instance as an array.
+/// Compares statistics over this share of the samples with the normal law. Each call of `instance()` returns
+/// the numbers of another instance as an array.
 template <typename Instance>
 void check_laws(double share, const Instance& instance, const std::vector<Statistic>& statistics) {
     std::vector<statistics::Moments> moments(statistics.size());
@@ -80,8 +80,8 @@ void check_laws(double share, const Instance& instance, const std::vector<Statis
     }
 }
 
-/// Compares with theory the covariance of both parts of complex noise at two places, the numbers 0, 1 and 2,
-/// 3 of an instance.
+/// Compares the covariance of complex noise at two places with theory. An instance's numbers 0 and 1 are the
+/// parts at one place, and 2 and 3 those at the other.
 template <typename Instance>
 void check_covariance(Largest& largest, const Instance& instance, double expected, const std::string& name) {
     statistics::Moments products;
@@ -95,7 +95,7 @@ void check_covariance(Largest& largest, const Instance& instance, double expecte
     CHECK(error < 0.01);
 }
 
-/// Offsets of side^axes places in a cell from its corner; the first is the corner.
+/// Offsets of side^axes places in a cell from its corner, which is the first place.
 inline std::vector<std::vector<float>> places_of_cell(std::size_t side, std::size_t axes) {
     std::vector<std::vector<float>> places{{}};
     for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -111,18 +111,18 @@ inline std::vector<std::vector<float>> places_of_cell(std::size_t side, std::siz
     return places;
 }
 
-/// The same number of values for each place of a cell or each normal of a surface, all standard normal by
-/// theory.
+/// Collects the same number of values for each place of a cell or each normal of a surface. By theory, all
+/// are standard normal.
 class Laws {
   public:
-    /// `each` is described by fmt::format.
+    /// fmt::format makes the names of the places or normals in `each`.
     template <typename Each>
     explicit Laws(const std::vector<Each>& each) : moments_(each.size()), laws_(each.size()) {
         for (const Each& one : each)
             names_.push_back(fmt::format("{}", one));
     }
 
-    /// Adds numbers; `instance(k)` gives an array of those of an instance at the k-th place or normal.
+    /// Adds values. `instance(k)` returns an array of an instance's numbers at the k-th place or normal.
     template <typename Instance>
     void add(double count, const Instance& instance) {
         for (std::size_t i = 0; static_cast<double>(i) < count; ++i) {
@@ -172,7 +172,7 @@ class Laws {
         CHECK(std::abs(means - 1) < 5 * std::sqrt(2 / count));
         CHECK(std::abs(variances - 1) < 5 * std::sqrt(2 / count));
         CHECK(cvms.mean() - 4 * error < 0.05);
-        // Of 2304 normal laws the largest T - 1/6 is about 1.2, and in one case of 75 more than 2.
+        // Among 2304 normal laws, the largest T - 1/6 is about 1.2, and above 2 in one case of 75.
         CHECK(cvms.maximum() < 0.5 + 2 * statistics::cvm_scale / n);
     }
 

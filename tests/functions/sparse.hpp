@@ -1,11 +1,11 @@
 #pragma once
 
-// gabor_noise.glsl translated to C++: for each choice of its macros a class whose members are its functions.
+// gabor_noise.glsl translated to C++. For each choice of its macros, a class has its functions as members.
 
 #include "compare.hpp"
 #include "reference/reference.hpp"
 
-#include "gabor_noise.hpp" // the vectors
+#include "gabor_noise.hpp" // for its vectors
 
 namespace gabor::test {
 

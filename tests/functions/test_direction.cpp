@@ -51,7 +51,7 @@ noise::Field along_map(const noise::LatticePlace& place, std::uint32_t seed) {
     return noise::Lattice::field(place, waves, seed);
 }
 
-// Whether rounding can choose other nodes around the place.
+// Whether rounding can select other nodes around the place.
 bool is_between_nodes(const noise::LatticePlace& place) {
     const auto near_edge = [](double local) {
         return std::abs(local + 0.5 - std::round(local + 0.5)) < 1e-4;
@@ -59,7 +59,7 @@ bool is_between_nodes(const noise::LatticePlace& place) {
     return near_edge(place.local_x) || near_edge(place.local_y);
 }
 
-// Whether it can also choose the other side of the map's jump at a node.
+// Whether rounding can select other nodes, or the other side of the map's jump at a node.
 bool is_ambiguous(const noise::LatticePlace& place) {
     return is_between_nodes(place) || std::ranges::any_of(nodes_around(place), [](const auto& node) {
                return std::abs(node[0] + node[1] - 1) < 1e-4;
@@ -73,7 +73,7 @@ TEST_CASE("noise along a map agrees with the reference in any cell, with any per
     constexpr int count = 1 << 15;
     Draw draw(71);
     Differences of;
-    // Waves of up to 6 cycles, at offsets rounded to 1e-7 of 8 kernel radii.
+    // Waves have up to 6 cycles, and their offsets are rounded to 1e-7 of 8 kernel radii.
     constexpr double tight = 3e-5, loose = 5e-4;
     int left_out = 0;
     for (int i = 0; i < count; ++i) {

@@ -1,4 +1,5 @@
-// Hills and erosion: against the double-precision reference, and the properties of a good terrain.
+// Compares hills and erosion with the double-precision reference, and checks the properties of a good
+// terrain.
 
 #include "lattice.hpp"
 #include "reference/erosion.hpp"
@@ -16,7 +17,7 @@ namespace {
 struct Sample {
     std::int32_t column = 0, row = 0;
     gabor_vec2 local{0, 0}, period{0, 0}, dx{0, 0}, dy{0, 0};
-    std::optional<Terrain> base; // instead of the hills; in single precision
+    std::optional<Terrain> base; // replaces the hills; in single precision
     std::uint32_t seed = 7;
     noise::Erosion erosion; // in single precision
 
@@ -39,7 +40,7 @@ std::string to_string(const Sample& s) {
                        e.sharpness, e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching);
 }
 
-// The drop-in's terrain as the reference's types.
+// The drop-in's terrain, converted to the reference's types.
 template <typename Functions>
 struct Terrains {
     using GaborTerrain = typename Functions::GaborTerrain;
@@ -114,7 +115,7 @@ Sample drawn(Draw& draw) {
     return s;
 }
 
-// Samples in terrains of their own.
+// Samples in different terrains.
 std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
     Draw draw(seed);
     std::vector<Sample> samples(count);
@@ -125,7 +126,7 @@ std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
     return samples;
 }
 
-// One octave of gullies on a plane that falls towards any side.
+// Samples of one octave of gullies on a plane that falls in any direction.
 std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
     std::vector<Sample> samples = anywhere(count, seed);
     Draw draw(seed + 1);
@@ -137,10 +138,10 @@ std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
     return samples;
 }
 
-// ---- Measures of a terrain: docs/performance.md has their values
+// ---- Measures of a terrain, whose values are in docs/performance.md
 
-// The largest step of the height over 1/64, after halving this distance 12 times, always to the half with the
-// larger step: a jump keeps its size.
+// The largest step of the height over a distance of 1/64, after halving this distance 12 times. Each halving
+// keeps the half with the larger step, so a jump keeps its size.
 double largest_step(auto terrains) {
     double largest = 0;
     for (Sample left : anywhere(1 << 14, 1)) {
@@ -158,8 +159,8 @@ double largest_step(auto terrains) {
     return largest;
 }
 
-// Mean angle in degrees between the gullies of one octave and the slope of the hills, weighted by the square
-// of the gullies' own slope.
+// The mean angle in degrees between the gullies of one octave and the slope of the hills, weighted by the
+// square of the gullies' own slope.
 double gully_angle(auto terrains) {
     constexpr float step = 1.0f / 256;
     double sum = 0, weight = 0;
@@ -177,8 +178,8 @@ double gully_angle(auto terrains) {
     return sum / weight * 180 / std::numbers::pi;
 }
 
-// Local minima per unit area (lower than all eight neighbours, 1/64 away): those of the terrain minus those
-// of the hills.
+// The number of local minima of the terrain per unit area, minus that of the hills. A minimum is lower than
+// all eight neighbours, which are 1/64 away.
 double pits(auto terrains) {
     constexpr int side = 128;
     int count = 0;
@@ -204,8 +205,8 @@ double pits(auto terrains) {
     return count / (8 * std::pow((side - 2) / 64.0, 2));
 }
 
-// The largest curvature of gullies on planes over its root mean square: spikes could appear where waves
-// cancel.
+// The largest curvature of gullies on planes divided by its root mean square, because spikes could appear
+// where waves cancel.
 double spikes(auto terrains) {
     constexpr float step = 1.0f / 64;
     double largest = 0, square = 0;
@@ -220,7 +221,7 @@ double spikes(auto terrains) {
     return largest / std::sqrt(square / static_cast<double>(samples.size()));
 }
 
-// How much more of the slopes' power lies along the axes than along the diagonals.
+// The excess of the slopes' power along the axes over that along the diagonals.
 double axes(auto terrains) {
     double fourfold = 0, power = 0;
     for (const Sample& s : anywhere(1 << 18, 5)) {
@@ -232,8 +233,8 @@ double axes(auto terrains) {
     return fourfold / power;
 }
 
-// By how much the mean square of gullies on planes depends on where in a cell of their lattice, `cell` wide,
-// they are: (largest - least) / mean over 4 x 4 places.
+// How much the mean square of gullies on planes depends on the place in a cell of their lattice, which is
+// `cell` wide: (largest - least) / mean over 4 x 4 places.
 double cells(auto terrains, double cell) {
     std::array<double, 16> square{}, count{};
     for (const Sample& s : on_planes(1 << 18, 7)) {
@@ -254,7 +255,7 @@ double cells(auto terrains, double cell) {
     return (most - least) / mean;
 }
 
-// RMS of the slope minus finite differences of the height, relative to the RMS of the latter.
+// The RMS of the slope minus finite differences of the height, relative to the RMS of the differences.
 double slope_error(auto terrains) {
     constexpr float step = 1.0f / 2048;
     double error = 0, power = 0;
@@ -356,7 +357,7 @@ void check_tiles(Terrains<Functions> terrains) {
 
 } // namespace
 
-// An octave's rounding turns the gullies of the next.
+// The rounding in an octave turns the gullies of the next octave.
 TEST_CASE("hills and erosion agree with the reference", "[erosion][oracle]") {
     compare(Terrains<test::Lattice2>());
     compare(Terrains<test::Lattice3>());
@@ -409,14 +410,14 @@ TEST_CASE("filtering gullies keeps the mean height", "[erosion]") {
     }
 }
 
-// The pixel's filter is normal with a deviation of half its side; the last one shows only the mean.
+// The pixel's filter is normal with a deviation of half its side; the last pixel shows only the mean.
 TEST_CASE("filtered hills are close to the mean over each pixel, and keep the overall mean", "[erosion]") {
     Terrains<test::Lattice3> terrains;
     constexpr int places = 1 << 14, points = 64;
     const std::vector<Sample> middles = anywhere(places, 17);
     struct {
         float pixel;
-        double error; // root mean square, of the hills' deviation
+        double error; // root mean square, relative to the hills' deviation
     } constexpr wanted[]{{1 / 16.0f, 0.02}, {1 / 4.0f, 0.1}, {1, 0.4}, {100, 0.13}};
     for (const auto& [pixel, limit] : wanted) {
         std::mt19937 generator(19);
@@ -441,9 +442,9 @@ TEST_CASE("filtered hills are close to the mean over each pixel, and keep the ov
         }
         error = std::sqrt(error / power);
         mean = std::abs(mean) / std::sqrt(relief);
-        fmt::print(
-            "pixel {:.3f}: {:.4f} of the hills' deviation off; mean height {:.2f} % of the relief off\n",
-            pixel, error, 100 * mean);
+        fmt::print("pixel {:.3f}: off by {:.4f} of the hills' deviation; mean height off by {:.2f} % of the "
+                   "relief\n",
+                   pixel, error, 100 * mean);
         CHECK(error < limit);
         CHECK(mean < 0.01);
     }

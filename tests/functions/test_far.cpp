@@ -1,5 +1,5 @@
-// Far from the origin, compiled with fused products as by GPU compilers: they round differently, which must
-// not move a place out of its cell.
+// Tests places far from the origin with fused products, which GPU compilers also use. Their different
+// rounding must not move a place out of its cell.
 
 #include "lattice_3d.hpp"
 

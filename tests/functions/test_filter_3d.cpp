@@ -26,7 +26,7 @@ Vector cross(const Vector& a, const Vector& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// v turned around a unit axis (Rodrigues' formula).
+// Turns v around a unit axis by Rodrigues' formula.
 Vector rotated(const Vector& v, const Vector& axis, double angle) {
     const Vector aside = cross(axis, v);
     const double along = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
@@ -37,8 +37,8 @@ Vector rotated(const Vector& v, const Vector& axis, double angle) {
     return result;
 }
 
-// Sets a pixel facing `normal`, turned by an angle around it, with the given deviation along one side and
-// `ratio` times that along the other.
+// Sets a pixel that faces `normal`, turned around it by an angle, with the given deviation along one side and
+// `ratio` times that along the other side.
 void set_pixel(Sample3d& sample, const Vector& normal, double angle, double deviation, double ratio) {
     const Vector u = test::unit(cross(normal, std::abs(normal[0]) < 0.5 ? Vector{1, 0, 0} : Vector{0, 1, 0}));
     sample.dx = narrow(scaled(2 * deviation, rotated(u, normal, angle)));
@@ -83,7 +83,7 @@ class Error {
         const double value = square(found.quadrature, found.noise, exact.value);
         squares_ += value;
         largest_ = std::max(largest_, std::sqrt(value));
-        double slopes = 0; // each wave contributes 4 pi^2 F^2, the window pi^2 / 3 along each axis
+        double slopes = 0; // a wave contributes 4 pi^2 F^2, the window pi^2 / 3 along each axis
         double variance = std::pow(2 * pi * s.frequency, 2);
         for (int axis = 0; axis < 3; ++axis) {
             const auto k = static_cast<std::size_t>(axis);
@@ -144,7 +144,7 @@ struct Terms {
 
 } // namespace
 
-TEST_CASE("the filter in space errs by 1 % at most up to a third of a radius, by 2 % up to a radius",
+TEST_CASE("the filter in space errs by at most 1 % up to a third of a radius, and 2 % up to a radius",
           "[space][filter][law]") {
     test::Draw draw(41);
     fmt::print("  RMSE and largest error in percent of the deviation, RMSE of the gradient\n");
@@ -189,7 +189,7 @@ TEST_CASE("the filter in space agrees with quadrature of the noise, with periods
     }
 }
 
-TEST_CASE("functions of a position are filtered as fields are, and surface noise as its waves are",
+TEST_CASE("functions of a position are filtered like fields, and surface noise like its waves",
           "[space][oracle][filter]") {
     test::Draw draw(43);
     Differences of;
@@ -235,8 +235,9 @@ TEST_CASE("functions of a position are filtered as fields are, and surface noise
 
 TEST_CASE("isotropic noise in space and on surfaces is filtered within 2 % up to 0.3 radii",
           "[space][filter][law]") {
-    fmt::print("  RMSE and largest error in percent of the deviation, RMSE of the gradient, error of the removed "
-               "variance in 1 %\n");
+    fmt::print(
+        "  RMSE and largest error in percent of the deviation, RMSE of the gradient, error of the removed "
+        "variance in percent\n");
     for (const bool on_surface : {false, true}) {
         test::Draw draw(47);
         for (const double deviation : {0.03, 0.15}) {
@@ -281,7 +282,7 @@ TEST_CASE("the removed variance of isotropic noise is right for any pixel", "[sp
     surface.check("  on surfaces");
 }
 
-// Same method as for the filter in the plane.
+// The method is the same as for the filter in the plane.
 TEST_CASE("the noise filtered in space has no jumps in place, in size or in rotation of the pixel",
           "[space][filter]") {
     constexpr int steps = 1 << 13;

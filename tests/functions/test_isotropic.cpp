@@ -26,7 +26,7 @@ std::string to_string(const Sample& s) {
                        s.p.x, s.p.y, s.tile.x, s.tile.y, s.frequency, s.seed);
 }
 
-// The reference averaged over a pixel: a sum over a grid of four deviations each way.
+// The reference averaged over a pixel, by a sum over a grid that extends four deviations each way.
 double filtered_reference(gabor_vec2 p, const test::Pixel& pixel, float frequency, std::uint32_t seed) {
     constexpr int steps = 10;
     double sum = 0, weights = 0;

@@ -27,7 +27,7 @@ std::string to_string(const Sample& s) {
                        s.frequency, s.orientation, s.sharpness, s.seed);
 }
 
-// Draws places near the origin, in all quadrants up to 10^5 nodes, or in any cell up to 2^31. One coordinate
+// Draws a place near the origin, in any quadrant up to 10^5 nodes, or in any cell up to 2^31. One coordinate
 // in four is on or next to a cell border, where a window ends.
 Sample drawn(Draw& draw, int taps) {
     Sample s{};
@@ -54,7 +54,7 @@ void compare(Functions n) {
     int near_tiles = 0;
     for (int i = 0; i < 60000; ++i) {
         const Sample s = drawn(draw, taps);
-        // Rounding grows in proportion to frequency and orientation.
+        // Rounding errors grow in proportion to frequency and orientation.
         const double tight =
             1.5e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
         const double loose = tight * (2 * std::numbers::pi * s.frequency + 4);
@@ -70,7 +70,7 @@ void compare(Functions n) {
             n.gabor_noise_at(place_of(n, still).cell, place_of(n, still).local, kernel, s.seed),
             reference.field(still).value.imag(), tight, s);
 
-        // Functions of a position multiply it by the nodes per radius, in single precision.
+        // Functions of a position multiply the position by the nodes per radius in single precision.
         noise::LatticePlace place = test::lattice_place(taps, s.p.x * (0.5f * taps), s.p.y * (0.5f * taps));
         const auto here = reference.field(place);
         of["gabor_noise"].see(n.gabor_noise(s.p, s.frequency, s.orientation, s.seed), here.value.imag(),
@@ -103,7 +103,7 @@ void compare(Functions n) {
             n.gabor_noise_animated(s.p, s.time(), s.frequency, s.orientation, s.seed),
             reference.field(place).value.imag(), tight, s);
         // Both p in node spacings and the number of nodes per radius are rounded. Tiles are compared only
-        // where that adds little.
+        // where this adds little error.
         const noise::LatticePlace tile = test::lattice_tile(taps, s.p, s.tile);
         const double rounding = 2 * std::numbers::pi *
                                 (s.frequency + std::max(tile.radius_x, tile.radius_y)) *

@@ -24,8 +24,8 @@ double dot(const Vector& a, const Vector& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Draws places in all octants up to 10^6, or in any cell. One coordinate in four is on or next to a change of
-// nodes, one in eight next to a node.
+// Draws a place in any octant up to 10^6, or in any cell. One coordinate in four is on or next to a change of
+// nodes, and one in eight next to a node.
 Lattice3d::Place draw_place(test::Draw& draw) {
     const double reach = std::exp2(draw.uniform(0, 20));
     Lattice3d::Place place;
@@ -43,8 +43,7 @@ Lattice3d::Place draw_place(test::Draw& draw) {
     return place;
 }
 
-// Any sample at a frequency, with the place that functions of its position p see: p * 1.5 in single
-// precision.
+// Any sample at a frequency. Functions of its position p compute their place as p * 1.5 in single precision.
 struct Anywhere : Sample3d {
     Lattice3d::Place here;
 
@@ -67,7 +66,7 @@ struct Anywhere : Sample3d {
     }
 };
 
-// Waves turn by up to 2 pi F per radius, in single precision.
+// In single precision, waves turn by up to 2 pi F per radius.
 double tolerance(double frequency) {
     return 2e-5 * std::max(1.0, frequency / 4);
 }
@@ -172,7 +171,8 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
                                       sum_of(surface, s.here).value.imag(), tight, s);
         of["gabor_noise_surface_isotropic"].see(n.gabor_noise_surface_isotropic(s.p, s.normal, f, s.seed),
                                                 sum_of(surface_isotropic, s.here).value.imag(), tight, s);
-        // Tiles where a float resolves them: p rounds by 10^-6, and the wave turns by 2 pi F per radius.
+        // Tiles are compared where floats resolve them: p rounds by 10^-6, and the wave turns by 2 pi F per
+        // radius.
         const auto p = draw.uniform<gabor_vec3>(-8, 8), tile = draw.uniform<gabor_vec3>(0.5, 9);
         Lattice3d::Place repeated;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -216,7 +216,7 @@ TEST_CASE("waves of surface noise are tangent, have the requested frequency, and
     for (int i = 0; i < 20000; ++i) {
         const Vector normal = random_unit(draw);
         Vector direction = random_unit(draw);
-        if (i % 4 == 0) { // near and along the normal
+        if (i % 4 == 0) { // the direction is near or along the normal
             for (std::size_t axis = 0; axis < 3; ++axis)
                 direction[axis] = normal[axis] + (i % 8 ? 0.3 : 0.01) * direction[axis];
             const double length = std::sqrt(dot(direction, direction));
@@ -239,8 +239,8 @@ TEST_CASE("waves of surface noise are tangent, have the requested frequency, and
     CHECK(longest < 1 + 1e-9);
 }
 
-// Each vector of a random frame is uniform on the sphere: (u.v)^2k has the mean 1 / (2k + 1) for every v, and
-// the harmonics up to degree 8 vanish.
+// Each vector u of a random frame is uniform on the sphere, so (u.v)^2k has mean 1 / (2k + 1) for every v,
+// and the harmonics up to degree 8 vanish.
 TEST_CASE("the frames of isotropic noise are uniform over all directions", "[space][oracle]") {
     test::Draw draw(34);
     std::vector<Vector> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -265,7 +265,7 @@ TEST_CASE("the frames of isotropic noise are uniform over all directions", "[spa
         }
     }
     angles.check("frames");
-    test::Largest even; // in standard errors
+    test::Largest even; // differences in units of 4.5 standard errors
     for (std::size_t k = 0; k < directions.size(); ++k) {
         for (std::size_t n = 1; n < 4; ++n) { // the squares of a frame sum to 1
             const statistics::Moments& power = powers[k].at(n);
@@ -276,10 +276,10 @@ TEST_CASE("the frames of isotropic noise are uniform over all directions", "[spa
                      });
         }
     }
-    even.check("powers of cosines, in 4.5 standard errors");
+    even.check("powers of cosines, in units of 4.5 standard errors");
 }
 
-TEST_CASE("only the magnitude of a frequency and the orientation of a direction count in space", "[space]") {
+TEST_CASE("in space, only a frequency's magnitude and a direction's orientation matter", "[space]") {
     const auto noise = [](float frequency, gabor_vec3 direction) {
         return n.gabor_noise_3d({0.3f, 0.8f, 0.1f}, frequency, direction, 7);
     };

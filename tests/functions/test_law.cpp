@@ -1,5 +1,5 @@
-// The distributions of the noises of the lattice over independent instances, in the plane, in space and on
-// surfaces: normal at each place and jointly. GABOR_LAW_SAMPLES sets the number of samples per statistic.
+// Checks that the lattice's noises over independent instances, in the plane, in space and on surfaces, are
+// normal at each place and jointly. GABOR_LAW_SAMPLES sets the number of samples per statistic.
 
 #include "lattice_3d.hpp"
 #include "law.hpp"
@@ -21,7 +21,7 @@ using Vector = noise::Lattice3d::Vector;
 
 namespace {
 
-constexpr double half = 0.5, quarter = 0.25; // of the samples
+constexpr double half = 0.5, quarter = 0.25; // shares of the samples
 
 // ---- In the plane
 
@@ -101,8 +101,8 @@ void check_joint(Functions n) {
                       sum_of("noise + quadrature", sqrt2, {{0}, {1}}),
                       sum_of("d/dx", x, {{2}}),
                       sum_of("d/dy", y, {{3}}),
-                      {"phase, made normal", 1, [&](std::span<const float> a) { return normal(a[4]); }},
-                      {"intensity, made normal", 1,
+                      {"phase, mapped to normal", 1, [&](std::span<const float> a) { return normal(a[4]); }},
+                      {"intensity, mapped to normal", 1,
                        [&](std::span<const float> a) { return -normal(std::exp(-0.5 * a[5] * a[5])); }},
                       sum_of("four, first + second", sqrt2, {{6}, {7}}),
                       sum_of("four, third - fourth", sqrt2, {{8}, {9, -1}}),
@@ -139,7 +139,7 @@ void check_joint(Functions n) {
 
 test::Lattice3 n;
 
-// At an offset from the corner of any cell.
+// Returns a sample at an offset from the corner of any cell.
 Sample3d solid_sample(Draw& draw, const std::array<float, 3>& local) {
     Sample3d sample;
     sample.place.cell = {draw.cell(), draw.cell(), draw.cell()};
@@ -160,7 +160,7 @@ auto field_of(const Sample3d& s) {
     return n.gabor_field_3d(place_of(n, s), s.frequency, s.direction, s.seed);
 }
 
-// Quadrature, noise, and the noise's slopes.
+// Returns the quadrature, the noise and the noise's slopes.
 std::array<float, 5> numbers_of(const test::Lattice3::GaborField3d& field) {
     return {field.quadrature, field.noise, field.gradient.x, field.gradient.y, field.gradient.z};
 }
@@ -181,8 +181,8 @@ double covariance(const Sample3d& sample, const std::array<double, 3>& lag) {
     return product * std::cos(2 * pi * turns);
 }
 
-// Both parts of a noise (numbers 1 and 0) and the gradient's components of equal deviation are jointly
-// normal.
+// Statistics that show whether both parts of a noise (numbers 1 and 0) and the gradient's components of equal
+// deviation are jointly normal.
 std::vector<Statistic> of_isotropic(double slope, const std::vector<test::Term>& dx, test::Term dy) {
     std::vector<test::Term> both = dx, mixed = dx;
     both.push_back(dy);
@@ -267,7 +267,7 @@ TEST_CASE("surface noise on the lattice is normally distributed for every surfac
             Sample3d s = solid_sample(draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
             s.normal = {normals[k][0], normals[k][1], normals[k][2]};
             s.direction = test::narrow(test::random_unit(draw));
-            if (draw.word() % 2) // near the normal, where another direction takes over
+            if (draw.word() % 2) // near the normal, where another direction replaces this one
                 s.direction = s.normal + 0.45f * s.direction;
             const auto field =
                 isotropic ? n.gabor_surface_isotropic_3d(place_of(n, s), s.normal, s.frequency, s.seed)
@@ -278,9 +278,10 @@ TEST_CASE("surface noise on the lattice is normally distributed for every surfac
     }
 }
 
-TEST_CASE("noise on the lattice in space is jointly normal with its gradient and quadrature, pairs of places "
-          "and four noises are",
-          "[law]") {
+TEST_CASE(
+    "noise on the lattice in space is jointly normal with its gradient and quadrature, at pairs of places, "
+    "and in four noises",
+    "[law]") {
     Draw draw(41);
     for (const auto& place : {std::array{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0.0f}}) {
         const Vector wave = test::unit(solid_sample(draw, place).direction);
@@ -346,15 +347,16 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
     struct Where {
         const char* name;
         std::array<float, 3> place;
-        gabor_vec3 normal{0, 0, 0}; // of a surface
+        gabor_vec3 normal{0, 0, 0}; // normal of the surface, if any
     };
     for (const auto& [name, place, normal] :
          {Where{"in space, at a node", node}, Where{"in space, in a middle", middle},
           Where{"in space, elsewhere", other}, Where{"on a surface", other, {0.8f, 0, 0.6f}},
           Where{"at a pole", node, {0, 0, 1}}, Where{"between two frames", middle, {0.6f, 0, 0.8f}}}) {
         Draw draw(42);
-        // Variance of the derivative along any axis, or along a tangent: the waves contribute 4/3 pi^2 F^2 in
-        // space and 2 pi^2 F^2 on a surface, the windows pi^2 / 3. One tangent is x, z; one y.
+        // To the variance of the derivative along an axis or a tangent, the waves contribute 4/3 pi^2 F^2 in
+        // space and 2 pi^2 F^2 on a surface, and the windows pi^2 / 3. One tangent is in x and z, the other
+        // is y.
         const bool on_surface = normal.z != 0;
         const double slope = std::sqrt(pi * pi / 3 + pi * pi * (on_surface ? 2 : 4.0 / 3));
         const double x = on_surface ? normal.z : 1, z = on_surface ? -normal.x : 0;
@@ -370,8 +372,8 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
     }
 }
 
-// The covariance is the transform of the spectrum, of an even ring J_0(t), of an even shell sin(t) / t, with
-// t = 2 pi F |lag|, times that of the windows.
+// The covariance is that of the windows times the transform of the spectrum: J_0(t) for an even ring, and
+// sin(t) / t for an even shell, with t = 2 pi F |lag|.
 TEST_CASE("the covariance of isotropic noise is that of an even ring or shell of waves, in every direction",
           "[law]") {
     Draw draw(35);
@@ -416,11 +418,11 @@ TEST_CASE("the covariance of isotropic noise is that of an even ring or shell of
                           const auto second = n.gabor_isotropic_3d(place_of(n, moved(s, lag)), f, s.seed);
                           return std::array{first.quadrature, first.noise, second.quadrature, second.noise};
                       });
-    plane.check("in the plane, in 4.5 standard errors");
-    space.check("in space, in 4.5 standard errors");
+    plane.check("in the plane, in units of 4.5 standard errors");
+    space.check("in space, in units of 4.5 standard errors");
 }
 
-// Variances 1 of the value and sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2 of the gradient.
+// The value has variance 1, and the gradient sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2.
 TEST_CASE("noise along a map that is read at the nodes is normal at every place", "[law]") {
     Draw draw(3);
     for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, -0.4f}, {-0.5f, 0.1f}}) {

@@ -1,4 +1,4 @@
-// Stripes drawn as waves of other shapes, and filtered stripes, compared with their definitions.
+// Compares stripes drawn as waves of other shapes, and filtered stripes, with their definitions.
 
 #include "lattice.hpp"
 #include "reference/spectrum.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 test::Lattice3 n;
 
-// Sine, triangle, sawtooth, pulse and ridges at a phase, sharp, from their definitions.
+// Unfiltered sine, triangle, sawtooth, pulse and ridges at a phase, from their definitions.
 Profiles sharp(double phase, double duty) {
     const double t = phase - std::floor(phase);
     return {0.5 - 0.5 * std::cos(2 * std::numbers::pi * t), 1 - std::abs(2 * t - 1), t, t < duty ? 1.0 : 0.0,
@@ -35,7 +35,7 @@ Profiles averaged(double phase, double duty, double width) {
 
 } // namespace
 
-TEST_CASE("profiles are averages over a width, or over the phases that shortened stripes stand for",
+TEST_CASE("profiles are averages over a width, or over the phases that shortened stripes represent",
           "[profiles]") {
     Draw draw(3);
     Largest by_width, by_stripes;
@@ -65,7 +65,8 @@ TEST_CASE("profiles are averages over a width, or over the phases that shortened
     by_stripes.check("gabor_stripes_sine ...");
 }
 
-// The mean of z min(1 / |z|, sharpness) and of |z|, z = v + sqrt(removed) times normal numbers.
+// The expected values are the means of z min(1 / |z|, sharpness) and of |z|, where z is v + sqrt(removed)
+// times normal numbers.
 TEST_CASE("filtered stripes are the mean of stripes over the removed noise", "[profiles]") {
     Draw draw(3);
     test::Differences of;

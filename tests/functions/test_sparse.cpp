@@ -1,5 +1,5 @@
-// Compares every function of gabor_noise.glsl with the double-precision reference, and its distribution, one
-// value at a random place of each of many independent instances, with the normal law.
+// Compares every function of gabor_noise.glsl with the double-precision reference. Also compares the noise's
+// distribution with the normal law, using one value at a random place in each of many independent instances.
 
 #include "sparse.hpp"
 #include "statistics/gaussianity.hpp"
@@ -17,7 +17,7 @@ using test::tolerance;
 
 namespace {
 
-// For each recipe of the product.
+// Runs a check for each of the product's recipes.
 template <typename Check>
 void for_recipes(const Check& check) {
     check(test::One());
@@ -34,7 +34,8 @@ auto place_of(Functions&, const noise::Place& p) {
                                           p.time};
 }
 
-// Places in all quadrants up to 10^6, or in any cell; one coordinate in four is on or next to a cell's edge.
+// Draws a place in any quadrant up to 10^6, or in any cell; one coordinate in four is on or next to a cell's
+// edge.
 noise::Place any_place(Draw& draw, const noise::Recipe& recipe) {
     const double reach = std::exp2(draw.uniform(0, 20));
     noise::Place p = noise::place_at(recipe, 0, 0, draw.uniform(-reach, reach), draw.uniform(-reach, reach));
@@ -72,7 +73,7 @@ void compare(Functions n) {
     Draw draw(1);
     Differences of;
     for (int batch = 0; batch < 34; ++batch) {
-        // Frequencies from 0.1 to 64, evenly in octaves, with both ends and the end of the series.
+        // Frequencies cover 0.1 to 64 evenly in octaves, including both ends and the end of the series.
         const float frequency = batch == 0 ? 0.63662f : 0.1f * static_cast<float>(std::exp2(batch * 0.28281));
         const float orientation =
             batch % 4 == 0 ? static_cast<float>(batch / 4) * 0.78539816f : draw.uniform(-8, 8);
@@ -133,7 +134,7 @@ TEST_CASE("periods of the sparse noise in space and time agree with the referenc
             const float frequency = draw.uniform(1.5, 8), orientation = draw.uniform(-8, 8);
             const std::uint32_t seed = draw.word();
             const Reference reference(n.recipe, frequency, orientation, seed);
-            const double tight = 2 * tolerance(frequency); // fewer cells per radius: fewer, larger impulses
+            const double tight = 2 * tolerance(frequency); // fewer, larger impulses per radius
             // A position rounds by 10^-6, and the wave turns by 2 pi F per radius.
             const double rounded = 3e-5 * (1 + frequency);
             for (int i = 0; i < 1 << 10; ++i) {
@@ -183,7 +184,7 @@ TEST_CASE("the gradient equals differences of the reference", "[sparse][oracle]"
     for_recipes([&](const auto& n) {
         const Reference reference(n.recipe, 3, 0.7, 9);
         for (int i = 0; i < 2000; ++i) {
-            // Places exact in a float, on and across the edges of cells and windows.
+            // These places are exact in a float, on and across the edges of cells and windows.
             const auto coordinate = [&] { return std::floor(draw.uniform(-8, 8) * 256) / 256; };
             const float x = coordinate(), y = coordinate();
             const auto value = [&](float dx, float dy) {
@@ -193,7 +194,7 @@ TEST_CASE("the gradient equals differences of the reference", "[sparse][oracle]"
             const Reference::Field field = reference.field(noise::place_at(n.recipe, 0, 0, x, y));
             const double along_x = (value(h, 0) - value(-h, 0)) / (2 * h) * n.recipe.radius;
             const double along_y = (value(0, h) - value(0, -h)) / (2 * h) * n.recipe.radius;
-            // h^2 / 6 times the third derivative, (2 pi F)^3 times a few sigma.
+            // The margin is h^2 / 6 times the third derivative, which is (2 pi F)^3 times a few sigma.
             REQUIRE(field.slope_x.imag() == Approx(along_x).margin(5e-4));
             REQUIRE(field.slope_y.imag() == Approx(along_y).margin(5e-4));
         }
@@ -218,8 +219,8 @@ TEST_CASE("painted frequency and orientation leave no seam", "[sparse]") {
             return double{n.gabor_noise({static_cast<float>(x), 0.37f}, static_cast<float>(4 + std::sin(x)),
                                         static_cast<float>(std::sin(0.7 * x)), 3)};
         };
-        // The second derivative is at most (2 pi F)^2 times a few sigma; a seam would exceed that by its
-        // height.
+        // The second derivative is at most (2 pi F)^2 times a few sigma; a seam would exceed this bound by
+        // its height.
         const double bound = std::pow(2 * std::numbers::pi * 5 * step, 2) * 5;
         Largest bend;
         for (int i = 1; i < 1 << 14; ++i)
@@ -257,10 +258,10 @@ Law measure(Functions n, float frequency, int count) {
 
 } // namespace
 
-TEST_CASE("Gaussianity of the sparse noises", "[sparse][law]") {
-    // `one`, `pure`: from the characteristic function by quadrature. `paper`: 2^18 (kurtosis / 24)^2 0.1429
-    // with the exact excess kurtosis -0.0325 (Campbell's theorem with the effect of stratification, by
-    // quadrature).
+TEST_CASE("the sparse noises have the predicted Gaussianity", "[sparse][law]") {
+    // The values of `one` and `pure` come from the characteristic function by quadrature; that of `paper` is
+    // 2^18 (kurtosis / 24)^2 0.1429 with the exact excess kurtosis -0.0325, by quadrature from Campbell's
+    // theorem and the effect of stratification.
     const auto check = [](auto n, int count, double expected) {
         const Law law = measure(n, 4, count);
         const statistics::Estimate cvm = law.gaussianity.index();
@@ -277,7 +278,7 @@ TEST_CASE("Gaussianity of the sparse noises", "[sparse][law]") {
     check(test::Paper(), 1 << 24, 0.07);
 }
 
-TEST_CASE("the sparse noise has mean 0 and variance 1 with periods, in time, and of the quadrature",
+TEST_CASE("the sparse noise has mean 0 and variance 1 with periods and in time, and so has its quadrature",
           "[sparse][law]") {
     const auto check = [](const std::string& name, const auto& noise) {
         Draw draw(4);
@@ -293,11 +294,11 @@ TEST_CASE("the sparse noise has mean 0 and variance 1 with periods, in time, and
             return n.gabor_noise_tiled(p, draw.uniform<gabor_vec2>(2, 4), 3, 0.3f, draw.word());
         });
     });
-    test::Paper n; // with more phases nothing depends on the time, nor differs for the quadrature
+    test::Paper n; // with more phases, neither the time nor the quadrature matters
     for (const float frequency : {0.25f, 3.0f})
         check(fmt::format("frequency {}, animated", frequency), [&](Draw& draw, gabor_vec2 p) {
             return n.gabor_noise_animated(p, 0.13f, frequency, 0.3f, draw.word());
         });
-    check("quadrature", // a slow sine's exceeds the sine
+    check("quadrature", // the quadrature of a slow sine exceeds the sine
           [&](Draw& draw, gabor_vec2 p) { return n.gabor_noise_complex(p, 3, 0.3f, draw.word()).x; });
 }

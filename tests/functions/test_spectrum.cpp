@@ -64,7 +64,7 @@ std::string to_string(const Sample& s) {
                        s.orientation_spread, s.seed, lobes, test::to_string(s.place));
 }
 
-// One wave at any place up to `reach`.
+// Draws one wave at any place up to `reach`.
 Sample somewhere(Draw& draw, double reach, double frequency) {
     Sample s;
     s.p = draw.uniform<gabor_vec2>(-reach, reach);
@@ -74,7 +74,7 @@ Sample somewhere(Draw& draw, double reach, double frequency) {
     return s;
 }
 
-// A round, thin, diagonal or degenerate pixel with deviations from 1/256 to 2^largest.
+// Draws a round, thin, diagonal or degenerate pixel with deviations from 1/256 to 2^largest.
 Pixel any_pixel(Draw& draw, double largest) {
     const double deviation = std::exp2(draw.uniform(-8, largest));
     const double ratio = draw.one_in(3) ? 0 : std::exp2(draw.uniform(-6, 0));
@@ -86,7 +86,7 @@ Pixel any_pixel(Draw& draw, double largest) {
     return pixel;
 }
 
-// Of each wave 4 pi^2 F^2, and pi^2 / 3 of the window along each axis.
+// A wave contributes 4 pi^2 F^2, and the window pi^2 / 3 along each axis.
 double gradient_variance(double frequency, std::array<double, 2> radius) {
     return 4 * pi * pi * frequency * frequency +
            pi * pi / 3 * (std::pow(radius[0], -2) + std::pow(radius[1], -2));
@@ -99,7 +99,7 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[spectru
     Differences of;
     for (int i = 0; i < 1 << 12; ++i) {
         const float reach = std::exp2(draw.uniform(0, 8));
-        const bool most = draw.one_in(64); // more waves than count
+        const bool most = draw.one_in(64); // more waves than are used
         Sample s = somewhere(draw, reach, most ? 20 : draw.uniform(0, 6));
         for (int axis = 0; axis < 2; ++axis)
             if (draw.one_in(4))
@@ -107,13 +107,13 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[spectru
         s.orientation = draw.uniform(-8, 8);
         s.frequency_spread = draw.word() % 2 ? draw.uniform(0, most ? 1 : 0.5) : 0;
         s.orientation_spread = draw.uniform(most ? 1.4 : 0, pi / 2);
-        s.lobes.count = 6; // those beyond GABOR_LOBES are unused
+        s.lobes.count = 6; // lobes beyond GABOR_LOBES are unused
         for (auto& lobe : s.lobes.lobe)
             lobe = n.gabor_lobe_elliptical(
                 draw.uniform(0, 8), draw.uniform(-8, 8),
                 {std::exp2(draw.uniform(-1.5, 1.5)), std::exp2(draw.uniform(-1.5, 1.5))},
                 &lobe != s.lobes.lobe && draw.one_in(8) ? 0 : draw.uniform(0.1, 3));
-        // A position of 256 is rounded by 1.5e-5, in radii of 0.35 by three times that.
+        // A position near 256 is rounded by 1.5e-5, or by three times that in units of a radius of 0.35.
         const double size = std::max({1.0f, std::abs(s.p.x), std::abs(s.p.y)});
         const double tolerance = 1e-4 + 3e-6 * size * (1 + 6);
         const float f = s.frequency, o = s.orientation, df = s.frequency_spread, d = s.orientation_spread;
@@ -136,7 +136,8 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[spectru
     test::check(of, 4);
 }
 
-TEST_CASE("spreads, lobes and the filter by place: tiles, far cells and time", "[spectrum][oracle]") {
+TEST_CASE("spreads, lobes and the filter agree with the reference in tiles, far cells and time",
+          "[spectrum][oracle]") {
     Draw draw(37);
     Differences of;
     for (int i = 0; i < 1 << 10; ++i) {
@@ -199,7 +200,7 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[spectrum][oracle][
         Largest removed;
         double slope_squares = 0;
         double four_squares = 0;
-        // `variance`: of the unfiltered gradient, both components together
+        // `variance` is that of the unfiltered gradient, both components together
         noise::Field see(gabor_vec2 found, gabor_vec4 gradient, double variance, const noise::Spectrum& exact,
                          const Sample& s) {
             const noise::Field field = s.filtered_by(exact);
@@ -265,8 +266,8 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[spectrum][oracle][
                       noise::Spectrum(sum), s);
         }
     }
-    // Over twelve seeds: noises 0.14 to 0.20 %, 0.54 to 0.69 % and 0.19 to 0.36 %; gradients 0.7 to 1.3
-    // %, 1.4 to 2.1 % and 0.4 to 0.7 %.
+    // Over twelve seeds, noises have 0.14 to 0.20 %, 0.54 to 0.69 % and 0.19 to 0.36 %, and gradients 0.7 to
+    // 1.3 %, 1.4 to 2.1 % and 0.4 to 0.7 %.
     small.check("deviations up to 1/6", 0.0025, 0.015);
     small.check_four(0.0025);
     large.check("deviations up to 1/2", 0.0085, 0.024);
@@ -293,11 +294,11 @@ TEST_CASE("the filter agrees with quadrature where windows end", "[spectrum][ora
     values.check("filtered");
 }
 
-TEST_CASE("the filter errs by 1 % at most up to a third of a radius, by 2 % up to a radius",
+TEST_CASE("the filter errs by at most 1 % up to a third of a radius, and 2 % up to a radius",
           "[spectrum][filter][law]") {
     constexpr int count = 40;
     Draw draw(32);
-    fmt::print("  RMSE and largest error in 1 % of the deviation\n");
+    fmt::print("  RMSE and largest error in percent of the deviation\n");
     for (const double deviation : {0.08, 1.0 / 6, 0.354, 0.5}) {
         for (const auto& [ratio, angle] :
              {std::pair(1.0, 0.0), {0.3, pi / 8}, {0.3, 2.0}, {0.0, 0.0}, {0.0, pi / 8}, {0.0, pi / 4}}) {
@@ -324,8 +325,8 @@ TEST_CASE("the filter errs by 1 % at most up to a third of a radius, by 2 % up t
     }
 }
 
-// Along a path the filtered noise changes by about its slope times the step. On paths as dense as single
-// precision allows, what remains is rounding, or a jump.
+// Along a path, the filtered noise changes by about its slope times the step. If the path is as dense as
+// single precision allows, any other change is rounding or a jump.
 TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of the footprint",
           "[spectrum][filter]") {
     constexpr int steps = 1 << 14;
@@ -353,8 +354,8 @@ TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of t
     test::check(of, 3);
 }
 
-// With S the footprint's covariance and d the determinant of 1 + 2/3 pi^2 S, what a lobe of variance 1/12
-// along each axis keeps is d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F).
+// A lobe of variance 1/12 along each axis keeps d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F), where S is
+// the footprint's covariance and d the determinant of 1 + 2/3 pi^2 S.
 TEST_CASE("the removed variance agrees with the formula", "[spectrum][filter][oracle]") {
     Draw draw(40);
     Largest removed;
@@ -377,8 +378,8 @@ TEST_CASE("the removed variance agrees with the formula", "[spectrum][filter][or
     removed.check("removed variance");
 }
 
-// For a long thin footprint the exponent is a small difference of large products.
-TEST_CASE("the removed variance is a share for footprints of any length", "[spectrum][filter]") {
+// For a long, thin footprint, the exponent is a small difference of large products.
+TEST_CASE("the removed variance is between 0 and 1 for footprints of any length", "[spectrum][filter]") {
     Draw draw(38);
     for (int i = 0; i < 1 << 14; ++i) {
         Sample s = somewhere(draw, 0, std::exp2(draw.uniform(-3, 5)));
@@ -409,7 +410,7 @@ TEST_CASE("filtered noise has the original variance minus the removed share", "[
     }
 }
 
-// The power spectrum of Hann's window, of power 1.
+// The power spectrum of Hann's window, normalized to power 1.
 static double hann_power(double k) {
     if (std::abs(k) < 1e-9)
         return 4.0 / 3;

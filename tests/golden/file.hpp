@@ -29,16 +29,17 @@ inline std::vector<std::string> calls(const std::string& path) {
 /// Whether a call's result at a point is as small as the documentation promises for any arguments.
 inline bool is_in_range(const std::string& call, int point, float value) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
-    const int kind = std::abs(point) % 5;                       // of functions.glsl
-    const bool is_sine = has("noise_complex(s.p, s.frequency"); // its quadrature grows as the frequency falls
+    const int kind = std::abs(point) % 5;                       // the kind in functions.glsl
+    const bool is_sine = has("noise_complex(s.p, s.frequency"); // its quadrature grows at low frequency
     if (kind == 0 && has("isotropic_filtered"))                 // beyond frequency 10^6
         return true;
     if (has("gabor_footprint(s.dx, s.dy).") ||
-        (kind == 2 && (has("place") || has("stretched")))) // of tiny periods
+        (kind == 2 && (has("place") || has("stretched")))) // with tiny periods
         return true;
     const bool unlimited = has("gradient") || has("field") || has("3d(") || has("node_position") ||
                            has("gabor_er") || has("gabor_terrain") || (kind == 0 && is_sine);
-    // As integers, since compilers may assume that there is no NaN, whose bits are larger than any number's.
+    // Compares integers, since compilers may assume that there is no NaN. Its bits are larger than any
+    // number's.
     return (std::bit_cast<std::uint32_t>(value) & 0x7fffffffu) <=
            std::bit_cast<std::uint32_t>(unlimited ? std::numeric_limits<float>::max() : 200.0f);
 }
@@ -47,9 +48,9 @@ inline bool is_in_range(const std::string& call, int point, float value) {
 class Rows {
   public:
     static constexpr int points = 64;
-    static constexpr int numbers = 16; ///< in a line of the file, each a sum over every 16th point
+    static constexpr int numbers = 16; ///< per line of the file, each a sum over every 16th point
 
-    /// Starts a point: values seen until the next call belong to it.
+    /// Starts a point; values seen until the next call belong to it.
     void begin(int point) {
         point_ = point;
         call_ = 0;
@@ -63,9 +64,9 @@ class Rows {
         rows_[call_++].sums[static_cast<std::size_t>(point_ % numbers)] += weights[point_ / numbers] * value;
     }
 
-    /// Whether the file at `path` has the same calls, and sums within `tolerance`, or `far` at the last
-    /// quarter of the points, which are far from the origin; says where not. Where the environment has
-    /// GABOR_GOLDEN=write, writes the file instead and fails.
+    /// Whether the file at `path` has the same calls and the same sums within `tolerance`, or within `far`
+    /// for the last quarter of the points, which are far from the origin. Prints the differences. With
+    /// GABOR_GOLDEN=write in the environment, writes the file instead and fails.
     bool compare(const std::string& path, double tolerance, double far) const {
         const char* mode = std::getenv("GABOR_GOLDEN");
         if (mode && std::string(mode) == "write")
@@ -74,7 +75,7 @@ class Rows {
         std::string line;
         std::getline(file, line);
         if (line != version) {
-            std::printf("%s is of '%s' instead of '%s'\n", path.c_str(), line.c_str(), version);
+            std::printf("%s starts with '%s' instead of '%s'\n", path.c_str(), line.c_str(), version);
             return false;
         }
         bool same = !rows_.empty();
@@ -94,7 +95,7 @@ class Rows {
                 stream >> expected;
                 const double difference = std::abs(row.sums[i] - expected);
                 const double scaled = difference / (i < numbers * 3 / 4 ? tolerance : far);
-                same &= scaled <= 1; // not of a NaN
+                same &= scaled <= 1; // false for NaN
                 if (!(scaled <= largest)) {
                     largest = scaled;
                     where = line.substr(0, end) + ", number " + std::to_string(i);
@@ -130,7 +131,7 @@ class Rows {
             }
             file << "\n";
         }
-        std::printf("%s is written: look at its diff\n", path.c_str());
+        std::printf("wrote %s: review its diff\n", path.c_str());
         return false;
     }
 

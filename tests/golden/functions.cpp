@@ -1,7 +1,7 @@
 // Compares the results of the drop-ins' C++ translations with a file in this folder, or writes it if
-// GABOR_GOLDEN=write, and checks that results for any arguments are finite: functions FILE. A line of it is a
-// call and 16 numbers, each a sum over 4 points. `functions FIRST COUNT` writes the results at so many points
-// to stdout, as floats, call after call at each point.
+// GABOR_GOLDEN=write, and checks that results for any arguments are finite: functions FILE. A line of the
+// file has a call and 16 numbers, each a sum over 4 points. `functions FIRST COUNT` writes the results at so
+// many points to stdout, as floats, call after call at each point.
 
 #include "file.hpp"
 

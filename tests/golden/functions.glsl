@@ -1,8 +1,8 @@
-// Every public function of the drop-ins at 64 points: in C++ and GLSL, which both compile this text. Before it stand the
-// drop-ins, GOLDEN_... of the set to see, and SEE(call), which keeps what a call gives.
+// Calls every public function of the drop-ins at 64 points. Both C++ and GLSL compile this text, after the drop-ins and the
+// macros GOLDEN_..., which selects the set, and SEE(call), which records a call's result.
 //
-// One point in four is on nodes and where windows end, one in four far away. Points below 0 have any floats as
-// arguments, as far as docs/gallery.md promises finite results for them.
+// One point in four is on nodes and where windows end, and one in four is far away. Negative points have any floats as
+// arguments for which docs/gallery.md promises finite results.
 
 struct Point {
     vec2 p;
@@ -25,7 +25,7 @@ struct Point {
     uint seed;
 };
 
-// Another word for each point and k.
+// A different word for each point and k.
 uint random_word(int point, int k) {
     uint word = (uint(point) * 0x9e3779b1u + uint(k)) * 0x85ebca6bu;
     word = (word ^ (word >> 15u)) * 0x2c1b3c6du;
@@ -35,11 +35,11 @@ uint random_word(int point, int k) {
 
 // A number from low to high.
 float drawn(int point, int k, float low, float high) {
-    precise float above = (high - low) * (float(random_word(point, k) >> 8u) / 16777216.0f); // the same however it rounds
+    precise float above = (high - low) * (float(random_word(point, k) >> 8u) / 16777216.0f); // the same for any rounding
     return low + above;
 }
 
-// Any float: half random bits, half powers of two, their neighbours, zeros, infinities and NaN.
+// Any float: half of the time random bits, otherwise powers of two, their neighbours, zeros, infinities and NaN.
 float any(int point, int k) {
     uint word = random_word(point, k);
     uint edge = (word & 0xff800000u) + (word >> 8u) % 3u - 1u;
@@ -57,7 +57,7 @@ float any_within(int point, int k, float most) {
     return abs(value) <= most ? value : min(most, 1.0e30f) * drawn(point, k + 500, -1.0f, 1.0f);
 }
 
-// At integers there are nodes, and for three taps at odd ones window ends.
+// Nodes are at integers, and for three taps, windows end at odd integers.
 float coordinate(int point, int k) {
     int kind = point / 4 % 4;
     float far = drawn(point, k, -2.0e4f, 2.0e4f);
@@ -78,7 +78,7 @@ Point any_of(Point s, int i) {
     s.q = vec3(0.3f, 0.8f, 3.1f);
     s.period = vec2(4.0f, 4.0f);
     s.period_3d = vec3(4.0f, 4.0f, 4.0f);
-    int kind = i % 5; // file.hpp knows it
+    int kind = i % 5; // file.hpp uses the same kind
     if (kind == 0) {
         s.frequency = any_within(i, 100, MOST);
         s.orientation = any_within(i, 101, 3.4e38f);
@@ -112,7 +112,7 @@ Point any_of(Point s, int i) {
         s.dx = vec2(s.dx_3d.x, s.dx_3d.y);
         s.dy = vec2(s.dy_3d.x, s.dy_3d.y);
     }
-#if !defined GOLDEN_SPECTRUM // whose profiles take it for stripes
+#if !defined GOLDEN_SPECTRUM // profiles of the spectrum use the direction as stripes
     if (kind == 4) {
         s.direction = vec3(any_within(i, 122, 1.0e15f), any_within(i, 123, 1.0e15f), any_within(i, 124, 1.0e15f));
         s.normal = vec3(any_within(i, 125, 1.0e15f), any_within(i, 126, 1.0e15f), any_within(i, 127, 1.0e15f));
@@ -140,12 +140,12 @@ Point point_of(int point) {
     s.direction = vec3(drawn(i, 9, -1.0f, 1.0f), drawn(i, 10, -1.0f, 1.0f), drawn(i, 11, -1.0f, 1.0f));
     s.normal = vec3(drawn(i, 12, -0.5f, 0.5f), drawn(i, 13, -0.5f, 0.5f), drawn(i, 14, -0.5f, 0.5f));
 #if defined GOLDEN_LATTICE_3D
-    if (i % 16 == 9) // as long as it may be
+    if (i % 16 == 9) // the longest direction allowed
         s.direction = 1.0e15f * vec3(s.direction.x < 0.0f ? -1.0f : 1.0f, s.direction.y, s.direction.z);
 #endif
-    if (i % 8 == 6) // the direction nearly on the normal
+    if (i % 8 == 6) // the direction is nearly the normal
         s.normal = s.direction + 0.3f * s.normal;
-    // Pixels of all sizes and shapes; at steps of 0.18 to 0.2 the filter changes its form.
+    // Pixels have all sizes and shapes; at steps of 0.18 to 0.2, the filter changes its form.
     float size = i % 8 == 1 ? drawn(i, 15, 0.18f, 0.2f) : exp2(drawn(i, 15, -7.0f, 2.0f));
     s.dx_3d = size * vec3(drawn(i, 16, -1.0f, 1.0f), drawn(i, 17, -1.0f, 1.0f), drawn(i, 18, -1.0f, 1.0f));
     s.dy_3d = size * vec3(drawn(i, 19, -1.0f, 1.0f), drawn(i, 20, -1.0f, 1.0f), drawn(i, 21, -1.0f, 1.0f));
@@ -168,7 +168,7 @@ Point point_of(int point) {
     return of_any ? any_of(s, i) : s;
 }
 
-// What is kept of a value: a sum of its parts, derivatives brought near to 1.
+// The recorded part of a value: a sum of its components, with derivatives scaled to about 1.
 
 float kept(float v) {
     return v;
@@ -251,13 +251,13 @@ void see_all(int i) {
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
 #endif
 #if defined GOLDEN_SPECTRUM
-    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // for a lobe of another radius rounds its place
+    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // since a lobe of another radius rounds its place
     GaborLobes lobes;
-    lobes.count = 5; // of which GABOR_LOBES count
+    lobes.count = 5; // only GABOR_LOBES are used
     lobes.lobe[0] = gabor_lobe(s.frequency, s.orientation, 1.0f, 2.0f);
     lobes.lobe[1] = gabor_lobe(2.0f, 1.6f, drawn(i, 30, 0.5f, 2.0f), i % 8 == 0 ? 0.0f : 1.0f);
     lobes.lobe[2] = gabor_lobe(drawn(i, 31, 0.0f, 3.0f), s.time, 0.7f, drawn(i, 32, 0.0f, 3.0f));
-    for (int k = 0; k < 3 && i % 16 == 13; ++k) // nothing at all
+    for (int k = 0; k < 3 && i % 16 == 13; ++k) // no power at all
         lobes.lobe[k].power = 0.0f;
     GaborPlace place = gabor_place_tiled(p, s.period);
     place.animated = true;
@@ -362,7 +362,7 @@ void see_all(int i) {
 #endif
 #if defined GOLDEN_EROSION
     GaborErosion erosion = gabor_erosion();
-    if (i % 4 == 1) { // none of it as it is by default
+    if (i % 4 == 1) { // no parameter has its default
         erosion.octaves = 1 + i / 4 % 6;
         erosion.frequency = drawn(i, 34, 0.2f, 5.0f);
         erosion.strength = drawn(i, 35, 0.0f, 1.0f);

@@ -247,7 +247,7 @@ TEST_CASE("sidelobes of the lattice noise are at most -31 dB", "[lattice]") {
 
 namespace {
 
-// Numbers of mean 0 and variance 1 from a word: the amplitude's parts, and their squares.
+// Numbers with mean 0 and variance 1 from a word: the amplitude's parts and their squares.
 struct Numbers {
     double part[4];
 };

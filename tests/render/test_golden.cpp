@@ -52,7 +52,7 @@ const Set others[]{{"noise_pure", golden_noise_pure_spirv}, {"noise_paper", gold
 // The first 64 points are golden, the next 4096 have any arguments.
 constexpr std::size_t compared = 64 * 65, groups = 65 + 256, points = 64 * groups;
 
-// What each call of a set gives at each point.
+// The results of each call of a set at each point.
 class Values {
   public:
     Values(const gabor::vulkan::Device& device, const Set& set)
@@ -106,8 +106,8 @@ void check(std::span<const Set> sets) {
                 rows.see(values.calls()[call], double{values.at(call, point)});
         }
         INFO(set.name);
-        // SwiftShader's sine and arctangent are off by 2e-4. Far away the octaves of erosion round their
-        // place.
+        // SwiftShader's sine and arctangent are off by 2e-4. Far away, the octaves of erosion round their
+        // places.
         const double tolerance = device.info().name.find("SwiftShader") == std::string::npos ? 5e-5 : 5e-4;
         CHECK(rows.compare(set.file(), tolerance, set.name == std::string("erosion") ? 0.02 : tolerance));
         const std::size_t count = values.calls().size();
@@ -137,6 +137,7 @@ TEST_CASE("functions of the noise give the values of this version, and finite on
     check(core);
 }
 
-TEST_CASE("functions with other macros and of the other drop-ins do so too", "[golden]") {
+TEST_CASE("functions with other macros and of the other drop-ins give the values of this version",
+          "[golden]") {
     check(others);
 }

@@ -48,7 +48,7 @@ TEST_CASE("a Gaussian lobe is measured correctly") {
     CHECK(summary.peak->orientation == Approx(degrees < 0 ? degrees + 180 : degrees).margin(0.01));
     CHECK(summary.bandwidth ==
           Approx(2 * std::sqrt(2 * std::numbers::ln2) * sigma / lobe_side).epsilon(0.02));
-    // Two lobes, each with sum of squares 0.7^2 / (4 pi sigma^2).
+    // There are two lobes, each with the sum of squares 0.7^2 / (4 pi sigma^2).
     const double squares = 2 * 0.7 * 0.7 / (4 * std::numbers::pi * sigma * sigma);
     CHECK(summary.correlation == Approx(2 * lobe_side * std::sqrt(squares) / 1.4).epsilon(1e-4));
 }
@@ -58,12 +58,12 @@ TEST_CASE("a wide ring has its own width, though it is not Gaussian") {
         summarize(periodogram_of([](double fx, double fy) {
                       const double r = std::hypot(fx, fy);
                       const double phase = std::numbers::pi * (r - 65) / 30;
-                      // Power per annulus: one period of 1 + cos, 60 wide at its base.
+                      // The power per annulus is one period of 1 + cos, 60 wide at its base.
                       return std::abs(phase) < std::numbers::pi ? (1 + std::cos(phase)) / r : 0;
                   }),
                   lobe_side);
     CHECK(summary.bandwidth == Approx(30.0 / lobe_side).epsilon(0.015));
-    CHECK(summary.peak->frequency == Approx(65.0 / lobe_side).epsilon(0.15)); // it has no single peak
+    CHECK(summary.peak->frequency == Approx(65.0 / lobe_side).epsilon(0.15)); // the ring has no single peak
 }
 
 TEST_CASE("lobes beyond the highest frequency appear where sampling aliases them") {
