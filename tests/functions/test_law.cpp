@@ -21,7 +21,7 @@ using Vector = noise::Lattice3d::Vector;
 
 namespace {
 
-constexpr double half = 0.5, quarter = 0.25; // of the samples
+constexpr double quarter = 0.25; // of the samples
 
 // ---- In the plane
 
@@ -84,8 +84,8 @@ void check_joint(Functions n) {
     const double x = std::hypot(2 * pi * frequency * std::cos(orientation), pi / std::sqrt(3));
     const double y = std::hypot(2 * pi * frequency * std::sin(orientation), pi / std::sqrt(3));
     const auto normal = [](double u) { return statistics::normal_quantile(std::clamp(u, 1e-9, 1 - 1e-9)); };
-    Draw draw(14);
-    test::check_laws(half,
+    Draw draw(16);
+    test::check_laws(quarter,
                      [&] {
                          const gabor_vec2 p = anywhere(draw);
                          const std::uint32_t seed = draw.word();
@@ -107,7 +107,7 @@ void check_joint(Functions n) {
                       sum_of("four, first + second", sqrt2, {{6}, {7}}),
                       sum_of("four, third - fourth", sqrt2, {{8}, {9, -1}}),
                       sum_of("four, the sum", 2, {{6}, {7}, {8}, {9}})});
-    test::check_laws(half,
+    test::check_laws(quarter,
                      [&] {
                          const gabor_vec2 p = anywhere(draw), tile = draw.uniform<gabor_vec2>(0.3, 4.3);
                          const std::uint32_t seed = draw.word();
