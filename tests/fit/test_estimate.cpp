@@ -138,6 +138,8 @@ TEST_CASE("atoms of averaged samples equal their expected windowed spectra") {
     // that contribute to two samples of a window.
     const std::vector<Scale> scales = scales_of(2400, 2400);
     REQUIRE(scales.size() == 3);
+    for (const Scale& each : scales) // all frequencies of its grid, in units of the first grid's
+        CHECK(measures({each}).sum() == Approx(std::pow(2.0 * window_side / each.spacing, 2)));
     const Scale& scale = scales.back();
     REQUIRE(scale.spacing == 4);
     constexpr double triangle[8]{1 / 32.0, 3 / 32.0, 5 / 32.0, 7 / 32.0,

@@ -219,14 +219,19 @@ TEST_CASE("a place belongs to the cell given by the sum of its whole and fractio
     CHECK(local == Approx(0.85));
 }
 
-TEST_CASE("a material is drawn from where its camera stands") {
-    const Request request = request_of({{"material", "wood"}, {"view", "horizon"}});
+TEST_CASE("a plane in perspective is drawn from where its camera stands") {
+    Request request = request_of({{"material", "wood"}, {"view", "horizon"}});
     Viewport viewport = viewport_of(request, {0, 0, 150, 113});
     viewport.camera.x = {2, 0.25};
     viewport.camera.y = {-4, 0.5};
     const auto push = values_of<passes::MaterialPush>(plan(request, viewport).steps.front().push).at(0);
     CHECK(push.corner.x == 2.25f);
     CHECK(push.corner.y == -3.5f);
+    request.material = "none";
+    request.lobes = {{.radius = 2, .stretch = 3}}; // 2.25 and -3.5 are 1.6875 and -0.875 nodes
+    const auto wave = values_of<passes::PixelsWave>(plan(request, viewport).tables.at(2)).at(0);
+    CHECK(wave.camera.x == 0.6875f);
+    CHECK(wave.camera.y == 0.125f);
 }
 
 TEST_CASE("columns continue across the end of the world") {
