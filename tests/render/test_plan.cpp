@@ -11,6 +11,7 @@
 #include "passes/material_interface.h"
 #include "passes/pictures.h"
 #include "passes/pixels_interface.h"
+#include "passes/terrain_interface.h"
 
 #include <catch2/catch.hpp>
 
@@ -175,6 +176,15 @@ TEST_CASE("every parameter of terrain changes its plan") {
             CHECK((a.tables != b.tables || a.steps.front().push != b.steps.front().push));
         }
     }
+}
+
+TEST_CASE("a landscape is seen from as far, whether it is wide or tall") {
+    const auto distance = [](const char* width, const char* height) {
+        const Request request = request_of({{"view", "landscape"}, {"width", width}, {"height", height}});
+        return values_of<passes::TerrainPush>(whole(request).steps.front().push).at(0).distance;
+    };
+    CHECK(distance("300", "200") == distance("200", "300"));
+    CHECK(distance("300", "200") > distance("200", "200"));
 }
 
 TEST_CASE("a region has the columns of the whole") {
