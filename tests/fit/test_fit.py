@@ -259,7 +259,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.fit("grey.jpg", "--lobes", "2")
         self.assertIn("grey", self.said)
         (self.folder / "fit.json").unlink()
-        self.assert_refused(["cmyk.jpg", "CMYK", "grey or RGB"], "fit", "cmyk.jpg", "-o", "fit.json")
+        self.assert_refused(["cmyk.jpg", "CMYK", "only grey and RGB"], "fit", "cmyk.jpg", "-o", "fit.json")
         self.assert_refused(["cut.jpg"], "fit", "cut.jpg", "-o", "fit.json")
 
     def assert_same_colours(self, found, expected, most):
@@ -360,8 +360,8 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         values = colour_noise(160).astype("f4")
         values[100, 50, 2] = np.nan
         write_exr(self.folder / "nan.exr", {name: values[..., c] for c, name in enumerate("RGB")})
-        for words, image in ((["small.png", "96 x 96", "128 x 128"], "small.png"), (["constant.png", "constant"], "constant.png"),
-                             (["trend.png", "constant"], "trend.png"), (["cut.png"], "cut.png"),
+        for words, image in ((["small.png", "96 x 96", "128 x 128"], "small.png"), (["constant.png", "no texture"], "constant.png"),
+                             (["trend.png", "no texture"], "trend.png"), (["cut.png"], "cut.png"),
                              (["video.mp4", "PNG, JPEG, TGA or OpenEXR"], "video.mp4"),
                              (["folder", "not a regular file"], "folder"), (["nan.exr", "not finite"], "nan.exr"), (["none.png", "No such file"], "none.png")):
             self.assert_refused(words, "fit", image, "-o", "fit.json")
