@@ -77,8 +77,8 @@ class Refused(JoinTest):
             regions = self.regions(windows)
             for i, window in enumerate(windows):
                 corner = ",".join(window.split(",")[:2])
-                self.refuse([f"no region has the pixel {corner};"], *regions[:i], *regions[i + 1:])
-        self.refuse(["no region has the pixel 94,74;"], *self.regions(["0,0,96,74", "0,74,94,1"]))
+                self.refuse([f"no region contains the pixel {corner};"], *regions[:i], *regions[i + 1:])
+        self.refuse(["no region contains the pixel 94,74;"], *self.regions(["0,0,96,74", "0,74,94,1"]))
 
     def test_overlaps(self):
         for windows in (["0,0,96,32", "0,31,96,44"], [*TILES, "60,40,1,1"], [*STRIPS, STRIPS[1]],

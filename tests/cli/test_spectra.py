@@ -181,7 +181,7 @@ class Spectra(SpectraTest):
             (["radius 0 of a lobe", "0.01 to 100", "kernel radii"],
              ["--lobes", self.write_lobes([{"radius": 0}], "pointlike.json")]),
             (["values", "recipe", "a lattice recipe"], ["--values=3", "--recipe=paper"]),
-            (["filter", "recipe", "the recipe lattice"], ["--filter", "--recipe=lattice-4"]),
+            (["filter", "recipe", "the lattice recipe"], ["--filter", "--recipe=lattice-4"]),
             (["--orientation-spread", "90"], ["--orientation-spread=91"]),
             (["--frequency-spread", "1"], ["--frequency-spread=1.5"]),
             (["'sideways'", "flat", "horizon"], ["--view=sideways"]),

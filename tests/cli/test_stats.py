@@ -94,7 +94,7 @@ class Rendered(StatsTest):
                 self.assertEqual(self.succeed("stats", *regions, "--json=-", "--channel", channel), whole)
                 self.assertEqual(self.succeed("stats", *regions, "--channel", channel),
                                  text.replace("whole.exr", "3 regions"))
-                self.assert_refused(["no region has the pixel"], "stats", *regions[:-1])
+                self.assert_refused(["no region contains the pixel"], "stats", *regions[:-1])
             self.assert_refused(["0.exr", "takes another file"], "stats", *regions, "--json=0.exr")
 
     def test_every_compression_gives_the_same_numbers(self):
@@ -227,7 +227,7 @@ class Laws(StatsTest):
         least = self.stats()["smallest_cvm"]
         self.assertGreater(least, 0.5)
         side = 2 ** int(np.ceil(np.log2(512 * np.sqrt(least / 0.5))))  # the smallest cvm falls with the number of pixels
-        self.assertIn(f"too small to test its distribution; render {side} x {side} for that", self.succeed("stats", "in.exr"))
+        self.assertIn(f"too small to test its distribution; render at least {side} x {side} pixels", self.succeed("stats", "in.exr"))
         self.render("--frequency=1", scale=3, size="1024x1024")
         self.assertLess(self.stats()["smallest_cvm"], 0.5)
         self.assertNotIn("too small", self.succeed("stats", "in.exr"))
