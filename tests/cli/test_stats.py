@@ -95,7 +95,7 @@ class Rendered(StatsTest):
                 self.assertEqual(self.succeed("stats", *regions, "--channel", channel),
                                  text.replace("whole.exr", "3 regions"))
                 self.assert_refused(["no region contains the pixel"], "stats", *regions[:-1])
-            self.assert_refused(["0.exr", "takes another file"], "stats", *regions, "--json=0.exr")
+            self.assert_refused(["0.exr", "give another file"], "stats", *regions, "--json=0.exr")
 
     def test_every_compression_gives_the_same_numbers(self):
         self.render("--size=300x200")

@@ -104,13 +104,13 @@ class Joined(TextureTest):
     def test_wrong_levels(self):
         regions = self.levels(32, 16, [*NOISE, "--scale=8"], strips=2)
         join = "join", "--texture", "-o", "new.exr"
-        self.assert_refused(["no region is of level 2, 8 x 4 pixels"], *join, *(r for r in regions if "level2" not in r))
+        self.assert_refused(["no region of level 2 (8 x 4 pixels)"], *join, *(r for r in regions if "level2" not in r))
         self.assert_refused(["no region contains the pixel 0,8"], *join, *regions[:1], *regions[2:])
         self.succeed("render", "--size=32x16", "--level=1", *NOISE, "--scale=8", "--time=0.3", "-o", "other.exr")
         self.assert_refused(["'other.exr' is not level 1 of 'level0.0.exr'"], *join,
                             *(r for r in regions if "level1" not in r), "other.exr")
         self.succeed("render", "--size=64x16", "--level=3", *NOISE, "--scale=8", "-o", "other.exr")
-        self.assert_refused(["'other.exr' is no level of 'level0.0.exr'"], *join, *regions, "other.exr")
+        self.assert_refused(["'other.exr' is not a level of 'level0.0.exr'"], *join, *regions, "other.exr")
         self.succeed("render", "--size=32x16", *NOISE, "--scale=8", "-o", "sharp.exr")
         self.assert_refused(["'sharp.exr' is not filtered"], *join, "sharp.exr")
         self.assert_refused(["--half"], "join", "--half", "-o", "new.exr", *regions)
