@@ -16,7 +16,7 @@ namespace gabor::test {
 /// larger than any number, and stays.
 class Largest {
   public:
-    /// `place` is a string, a function that makes one, or has a function to_string.
+    /// `place` is a string, a function that returns one, or an object for which to_string is defined.
     template <typename Place>
     void see(double value, double expected, double tolerance, const Place& place) {
         ++points_;

@@ -91,7 +91,7 @@ std::string colour_function(const std::string& name, const Colour& colour) {
         return vector([&](std::size_t i) { return colour.mixing[i][c]; });
     };
     return fmt::format(
-        R"(vec3 {name}_colour(vec3 z, vec3 v) {{ // the histogram of normal components, of whose variance a filter removed v
+        R"(vec3 {name}_colour(vec3 z, vec3 v) {{ // maps normal components to the histogram; v: the variance that a filter removed
     z = clamp(z, -4.0, 4.0);
     vec3 s = z * z, c = {c0} + {c2} * (s + v) + {c4} * (s * (s + 6.0 * v) + 3.0 * v * v)
            + z * ({c1} + {c3} * (s + 3.0 * v) + {c5} * (s * (s + 10.0 * v) + 15.0 * v * v));

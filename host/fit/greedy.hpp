@@ -28,7 +28,7 @@ class Search {
 
     Axis x_;
     Axis y_;
-    Eigen::MatrixXf square_; ///< of the atom at each pair of them
+    Eigen::MatrixXf square_; ///< squared norm of each atom: a row for each of y_, a column for each of x_
 };
 
 } // namespace gabor::fit

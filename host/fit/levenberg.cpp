@@ -271,7 +271,8 @@ Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves) {
     return subtract(target, waves, parts_of(waves, target.scales, false, target.weight), 1);
 }
 
-// With the products C of residual and atom, weights W gain most where W is C's first eigenvector.
+// With C the matrix of products of the residual and the new wave, the weights that gain most are C's
+// eigenvector with the largest eigenvalue.
 Gain gain(const TargetSpectra& target, const Residual& left, const Eigen::Vector2d& frequency,
           const Eigen::Vector2d& radius) {
     const Parts parts = parts_of({{frequency, radius, {}}}, target.scales, false, target.weight);

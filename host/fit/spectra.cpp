@@ -270,7 +270,7 @@ class SpectraEstimate::Welch {
             segments_.add_row(padded_);
     }
 
-    /// The channels of each sample, and whether it is seen.
+    /// Adds the next row: for each sample its channels, then whether it is seen.
     void add_row(std::span<const float> row) {
         std::ranges::copy(row, padded_.begin() + margin_ * (channels_ + 1));
         add_padded();

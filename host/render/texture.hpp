@@ -15,8 +15,8 @@ struct TextureFormat {
     bool half = false; ///< 16-bit floats
 };
 
-/// Throws RequestError unless `region` can be a texture: in the flat view, with sides that are powers of two
-/// and divide its corner and the picture's sides.
+/// Throws RequestError unless `region` can be a texture: the view must be flat, the sides powers of two, and
+/// the region one of the equal tiles that make up the picture.
 void check_texture(const Request& request, const image::Rect& region);
 
 /// The number of levels that are drawn, down to a single row or column; smaller ones are averages.

@@ -48,7 +48,8 @@ Photograph read_photograph(const std::string& path, const fit::Advance& advance)
     return photograph;
 }
 
-// Makes a GLSL name from the file's name, to which more words may be appended: GLSL reserves two underscores.
+// Makes a GLSL name from the file's name, without two underscores in a row, which GLSL reserves, and with
+// none at the end, so that more words can be appended.
 std::string glsl_name(const std::string& path) {
     std::string name = "texture";
     bool apart = true;

@@ -141,9 +141,8 @@ constexpr const char* export_tips[]{
     "An EXR of 32-bit floats with its parameters in the header",
     "NAME.0001.exr and so on: the frames of one period, which loops",
     "A mip-mapped, tiled EXR for renderers, with each level filtered. Sides must be powers of two.",
-    "A folder of images for other programs: base colour, normal and height, and of a material also "
-    "roughness, "
-    "metalness, occlusion, an EXR of all, a MaterialX document and a glTF scene"};
+    "A folder of images for other programs: base colour, normal and height; for a material, also roughness, "
+    "metalness, occlusion, an EXR with all of them, a MaterialX document and a glTF scene"};
 
 } // namespace
 

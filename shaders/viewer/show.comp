@@ -11,7 +11,7 @@ layout(std430, set = 0, binding = 0) readonly buffer Values { float values[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[]; };
 
 float value_at(vec2 pixel, int channel) {
-    ivec2 at = max(ivec2(floor(pixel)) - ivec2(0, first_row - 1), ivec2(0)); // after a row of the previous band
+    ivec2 at = max(ivec2(floor(pixel)) - ivec2(0, first_row - 1), ivec2(0)); // the buffer starts with the last row of the previous band
     return values[(at.y * grid.x + at.x) * channels + channel];
 }
 

@@ -311,7 +311,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         write_png(self.folder / "lit.png", even * light, bits=16)
         write_png(self.folder / "added.png", even + 0.2 * light, bits=16)
         expected = self.fit("even.png", "--lobes", "4")["colour"]
-        # A normal texture that light of 0.4 to 1.6 multiplies has 1.06 times the deviation, and an excess kurtosis of 1.2.
+        # Light from 0.4 to 1.6 raises the deviation of a normal texture by a factor of 1.06, and its excess kurtosis to 1.2.
         for name in ("lit", "added"):
             found = self.fit(f"{name}.png", "--lobes", "4")["colour"]
             self.assertLess(abs(found["mixing"][0][0] / expected["mixing"][0][0] - 1), 0.02, name)

@@ -205,8 +205,8 @@ double pits(auto terrains) {
     return count / (8 * std::pow((side - 2) / 64.0, 2));
 }
 
-// The largest curvature of gullies on planes divided by its root mean square, because spikes could appear
-// where waves cancel.
+// The ratio of the largest curvature of gullies on planes to its root mean square. It shows spikes, which
+// could appear where waves cancel.
 double spikes(auto terrains) {
     constexpr float step = 1.0f / 64;
     double largest = 0, square = 0;

@@ -43,7 +43,8 @@ Lattice3d::Place draw_place(test::Draw& draw) {
     return place;
 }
 
-// Any sample at a frequency. Functions of its position p compute their place as p * 1.5 in single precision.
+// A random sample with a given frequency. Functions of its position p compute their place as p * 1.5 in
+// single precision.
 struct Anywhere : Sample3d {
     Lattice3d::Place here;
 

@@ -7,7 +7,7 @@ import random
 import time
 import unittest
 
-from viewer import ViewerTest  # noqa: I001 (it finds the next one)
+from viewer import ViewerTest  # noqa: I001 (first: it adds the folder of the next one to sys.path)
 from atomic import can_hide_files, check_files, prepare
 
 PRESET = {"width": 2200, "height": 2200} # two bands
