@@ -81,7 +81,7 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     const Eigen::VectorXd scales = component_scales(exemplar);
     const Spectra spectra = exemplar.spectra.mapped(scales.asDiagonal());
     // So wide that the texture can be tiled at the picture's size.
-    TargetSpectra target(spectra, std::min(exemplar.width, exemplar.height) / 2.0);
+    const TargetSpectra target(spectra, std::min(exemplar.width, exemplar.height) / 2.0);
     const auto unscaled = [&](std::vector<Wave> of) {
         for (Wave& wave : of)
             wave.weight = scales.cwiseInverse().asDiagonal() * wave.weight;
@@ -100,10 +100,6 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     refine(target, waves, FreeParameters::all, 30);
     exchange_lobes(target, search, waves, advance);
     refine(target, waves, FreeParameters::all, 100);
-    if (!is_chance(compare(exemplar, unscaled(waves)), exemplar)) {
-        target.reweigh(waves);
-        refine(target, waves, FreeParameters::all, 10);
-    }
     waves = unscaled(std::move(waves));
     const auto power = [&](const Wave& wave) { return (exemplar.components * wave.weight).squaredNorm(); };
     std::ranges::sort(waves, std::greater(), power);

@@ -19,7 +19,6 @@ using Eigen::Index;
 
 constexpr double root_2 = std::numbers::sqrt2;
 constexpr double largest_stretch = 99; // of the 100 that presets take
-constexpr double softness = 0.1;       // of reweighing, in mean errors
 // For each wave: its atom, and the derivatives by both frequencies and by the logarithms of both radii.
 constexpr int functions = 5;
 
@@ -251,20 +250,6 @@ TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
     Index column = 0;
     for (const auto& [c, d] : real_pairs(channels))
         real.col(column++) *= c == d ? 1 : root_2;
-}
-
-void TargetSpectra::reweigh(const std::vector<Wave>& waves) {
-    const Residual left = residual(*this, waves);
-    Eigen::ArrayXd importance = measures(*scales);
-    for (const Scale& scale : *scales)
-        importance.segment(scale.begin, std::ssize(scale.frequencies)) *= scale.confidence;
-    const Eigen::ArrayXd error =
-        (left.real.rowwise().squaredNorm() + left.imaginary.rowwise().squaredNorm()).array().sqrt() / weight;
-    const double mean = (importance * error).sum() / importance.sum();
-    const Eigen::ArrayXd change = (importance / (error + softness * mean)).sqrt() / weight;
-    real.array().colwise() *= change;
-    imaginary.array().colwise() *= change;
-    weight *= change;
 }
 
 Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves) {

@@ -30,11 +30,6 @@ struct TargetSpectra {
     double largest_radius; ///< allowed for waves
 
     TargetSpectra(const Spectra& spectra, double largest_radius);
-
-    /// Weighs each frequency by the error that `waves` leave there, so that the next squares are nearly
-    /// absolute values (iteratively reweighted least squares): many small errors count instead of few large
-    /// ones.
-    void reweigh(const std::vector<Wave>& waves);
 };
 
 /// The residual: the target minus the waves.

@@ -40,7 +40,7 @@ float drawn(int point, int k, float low, float high) {
 }
 
 // Any float: half of the time random bits, otherwise powers of two, their neighbours, zeros, infinities and NaN.
-float any(int point, int k) {
+float any_number(int point, int k) {
     uint word = random_word(point, k);
     uint edge = (word & 0xff800000u) + (word >> 8u) % 3u - 1u;
     uint bits = word % 2u == 0u ? random_word(point, k + 1000) : edge;
@@ -53,7 +53,7 @@ float any(int point, int k) {
 
 // Any float within [-most, most].
 float any_within(int point, int k, float most) {
-    float value = any(point, k);
+    float value = any_number(point, k);
     return abs(value) <= most ? value : min(most, 1.0e30f) * drawn(point, k + 500, -1.0f, 1.0f);
 }
 
@@ -106,8 +106,8 @@ Point any_of(Point s, int i) {
         s.dx_3d = vec3(any_within(i, 116, 1.0e15f), any_within(i, 117, 1.0e15f), 0.0f);
         s.dy_3d = vec3(any_within(i, 119, 1.0e15f), any_within(i, 120, 1.0e15f), 0.0f);
 #else
-        s.dx_3d = vec3(any(i, 116), any(i, 117), any(i, 118));
-        s.dy_3d = vec3(any(i, 119), any(i, 120), any(i, 121));
+        s.dx_3d = vec3(any_number(i, 116), any_number(i, 117), any_number(i, 118));
+        s.dy_3d = vec3(any_number(i, 119), any_number(i, 120), any_number(i, 121));
 #endif
         s.dx = vec2(s.dx_3d.x, s.dx_3d.y);
         s.dy = vec2(s.dy_3d.x, s.dy_3d.y);

@@ -92,7 +92,8 @@ double sensitivity(const std::string& call, std::size_t point) {
         return 1000;
     if (has("gabor_er") && point / 4 % 4 == 3) // far away its octaves round their place
         return 400;
-    return has("phasor") ? 4 : 1; // the phase of small numbers
+    // the phase of small numbers, and sums of many waves
+    return has("phasor") || has("SPREAD") ? 4 : 1;
 }
 
 void check(std::span<const Set> sets) {
