@@ -31,8 +31,7 @@ std::pair<std::int32_t, double> cell_at(const Coordinate& coordinate, double cel
 
 Axis axis_along(const Request& request, int side, double radius) {
     const double cells = double{drawing_recipe(request).radius};
-    const Plane* plane = std::get_if<Plane>(&request.view);
-    if (!plane || !plane->tileable)
+    if (!is_tiled(request))
         return {cells, 0};
     const double scale = request.scale * radius;
     const double period = std::floor(side / scale * cells);

@@ -46,8 +46,7 @@ Constants constants_of(const Request& request) {
     constants[passes::values_id] = static_cast<std::uint32_t>(request.values);
     constants[passes::animated_id] = wrapped_time(request) != 0;
     constants[passes::coloured_id] = request.colour.has_value();
-    const Plane* plane = std::get_if<Plane>(&request.view);
-    constants[passes::tiled_id] = plane && plane->tileable;
+    constants[passes::tiled_id] = is_tiled(request);
     return constants;
 }
 
@@ -318,8 +317,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     Constants constants{};
     constants[passes::filter_id] = request.filter;
     constants[passes::view_id] = view_constant(request.view);
-    const Plane* plane = std::get_if<Plane>(&request.view);
-    constants[passes::tiled_id] = plane && plane->tileable;
+    constants[passes::tiled_id] = is_tiled(request);
     plan.tables = {bytes_of(material_parameters(request))};
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');

@@ -13,6 +13,11 @@ bool is_flat(const View& view) {
            (terrain && !terrain->perspective);
 }
 
+bool is_tiled(const Request& request) {
+    const Plane* plane = std::get_if<Plane>(&request.view);
+    return plane && plane->tileable;
+}
+
 bool in_perspective(const Request& request) {
     return std::holds_alternative<Horizon>(request.view);
 }

@@ -114,6 +114,9 @@ struct Request {
 /// Tells whether a view shows a plane from above.
 bool is_flat(const View& view);
 
+/// Tells whether the picture is a plane whose opposite edges match.
+bool is_tiled(const Request& request);
+
 /// Tells whether the view is a horizon.
 bool in_perspective(const Request& request);
 
