@@ -35,7 +35,7 @@ struct GaborErosion {
     float ridge_rounding;  // width of rounded ridges, in radians of the first octave's phase, 0 for sharp ones
     float crease_rounding; // the same for creases
     float gully_weight;    // depth of gullies, relative to that of peaks and valleys
-    float branching;       // how much gullies turn finer ones: 0 keeps these parallel, 1 uses the gullies' full slope
+    float branching;       // how much gullies turn finer ones: 0 not at all, 1 by their full slope
 };
 
 // GaborErosion gabor_erosion()
@@ -47,8 +47,8 @@ struct GaborErosion {
 // GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed)
 //     Adds gullies and ridges to the base at p. base.ridge says what flat places of the base are: -1 for valleys, 1 for
 //     peaks. The height is continuous where the base and its slope are, and the result can be eroded again. The
-//     returned slope ignores how gullies turn and fade, and follows only their phase: its rms error is 0.63 of the rms
-//     slope.
+//     returned slope ignores how gullies turn and fade, and follows only their phase: its rms error is 0.63 times the
+//     rms slope.
 
 // GaborTerrain gabor_terrain_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
@@ -117,10 +117,11 @@ void gabor_impl_add_hills(inout GaborField sum, uvec4 words, vec4 x, vec4 slope_
     sum.slope_y += slope_y * row;
 }
 
-// Wide hills plus small ones along the contours of a second noise, which are higher in high places. The noises are
-// random amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. Along each axis, the
-// squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a filter with a
-// deviation of half a pixel multiplies a noise by `kept`, and the lost variance lowers the mean of the sine.
+// Wide hills, plus small ones along the contours of a second noise; the higher the wide hills, the higher the small
+// ones. The noises are random amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. Along
+// each axis, the squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a
+// filter with a deviation of half a pixel multiplies a noise by `kept`, and the lost variance lowers the mean of the
+// sine.
 GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed) {
     GaborPlace place = gabor_impl_ground(ground, 1.0);
     vec2 zero = floor(place.local);
@@ -146,7 +147,7 @@ GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed) {
     return GaborTerrain(0.33 * height, slope, height * inversesqrt(1.0 + height * height));
 }
 
-// A mask that rises from 0 to 1 at t = 1 and stays there, with a straight or rounded start.
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
 float gabor_impl_mask(float t, float rounding) {
     float s = 1.0 - min(t < rounding ? 0.5 * t * t / rounding : t - 0.5 * rounding, 1.0);
     return 1.0 - s * s;
@@ -155,8 +156,8 @@ float gabor_impl_mask(float t, float rounding) {
 // Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
-// ridges and in creases. The sides of a gully turn finer gullies by a constant slope, which jumps where the mask of
-// these is 0. If a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of
+// ridges and in creases. The sides of a gully turn finer gullies by a constant slope, which jumps where the mask of the
+// finer ones is 0. If a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of
 // |sin(phase)|.
 GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     GaborTerrain terrain = base;

@@ -90,7 +90,7 @@ struct GaborPlace3d {
 struct GaborField3d {
     float noise;
     vec3 gradient;
-    float quadrature; // quadrature, in isotropic noise independent of the noise at each place but not of its gradient
+    float quadrature; // in isotropic noise, independent of the noise at each place, but not of its gradient
     vec3 quadrature_gradient;
     float removed; // the share of the variance that the average over the pixel removed
 };
@@ -113,7 +113,7 @@ GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local) {
     return GaborPlace3d(cell, local, vec3(GABOR_RADIUS), ivec3(0), false, 0.0, false, vec3(0.0), vec3(0.0));
 }
 
-// A vector scaled to length 1 if its length is 10^-15 to 10^15; shorter ones fall to 0.
+// Scales a vector to length 1 if its length is 10^-15 to 10^15. Shorter ones approach 0.
 vec3 gabor_impl_unit(vec3 v) {
     v = clamp(v, -1.0e15, 1.0e15);
     return v * inversesqrt(max(dot(v, v), 1.0e-30));
@@ -127,8 +127,8 @@ vec3 gabor_impl_unit(vec3 v) {
 // The variance is 1 at every place for any wave vector F. So F may follow a surface, which shows the requested
 // frequency and no trace of the lattice.
 
-// Adds slice k of nodes. `sum` gets the noise and, in zw, derivatives of windows along x; `slopes` gets those along y
-// and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative from the windows along x; `slopes`
+// receives those along y and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
 void gabor_impl_add_slice(inout vec4 sum, inout vec4 slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
                           int k, vec3 mixed) {
     for (int j = 0; j < 3; ++j)
@@ -169,7 +169,7 @@ GaborField3d gabor_impl_sum_3d(GaborPlace3d place, vec3 wave, GaborMatrix pixel,
                         sum.x, vec3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
 
-// Adds a field times an amplitude. A kernel radius is `stretch` of the field's units of length.
+// Adds a field times an amplitude. A kernel radius is `stretch` times the field's unit of length.
 void gabor_impl_accumulate_3d(inout GaborField3d sum, GaborField3d field, float amplitude, vec3 stretch) {
     sum.noise += amplitude * field.noise;
     sum.gradient += amplitude * stretch * field.gradient;
@@ -194,7 +194,7 @@ GaborPixelAxes gabor_impl_pixel(GaborPlace3d place, vec3 stretch) {
     return GaborPixelAxes(turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx);
 }
 
-// The same with each axis shortened to at most `most`.
+// Shortens each axis to at most `most`.
 GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
     return GaborPixelAxes(most * inversesqrt(max(dot(pixel.major, pixel.major), most * most)) * pixel.major,
                       most * inversesqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor);
@@ -228,7 +228,7 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction,
         GaborPixelAxes whole = gabor_impl_pixel(place, stretch), resolved = gabor_impl_resolved(whole, 1.0);
         transmitted = gabor_impl_transmitted_3d(wave, whole);
         amplitude = sqrt(transmitted / gabor_impl_transmitted_3d(wave, resolved));
-        if (!(transmitted > 1.0e-10)) transmitted = 0.0; // or not a number
+        if (!(transmitted > 1.0e-10)) transmitted = 0.0; // also if it is NaN
         pixel = gabor_impl_covariance(resolved);
         vec3 variance = pixel.diagonal;
         wide = clamp(100.0 * sqrt(max(max(variance.x, variance.y), variance.z)) - 9.0, 0.0, 1.0);
@@ -248,7 +248,7 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction,
     return sum;
 }
 
-// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
+// Adds the one of two independent noises that replaces the other as x goes from 0 to 1.
 void gabor_impl_add_term(inout GaborField3d sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
     gabor_impl_accumulate_3d(sum, term, sqrt(power), vec3(1.0));
@@ -280,8 +280,8 @@ GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, 
 // directions. On a surface there are two tangent vectors, and the same holds for the value and its derivatives along
 // the surface.
 
-// Adds a wave of the node with these axes (see gabor_impl_node). `wave` is the wave vector and, in w, the turns from
-// the node to the point. The filter (see gabor_spectrum.glsl) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
+// Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
+// node to the point. The filter (see gabor_spectrum.glsl) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
 // window along each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
 void gabor_impl_add_wave(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, vec4 wave, GaborPlace3d place,
                          GaborMatrix pixel, uint word) {
@@ -292,7 +292,7 @@ void gabor_impl_add_wave(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, vec4 wa
     if (place.filtered) {
         vec3 s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
         a *= exp(-max(dot(wave.xyz, s), 0.0));
-        s = clamp(s, -3.0, 3.0); // allows any wave that the filter keeps
+        s = clamp(s, -3.0, 3.0); // changes no wave that the filter keeps
         vec3 r = s * s, even = 1.0 + r * (0.5 + 0.041666667 * r);
         vec3 odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r));
         float mixed = dot(pixel.mixed, sine.yzx * sine.zxy * h);
@@ -317,9 +317,9 @@ struct GaborTangents {
     vec3 across;
 };
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the frame. A wave
-// along -u is also one along u, so half a turn is enough for the first vector along a surface. In space that vector
-// also rises, and a quarter of a turn around it is enough for the other two.
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
+// along -u is also one along u, so on a surface, turning the first vector by up to half a turn reaches every direction.
+// In space that vector also rises, and a quarter of a turn around it is enough for the other two.
 void gabor_impl_add_node(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, GaborPlace3d place, GaborMatrix pixel,
                          vec3 scale, GaborTangents tangents, uint column, uvec4 row) {
     uint word = column * row.w;
@@ -421,7 +421,7 @@ GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTang
         transmitted = gabor_impl_transmitted_isotropic(frequency, whole, tangents);
         amplitude *= sqrt(transmitted / gabor_impl_transmitted_isotropic(frequency, resolved, tangents));
         pixel = gabor_impl_covariance(GaborPixelAxes(resolved.major * stretch, resolved.minor * stretch));
-        if (!(transmitted > 1.0e-10)) transmitted = 0.0; // or not a number
+        if (!(transmitted > 1.0e-10)) transmitted = 0.0; // also if it is NaN
     }
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 1.0 - transmitted);
     if (transmitted > 0.0)

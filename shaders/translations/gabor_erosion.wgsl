@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any slope: for WGSL.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: f5fbe4693d8ee453
+// Digest of the GLSL and of this file: b1ce8b83c2735ba6
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -46,8 +46,8 @@ fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
 
 // Adds gullies and ridges to the base at p. base.ridge says what flat places of the base are: -1 for valleys, 1 for
 // peaks. The height is continuous where the base and its slope are, and the result can be eroded again. The
-// returned slope ignores how gullies turn and fade, and follows only their phase: its rms error is 0.63 of the rms
-// slope.
+// returned slope ignores how gullies turn and fade, and follows only their phase: its rms error is 0.63 times the
+// rms slope.
 fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e8 = gabor_eroded_filtered(p, vec2(0f), vec2(0f), base, erosion, seed);
     return _e8;
@@ -459,7 +459,7 @@ fn gabor_impl_add_hills(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec
     return;
 }
 
-// A mask that rises from 0 to 1 at t = 1 and stays there, with a straight or rounded start.
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
 fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
     var local_13: f32;
     var s_3: f32;

@@ -1,12 +1,13 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
 //
 // Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 32f43d2447be1897
+// Digest of the GLSL and of this file: 4f698e922867e147
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Values are normal up to three standard deviations. Beyond 3.5, they are 13 % too rare overall, and 56 % at a node.
+// Values are normal up to three standard deviations. Values beyond 3.5 are 13 % too rare overall, and 56 % too rare at
+// a node.
 //
 // Arguments of all functions:
 //     p            position in kernel radii: a wave fades out within one radius of its node. |p| < 2^31 / GABOR_RADIUS,
@@ -16,8 +17,8 @@
 //                  each radian at frequency 4.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis, instead of frequency and
 //                  orientation. Use it for direction maps; (0, 0) gives noise of frequency 0.
-//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Below 2 it narrows
-//                  the windows; above, it stretches them by at most a sixth.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Periods
+//                  below 2 narrow the windows; longer ones stretch them by at most a sixth.
 //     seed         any; different seeds give independent noises
 // Frequency, orientation and wave may vary with p. The noise is continuous wherever they are; gabor_direction.wgsl
 // keeps stripes whole where a map jumps. NaN gives an unspecified value.
@@ -85,7 +86,7 @@ fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed
 }
 
 // Noise that evolves in place with period 1; time 0 gives gabor_noise. Its correlation over a time t is cos^2(pi
-// t). Costs three noises.
+// t). Costs three times as much as gabor_noise.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_3: GaborPlace;
@@ -114,7 +115,8 @@ fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f3
     }
 }
 
-// Four independent noises, with seeds `seed` and gabor_lobe_seed(seed, -1), -2 and -3. Costs four noises.
+// Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
+// as much as gabor_noise.
 fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
     let _e4 = gabor_noise(p, frequency, orientation, seed);
     let _e7 = gabor_lobe_seed(seed, -1i);
@@ -201,8 +203,8 @@ fn gabor_noise_wave_gradient(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec3<f
     }
 }
 
-// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
-// each place both are independent with variance 1.
+// (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
+// sines. At each place the two are independent and have variance 1.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -662,13 +664,14 @@ fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u3
 // normal because sums of normal numbers are.
 //
 // Each wave's phase starts at its own node, so the wave vector F may vary with the place. From one node to the next the
-// phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into both axes:
+// phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into one sum per
+// axis:
 //
 //     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
 //
 // After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-// Mixes a word, with a different sequence for each salt (constants from the hash-prospector project).
+// Hashes a word; each salt gives a different sequence. The constants are from the hash-prospector project.
 fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     var word_1: u32;
 
@@ -684,17 +687,17 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e18 ^ (_e19 >> 15u));
 }
 
-// The salt of the columns. Xor it with GABOR_IMPL_ROWS for the rows: with equal salts node (i, i) would hash to a
-// square.
+// The salt of the columns. Xor it with GABOR_IMPL_ROWS for the rows: with equal salts, the word of node (i, i) would be
+// a square.
 fn gabor_impl_salt(seed: u32) -> u32 {
     let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
     return _e4;
 }
 
-// The word of a column or row of nodes; a node's word is their product. Words are odd and have 24 bits, which GPUs
-// multiply at a quarter of the cost; the highest bit is set, so that products fill all 32 bits. Multiplying a word by a
-// shifted copy of itself mixes better than a constant factor: two indices have equal words with probability 2^-22, at
-// any distance.
+// The word of a column or row of nodes; a node's word is the product of the two. Words are odd and have 24 bits,
+// because GPUs multiply 24-bit numbers at a quarter of the cost; their highest bit is set, so that products fill all 32
+// bits. Multiplying a word by a shifted copy of itself mixes better than a constant factor: two indices have equal
+// words with probability 2^-22, at any distance.
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     var word_2: u32;
 
@@ -709,8 +712,8 @@ fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
 
 // The amplitude of a word. One part comes from the whole word, the other from its low 20 bits; they are independent and
 // nearly normal: for u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are
-// proportional to normal ones. The noise's cvm [TNVT19] is 0.001 on average and 0.03 at the worst place, a node, whose
-// amplitude has 79 % of the power there.
+// nearly proportional to those of a normal distribution. The noise's cvm [TNVT19] is 0.001 on average and 0.03 at the
+// worst place, a node, whose amplitude has 79 % of the power there.
 fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     var u: vec2<f32>;
 
@@ -882,7 +885,7 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
     }
 }
 
-// An index within a period.
+// Wraps an index into a period.
 fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
     var within: i32;
     var local_1: i32;
@@ -903,7 +906,7 @@ fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
     return _e15;
 }
 
-// The next index within a period, without a division.
+// The index after this one, wrapped into a period without a division.
 fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
     var local_2: i32;
 
@@ -1182,9 +1185,9 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     return ((((0.5f + (0.5f * _e25.x)) * _e29) + ((0.5f - (0.5f * _e33.x)) * _e38)) + ((0.70710677f * _e42.y) * _e46));
 }
 
-// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by their derivatives; zw of
-// both has the derivatives of the windows along x. Some compilers do not unroll or vectorize loops over nodes and rows,
-// so there are none.
+// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
+// windows. In zw, both sums use the derivatives of the windows along x. Some compilers do not unroll or vectorize loops
+// over nodes and rows, so the nodes are written out.
 fn gabor_impl_add_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
     if GABOR_TAPS == 2 {
         var row: vec4<f32> = vec4(0f);

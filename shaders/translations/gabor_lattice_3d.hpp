@@ -91,7 +91,7 @@ struct GaborPlace3d {
 struct GaborField3d {
     float noise;
     gabor_vec3 gradient;
-    float quadrature; // quadrature, in isotropic noise independent of the noise at each place but not of its gradient
+    float quadrature; // in isotropic noise, independent of the noise at each place, but not of its gradient
     gabor_vec3 quadrature_gradient;
     float removed; // the share of the variance that the average over the pixel removed
 };
@@ -114,7 +114,7 @@ GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local) {
     return GaborPlace3d{cell, local, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f, false, gabor_vec3(0.0f), gabor_vec3(0.0f)};
 }
 
-// A vector scaled to length 1 if its length is 10^-15 to 10^15; shorter ones fall to 0.
+// Scales a vector to length 1 if its length is 10^-15 to 10^15. Shorter ones approach 0.
 GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
     v = gabor_cpp_clamp(v, -1.0e15f, 1.0e15f);
     return v * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(v, v), 1.0e-30f));
@@ -128,8 +128,8 @@ GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
 // The variance is 1 at every place for any wave vector F. So F may follow a surface, which shows the requested
 // frequency and no trace of the lattice.
 
-// Adds slice k of nodes. `sum` gets the noise and, in zw, derivatives of windows along x; `slopes` gets those along y
-// and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative from the windows along x; `slopes`
+// receives those along y and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
 GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
                           int k, gabor_vec3 mixed) {
     for (int j = 0; j < 3; ++j)
@@ -170,7 +170,7 @@ GABOR_INLINE GaborField3d gabor_impl_sum_3d(GaborPlace3d place, gabor_vec3 wave,
                         sum.x, gabor_vec3(sum.z, slopes.x, slopes.z) - 6.2831853f * sum.y * wave, 0.0f};
 }
 
-// Adds a field times an amplitude. A kernel radius is `stretch` of the field's units of length.
+// Adds a field times an amplitude. A kernel radius is `stretch` times the field's unit of length.
 GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field, float amplitude, gabor_vec3 stretch) {
     sum.noise += amplitude * field.noise;
     sum.gradient += amplitude * stretch * field.gradient;
@@ -195,7 +195,7 @@ GABOR_INLINE GaborPixelAxes gabor_impl_pixel(GaborPlace3d place, gabor_vec3 stre
     return GaborPixelAxes{turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx};
 }
 
-// The same with each axis shortened to at most `most`.
+// Shortens each axis to at most `most`.
 GABOR_INLINE GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
     return GaborPixelAxes{most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.major, pixel.major), most * most)) * pixel.major,
                       most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
@@ -229,7 +229,7 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, ga
         GaborPixelAxes whole = gabor_impl_pixel(place, stretch), resolved = gabor_impl_resolved(whole, 1.0f);
         transmitted = gabor_impl_transmitted_3d(wave, whole);
         amplitude = gabor_cpp_sqrt(transmitted / gabor_impl_transmitted_3d(wave, resolved));
-        if (!(transmitted > 1.0e-10f)) transmitted = 0.0f; // or not a number
+        if (!(transmitted > 1.0e-10f)) transmitted = 0.0f; // also if it is NaN
         pixel = gabor_impl_covariance(resolved);
         gabor_vec3 variance = pixel.diagonal;
         wide = gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(gabor_cpp_max(variance.x, variance.y), variance.z)) - 9.0f, 0.0f, 1.0f);
@@ -249,7 +249,7 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, ga
     return sum;
 }
 
-// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
+// Adds the one of two independent noises that replaces the other as x goes from 0 to 1.
 GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
     gabor_impl_accumulate_3d(sum, term, gabor_cpp_sqrt(power), gabor_vec3(1.0f));
@@ -281,8 +281,8 @@ GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal
 // directions. On a surface there are two tangent vectors, and the same holds for the value and its derivatives along
 // the surface.
 
-// Adds a wave of the node with these axes (see gabor_impl_node). `wave` is the wave vector and, in w, the turns from
-// the node to the point. The filter (see gabor_spectrum.hpp) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
+// Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
+// node to the point. The filter (see gabor_spectrum.hpp) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
 // window along each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
 GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, gabor_vec4 wave, GaborPlace3d place,
                          GaborMatrix pixel, std::uint32_t word) {
@@ -293,7 +293,7 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec
     if (place.filtered) {
         gabor_vec3 s = 19.739209f * gabor_impl_symmetric_3d(pixel, wave.xyz());
         a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave.xyz(), s), 0.0f));
-        s = gabor_cpp_clamp(s, -3.0f, 3.0f); // allows any wave that the filter keeps
+        s = gabor_cpp_clamp(s, -3.0f, 3.0f); // changes no wave that the filter keeps
         gabor_vec3 r = s * s, even = 1.0f + r * (0.5f + 0.041666667f * r);
         gabor_vec3 odd = s * (1.0f + r * (0.16666667f + 0.0083333333f * r));
         float mixed = gabor_cpp_dot(pixel.mixed, sine.yzx() * sine.zxy() * h);
@@ -318,9 +318,9 @@ struct GaborTangents {
     gabor_vec3 across;
 };
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the frame. A wave
-// along -u is also one along u, so half a turn is enough for the first vector along a surface. In space that vector
-// also rises, and a quarter of a turn around it is enough for the other two.
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
+// along -u is also one along u, so on a surface, turning the first vector by up to half a turn reaches every direction.
+// In space that vector also rises, and a quarter of a turn around it is enough for the other two.
 GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, GaborPlace3d place, GaborMatrix pixel,
                          gabor_vec3 scale, GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     std::uint32_t word = column * row.w;
@@ -422,7 +422,7 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequen
         transmitted = gabor_impl_transmitted_isotropic(frequency, whole, tangents);
         amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted_isotropic(frequency, resolved, tangents));
         pixel = gabor_impl_covariance(GaborPixelAxes{resolved.major * stretch, resolved.minor * stretch});
-        if (!(transmitted > 1.0e-10f)) transmitted = 0.0f; // or not a number
+        if (!(transmitted > 1.0e-10f)) transmitted = 0.0f; // also if it is NaN
     }
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f - transmitted};
     if (transmitted > 0.0f)

@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every place: for WGSL.
 //
-// Digest of the GLSL and of this file: 4b4c94ba910c8ed3
+// Digest of the GLSL and of this file: 60fcecf3682a51c8
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
@@ -468,7 +468,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
 // Private implementation
 // ====================================================================================================================
 
-// A vector scaled to length 1 if its length is 10^-15 to 10^15; shorter ones fall to 0.
+// Scales a vector to length 1 if its length is 10^-15 to 10^15. Shorter ones approach 0.
 fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     var v_4: vec3<f32>;
 
@@ -481,8 +481,8 @@ fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
 }
 
-// Adds slice k of nodes. `sum` gets the noise and, in zw, derivatives of windows along x; `slopes` gets those along y
-// and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative from the windows along x; `slopes`
+// receives those along y and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
 fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
     var y_10: GaborAxis;
     var j_5: i32 = 0i;
@@ -623,7 +623,7 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     return GaborField3d(_e181.y, (vec3<f32>(_e183.w, _e185.y, _e187.w) + ((6.2831855f * _e191.x) * wave)), _e196.x, (vec3<f32>(_e198.z, _e200.x, _e202.z) - ((6.2831855f * _e206.y) * wave)), 0f);
 }
 
-// Adds a field times an amplitude. A kernel radius is `stretch` of the field's units of length.
+// Adds a field times an amplitude. A kernel radius is `stretch` times the field's unit of length.
 fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3d, amplitude: f32, stretch: vec3<f32>) {
     let _e5 = (*sum);
     (*sum).noise = (_e5.noise + (amplitude * field.noise));
@@ -680,7 +680,7 @@ fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
     return GaborPixelAxes(((_e64.x * _e66) + (_e68.y * _e70)), ((_e73.x * _e75) - (_e77.y * _e79)));
 }
 
-// The same with each axis shortened to at most `most`.
+// Shortens each axis to at most `most`.
 fn gabor_impl_resolved(pixel: GaborPixelAxes, most: f32) -> GaborPixelAxes {
     return GaborPixelAxes(((most * inverseSqrt(max(dot(pixel.major, pixel.major), (most * most)))) * pixel.major), ((most * inverseSqrt(max(dot(pixel.minor, pixel.minor), (most * most)))) * pixel.minor));
 }
@@ -723,7 +723,7 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
-// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
+// Adds the one of two independent noises that replaces the other as x goes from 0 to 1.
 fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
     var power_5: f32;
 
@@ -737,8 +737,8 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: 
     return;
 }
 
-// Adds a wave of the node with these axes (see gabor_impl_node). `wave` is the wave vector and, in w, the turns from
-// the node to the point. The filter (see gabor_spectrum.wgsl) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
+// Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
+// node to the point. The filter (see gabor_spectrum.wgsl) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
 // window along each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
 fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, wave: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
     var a_7: vec2<f32>;
@@ -879,9 +879,9 @@ struct GaborTangents {
     across: vec3<f32>,
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the frame. A wave
-// along -u is also one along u, so half a turn is enough for the first vector along a surface. In space that vector
-// also rises, and a quarter of a turn around it is enough for the other two.
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
+// along -u is also one along u, so on a surface, turning the first vector by up to half a turn reaches every direction.
+// In space that vector also rises, and a quarter of a turn around it is enough for the other two.
 fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var word_7: u32;
     var turn_12: vec2<f32>;

@@ -69,8 +69,8 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered, float2 p
 //     as without the filter, and all others as much as gabor_noise_filtered.
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, float2 period)
-//     The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
-//     period, and scratches and hair take directions that repeat. Each material states the shortest period with which
+//     The same place in a world that repeats after `period` units of p. A period then holds a whole number of rings or
+//     threads, and scratches and hair take directions that repeat. Each material states the shortest period with which
 //     it looks as it does without one; with a shorter one, slow changes become faster.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
@@ -80,12 +80,12 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered, float2 p
 // change the look.
 // The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
 
-// A board cut beside the pith: year rings, pores and fibres along y [6 noises; period 3 x 9].
+// A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
     float3 early;      // colour of the early wood
     float3 late;       // colour of the late wood
-    float rings;     // year rings per unit, 2 to 60
-    float waviness;  // bends of the rings, 0 to 3
+    float rings;     // growth rings per unit, 2 to 60
+    float waviness;  // how much the rings bend, 0 to 3
     float pores;     // strength of the pores, 0 to 1
     float roughness; // roughness of the early wood, 0 to 1
 };
@@ -139,7 +139,7 @@ struct GaborLeather {
     float3 pebble;     // colour of the cells
     float3 crease;     // colour between the cells
     float cells;     // cells per unit, 2 to 30
-    float wrinkles;  // bends of the rows of cells, 0 to 3
+    float wrinkles;  // how much the rows of cells bend, 0 to 3
     float relief;    // height of the cells, 0 to 3
     float roughness; // roughness of the cells, 0 to 0.7
 };
@@ -165,7 +165,7 @@ struct GaborMarble {
     float3 stone;       // colour of the stone
     float3 vein;        // colour of the darkest veins
     float veins;      // strength of the veins, 0 to 1.3
-    float turbulence; // bends of the veins, 0 to 2
+    float turbulence; // how much the veins bend, 0 to 2
     float clouds;     // darkening by clouds, 0 to 1
     float roughness;  // 0 to 1
 };
@@ -300,7 +300,7 @@ struct GaborZebra {
     float3 stripe;     // colour of the stripes
     float stripes;   // stripes per unit, 0.5 to 20
     float direction; // direction of the waves, across the stripes, -6.2832 to 6.2832 radians
-    float bends;     // change of the stripes' direction, 0 to 1.5708 radians
+    float bends;     // how much the stripes' direction changes, 0 to 1.5708 radians
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
 };
@@ -381,7 +381,7 @@ struct GaborStrata {
     float3 red;        // colour of the soft layers
     float3 pale;       // colour of the thin layers
     float layers;    // layers per unit, 1 to 30
-    float folds;     // bends of the layers, 0 to 3
+    float folds;     // how much the layers bend, 0 to 3
     float relief;    // height of the layers, 0 to 3
     float roughness; // 0 to 1
 };
@@ -466,10 +466,10 @@ GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, u
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines,
-// p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at right
-// angles, which long kernels hide.
+// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, where
+// `whole` is the nearest of 32 directions. In units of that line's length and of the distance between neighbouring
+// lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at
+// right angles, which long kernels hide.
 GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     float2 turn = gabor_impl_wave(0.15915494 * angle);
     float2 x = turn;
@@ -494,8 +494,8 @@ GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
                       float2(dot(x, pixel.dy), dot(y, pixel.dy)), pixel.filtered, period);
 }
 
-// Repetitions per unit along each axis: the requested number, or the nearest for which a period has a multiple of
-// `whole`.
+// Repetitions per unit along each axis: the requested number or, with a period, the nearest for which the period holds
+// a multiple of `whole`.
 float2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
     if (pixel.period.x > 0.0)
         return max(floor(pixel.period * (count / whole) + 0.5), (float2)(1.0)) * whole / pixel.period;
@@ -522,7 +522,7 @@ float gabor_impl_tone(float noise, float removed, float contrast) {
     return exp(contrast * (noise - 0.5 * contrast * (1.0 - removed)));
 }
 
-// The unit vector of a complex noise's phase; where it is a mean over phases, it is shorter.
+// The unit vector of a complex noise's phase. If the filter makes it a mean over phases, it is shorter.
 float2 gabor_impl_phase(float3 layer) {
     return layer.xy * rsqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
 }
@@ -613,7 +613,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     return gabor_impl_material(colour, height, fabric.roughness, 0.0);
 }
 
-// Two phases and their sum are those of three waves, whose crests meet in a lattice of cells with faults.
+// Two phases and their sum are the phases of three waves, whose crests meet in a lattice of cells, with faults.
 GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(0.07 * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, (float2)(4.0), (float2)(0.014 * leather.wrinkles), gabor_lobe_seed(seed, 1));
@@ -638,8 +638,8 @@ GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed
     return gabor_impl_material(colour, height, leather.roughness + 0.15 * (1.0 - pebble), 0.0);
 }
 
-// Adds veins: every other zero line of a noise, where the noise's other part is high enough. Such lines are long, but
-// end. Each has a core in the middle of a halo, with a width and a strength for both.
+// Adds veins: lines along the zeros of a noise, where its other part is high enough. Such lines are long, but they end.
+// Each has a core in the middle of a halo. Widths and strengths are (halo, core).
 float3 gabor_impl_vein(float3 colour, float3 layer, float threshold, float3 halo, float3 core, float2 width, float2 strength) {
     float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5);
     strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
@@ -726,13 +726,13 @@ GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, 
     return gabor_impl_material(colour, height, metal.roughness, 1.0);
 }
 
-// Needles are the peaks of noise with kernels a hundred times as long as wide, in many directions.
+// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uint seed) {
     float whole = 1.0;
     float height = 0.0;
     float size = 1.0;
     float turn = 0.0955;
-    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // noise is above it nearly in proportion to the amount
+    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // noise exceeds it nearly in proportion to the amount
     for (int i = 0; i < 14; ++i) {
         GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5));
         turned = gabor_impl_warp(turned, float2(0.3, 0.1), float2(0.0, 0.17), gabor_lobe_seed(seed, 2 * i));
@@ -779,7 +779,7 @@ GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, uint seed) {
     float shape = furrow.x + 0.2 * rough.x;
     float plate = gabor_impl_above(shape, furrow.z + 0.04 * rough.z, -0.15, 0.35)
                   * (1.0 - 0.55 * gabor_impl_line(crack.x, crack.z, 0.13));
-    // Weighted by the tone exp(0.25 noise), the removed part of its noise has a mean of 0.25 of its variance.
+    // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
     float worn = 0.5 * gabor_impl_above(rough.y + 0.25 * rough.z, rough.z, 0.5, 0.4);
     float covered = bark.cover * gabor_impl_above(moss.y, moss.z, 0.9, 0.5);
     float3 top = lerp(bark.plate, lerp(bark.plate, (float3)(1.0), 0.13), worn);

@@ -49,8 +49,8 @@ struct GaborPixel {
 //     as without the filter, and all others as much as gabor_noise_filtered.
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period)
-//     The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
-//     period, and scratches and hair take directions that repeat. Each material states the shortest period with which
+//     The same place in a world that repeats after `period` units of p. A period then holds a whole number of rings or
+//     threads, and scratches and hair take directions that repeat. Each material states the shortest period with which
 //     it looks as it does without one; with a shorter one, slow changes become faster.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
@@ -60,12 +60,12 @@ struct GaborPixel {
 // change the look.
 // The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
 
-// A board cut beside the pith: year rings, pores and fibres along y [6 noises; period 3 x 9].
+// A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
     gabor_vec3 early;      // colour of the early wood
     gabor_vec3 late;       // colour of the late wood
-    float rings;     // year rings per unit, 2 to 60
-    float waviness;  // bends of the rings, 0 to 3
+    float rings;     // growth rings per unit, 2 to 60
+    float waviness;  // how much the rings bend, 0 to 3
     float pores;     // strength of the pores, 0 to 1
     float roughness; // roughness of the early wood, 0 to 1
 };
@@ -94,7 +94,7 @@ struct GaborLeather {
     gabor_vec3 pebble;     // colour of the cells
     gabor_vec3 crease;     // colour between the cells
     float cells;     // cells per unit, 2 to 30
-    float wrinkles;  // bends of the rows of cells, 0 to 3
+    float wrinkles;  // how much the rows of cells bend, 0 to 3
     float relief;    // height of the cells, 0 to 3
     float roughness; // roughness of the cells, 0 to 0.7
 };
@@ -108,7 +108,7 @@ struct GaborMarble {
     gabor_vec3 stone;       // colour of the stone
     gabor_vec3 vein;        // colour of the darkest veins
     float veins;      // strength of the veins, 0 to 1.3
-    float turbulence; // bends of the veins, 0 to 2
+    float turbulence; // how much the veins bend, 0 to 2
     float clouds;     // darkening by clouds, 0 to 1
     float roughness;  // 0 to 1
 };
@@ -181,7 +181,7 @@ struct GaborZebra {
     gabor_vec3 stripe;     // colour of the stripes
     float stripes;   // stripes per unit, 0.5 to 20
     float direction; // direction of the waves, across the stripes, -6.2832 to 6.2832 radians
-    float bends;     // change of the stripes' direction, 0 to 1.5708 radians
+    float bends;     // how much the stripes' direction changes, 0 to 1.5708 radians
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
 };
@@ -225,7 +225,7 @@ struct GaborStrata {
     gabor_vec3 red;        // colour of the soft layers
     gabor_vec3 pale;       // colour of the thin layers
     float layers;    // layers per unit, 1 to 30
-    float folds;     // bends of the layers, 0 to 3
+    float folds;     // how much the layers bend, 0 to 3
     float relief;    // height of the layers, 0 to 3
     float roughness; // 0 to 1
 };
@@ -296,10 +296,10 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, ga
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period};
 }
 
-// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines,
-// p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at right
-// angles, which long kernels hide.
+// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, where
+// `whole` is the nearest of 32 directions. In units of that line's length and of the distance between neighbouring
+// lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at
+// right angles, which long kernels hide.
 GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;
@@ -324,8 +324,8 @@ GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
                       gabor_vec2(gabor_cpp_dot(x, pixel.dy), gabor_cpp_dot(y, pixel.dy)), pixel.filtered, period};
 }
 
-// Repetitions per unit along each axis: the requested number, or the nearest for which a period has a multiple of
-// `whole`.
+// Repetitions per unit along each axis: the requested number or, with a period, the nearest for which the period holds
+// a multiple of `whole`.
 GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
     if (pixel.period.x > 0.0f)
         return gabor_cpp_max(gabor_cpp_floor(pixel.period * (count / whole) + 0.5f), gabor_vec2(1.0f)) * whole / pixel.period;
@@ -352,7 +352,7 @@ GABOR_INLINE float gabor_impl_tone(float noise, float removed, float contrast) {
     return gabor_cpp_exp(contrast * (noise - 0.5f * contrast * (1.0f - removed)));
 }
 
-// The unit vector of a complex noise's phase; where it is a mean over phases, it is shorter.
+// The unit vector of a complex noise's phase. If the filter makes it a mean over phases, it is shorter.
 GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer) {
     return layer.xy() * gabor_cpp_inversesqrt(gabor_cpp_dot(layer.xy(), layer.xy()) + 2.5f * layer.z + 1.0e-6f);
 }
@@ -443,7 +443,7 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     return gabor_impl_material(colour, height, fabric.roughness, 0.0f);
 }
 
-// Two phases and their sum are those of three waves, whose crests meet in a lattice of cells with faults.
+// Two phases and their sum are the phases of three waves, whose crests meet in a lattice of cells, with faults.
 GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f * leather.wrinkles), gabor_lobe_seed(seed, 1));
@@ -468,8 +468,8 @@ GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leath
     return gabor_impl_material(colour, height, leather.roughness + 0.15f * (1.0f - pebble), 0.0f);
 }
 
-// Adds veins: every other zero line of a noise, where the noise's other part is high enough. Such lines are long, but
-// end. Each has a core in the middle of a halo, with a width and a strength for both.
+// Adds veins: lines along the zeros of a noise, where its other part is high enough. Such lines are long, but they end.
+// Each has a core in the middle of a halo. Widths and strengths are (halo, core).
 GABOR_INLINE gabor_vec3 gabor_impl_vein(gabor_vec3 colour, gabor_vec3 layer, float threshold, gabor_vec3 halo, gabor_vec3 core, gabor_vec2 width, gabor_vec2 strength) {
     float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
     strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
@@ -556,13 +556,13 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushed
     return gabor_impl_material(colour, height, metal.roughness, 1.0f);
 }
 
-// Needles are the peaks of noise with kernels a hundred times as long as wide, in many directions.
+// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 GABOR_INLINE GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
     float whole = 1.0f;
     float height = 0.0f;
     float size = 1.0f;
     float turn = 0.0955f;
-    float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // noise is above it nearly in proportion to the amount
+    float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // noise exceeds it nearly in proportion to the amount
     for (int i = 0; i < 14; ++i) {
         GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5f));
         turned = gabor_impl_warp(turned, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, 0.17f), gabor_lobe_seed(seed, 2 * i));
@@ -609,7 +609,7 @@ GABOR_INLINE GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, std::
     float shape = furrow.x + 0.2f * rough.x;
     float plate = gabor_impl_above(shape, furrow.z + 0.04f * rough.z, -0.15f, 0.35f)
                   * (1.0f - 0.55f * gabor_impl_line(crack.x, crack.z, 0.13f));
-    // Weighted by the tone exp(0.25 noise), the removed part of its noise has a mean of 0.25 of its variance.
+    // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
     float worn = 0.5f * gabor_impl_above(rough.y + 0.25f * rough.z, rough.z, 0.5f, 0.4f);
     float covered = bark.cover * gabor_impl_above(moss.y, moss.z, 0.9f, 0.5f);
     gabor_vec3 top = gabor_cpp_mix(bark.plate, gabor_cpp_mix(bark.plate, gabor_vec3(1.0f), 0.13f), worn);

@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 3cad260976d5d03c
+// Digest of the GLSL and of this file: b7b19bb2ae63b0b9
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -41,14 +41,14 @@ fn gabor_pixel_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>) -> GaborPixe
     return GaborPixel(p, dx, dy, true, vec2(0f));
 }
 
-// The same place in a world that repeats after `period` units of p. Rings and threads become whole numbers per
-// period, and scratches and hair take directions that repeat. Each material states the shortest period with which
+// The same place in a world that repeats after `period` units of p. A period then holds a whole number of rings or
+// threads, and scratches and hair take directions that repeat. Each material states the shortest period with which
 // it looks as it does without one; with a shorter one, slow changes become faster.
 fn gabor_pixel_tiled(pixel: GaborPixel, period: vec2<f32>) -> GaborPixel {
     return GaborPixel((pixel.p - (period * floor((pixel.p / period)))), pixel.dx, pixel.dy, pixel.filtered, period);
 }
 
-// A board cut beside the pith: year rings, pores and fibres along y [6 noises; period 3 x 9].
+// A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
     early: vec3<f32>,
     late: vec3<f32>,
@@ -1622,10 +1622,10 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
     return GaborPixel((pixel.p + (amplitude * _e23.value)), ((pixel.dx + (pixel.dx.x * _e30)) + (pixel.dx.y * _e35)), ((pixel.dy + (pixel.dy.x * _e41)) + (pixel.dy.y * _e46)), pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, with
-// `whole` the nearest of 32 directions. In units of that line's length and of the distance between neighbouring lines,
-// p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at right
-// angles, which long kernels hide.
+// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, where
+// `whole` is the nearest of 32 directions. In units of that line's length and of the distance between neighbouring
+// lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at
+// right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;
@@ -1732,8 +1732,8 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     return GaborPixel(vec2<f32>(dot(_e150, pixel.p), dot(_e153, pixel.p)), vec2<f32>(dot(_e157, pixel.dx), dot(_e160, pixel.dx)), vec2<f32>(dot(_e164, pixel.dy), dot(_e167, pixel.dy)), pixel.filtered, _e172);
 }
 
-// Repetitions per unit along each axis: the requested number, or the nearest for which a period has a multiple of
-// `whole`.
+// Repetitions per unit along each axis: the requested number or, with a period, the nearest for which the period holds
+// a multiple of `whole`.
 fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
     if (pixel.period.x > 0f) {
         return ((max(floor(((pixel.period * (count / whole)) + vec2(0.5f))), vec2(1f)) * whole) / pixel.period);
@@ -1773,7 +1773,7 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> f32 {
     return exp((contrast * (noise - ((0.5f * contrast) * (1f - removed)))));
 }
 
-// The unit vector of a complex noise's phase; where it is a mean over phases, it is shorter.
+// The unit vector of a complex noise's phase. If the filter makes it a mean over phases, it is shorter.
 fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
     return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
 }
@@ -1812,8 +1812,8 @@ fn gabor_impl_material(colour: vec3<f32>, height: f32, roughness: f32, metalness
     return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height, roughness, metalness);
 }
 
-// Adds veins: every other zero line of a noise, where the noise's other part is high enough. Such lines are long, but
-// end. Each has a core in the middle of a halo, with a width and a strength for both.
+// Adds veins: lines along the zeros of a noise, where its other part is high enough. Such lines are long, but they end.
+// Each has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_vein(colour: vec3<f32>, layer: vec3<f32>, threshold: f32, halo: vec3<f32>, core: vec3<f32>, width: vec2<f32>, strength: vec2<f32>) -> vec3<f32> {
     var strength_1: vec2<f32>;
     var open: f32;

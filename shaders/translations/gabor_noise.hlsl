@@ -19,7 +19,7 @@
 
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
-// ---- Macros to define before the file: a recipe. These defaults are `one`; docs/recipes.md has others --------------
+// ---- Macros of the recipe, to define before the file. The defaults are `one`; docs/recipes.md lists others ---------
 
 #ifndef GABOR_IMPULSES
 #define GABOR_IMPULSES 1 // N, impulses per cell: an int, at least 1
@@ -43,18 +43,18 @@
 
 #ifndef GABOR_UNCHECKED // define it if the macros are constants that #if cannot evaluate
 #if GABOR_IMPULSES < 1
-#error GABOR_IMPULSES is an int, at least 1
+#error GABOR_IMPULSES must be an int, at least 1
 #endif
 #if GABOR_PHASES < 2 || GABOR_PHASES > 256 || (GABOR_PHASES & (GABOR_PHASES - 1)) != 0
-#error GABOR_PHASES is a power of two, from 2 to 256
+#error GABOR_PHASES must be a power of two, from 2 to 256
 #endif
 #endif
 
 // ---- Functions -----------------------------------------------------------------------------------------------------
 
 // float gabor_noise(float2 p, float frequency, float orientation, uint seed)
-//     Gabor noise at p with mean 0 and variance 1 at every place, continuous with its first derivatives. Values are
-//     nearly normal over all places together, less so at a single place of a cell; docs/recipes.md has both figures.
+//     Gabor noise at p with mean 0 and variance 1 at every place, continuous with its first derivatives. Values pooled
+//     over all places are nearly normal; those at a single place of a cell are less so: see docs/recipes.md.
 //       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
@@ -68,9 +68,9 @@
 //     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
 // float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed)
-//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
-//     each place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part has variance 1 only at
-//     frequencies of 1.5 and more.
+//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
+//     sines. At each place the two are uncorrelated and have variance 1; with GABOR_PHASES 2 the real part has variance
+//     1 only at frequencies of 1.5 and more.
 
 // float2 gabor_phasor(float2 value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
@@ -114,7 +114,7 @@ struct GaborPlace {
     float2 local;   // offset from that cell's corner in cells: small, most precise in [0, 1)^2
     float2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or down to half of that to fit a period
     int2 period; // period in cells, 0 for none
-    float time;   // time in periods: only its fraction counts
+    float time;   // time in periods, of which only the fraction counts
 };
 
 GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float time)
@@ -188,7 +188,7 @@ uint gabor_impl_mix(uint word, uint salt) {
     return word ^ (word >> 15u);
 }
 
-// The word of a seed determines those of the rows of cells, and these determine those of the impulses.
+// The word of a seed determines the words of the rows of cells, which determine the words of the impulses.
 uint gabor_impl_seed_word(uint seed) {
     return gabor_impl_mix(seed * GABOR_IMPL_CELL_STRIDE, 0x2545f491u);
 }
@@ -205,7 +205,7 @@ uint gabor_impl_impulse_word(int column, uint row_word, int index) {
     return gabor_impl_mix(uint(column) * GABOR_IMPL_CELL_STRIDE + salt, salt);
 }
 
-// The parts of an impulse's word. Positions in the cell have 1 added, in [1, 2)^2, to avoid a conversion from integers.
+// The parts of an impulse's word. Positions are offset by 1, to [1, 2)^2, which avoids a conversion from integers.
 struct GaborImpulse {
     float2 position_plus_one;
     float phase;      // phase in turns
@@ -327,7 +327,7 @@ float2 gabor_impl_window(float x) {
     return float2(u * u * (c.x + u * (c.y + u * c.z)), -2.0 * x * u * (2.0 * c.x + u * (3.0 * c.y + u * (4.0 * c.z))));
 }
 
-// A cell's coordinate within a period.
+// Wraps a cell's coordinate into a period.
 int gabor_impl_wrap(int cell, int period) {
     if (period == 0)
         return cell;

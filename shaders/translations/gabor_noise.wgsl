@@ -1,7 +1,7 @@
 // gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for WGSL.
 //
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 6f0046f4a843d64d
+// Digest of the GLSL and of this file: 93388cf3e4729021
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -14,8 +14,8 @@
 
 const GABOR_NOISE_VERSION: u32 = 20000u;
 
-// Gabor noise at p with mean 0 and variance 1 at every place, continuous with its first derivatives. Values are
-// nearly normal over all places together, less so at a single place of a cell; docs/recipes.md has both figures.
+// Gabor noise at p with mean 0 and variance 1 at every place, continuous with its first derivatives. Values pooled
+// over all places are nearly normal; those at a single place of a cell are less so: see docs/recipes.md.
 //   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                steps of 0.008
 //   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
@@ -44,9 +44,9 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
     return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
 }
 
-// (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
-// each place both have variance 1 and are uncorrelated; with GABOR_PHASES 2 the real part has variance 1 only at
-// frequencies of 1.5 and more.
+// (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
+// sines. At each place the two are uncorrelated and have variance 1; with GABOR_PHASES 2 the real part has variance
+// 1 only at frequencies of 1.5 and more.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     let _e8 = gabor_place(vec2(0i), (p * 1f));
     let _e9 = gabor_kernel(frequency, orientation);
@@ -428,7 +428,7 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e18 ^ (_e19 >> 15u));
 }
 
-// The word of a seed determines those of the rows of cells, and these determine those of the impulses.
+// The word of a seed determines the words of the rows of cells, which determine the words of the impulses.
 fn gabor_impl_seed_word(seed: u32) -> u32 {
     let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
     return _e4;
@@ -452,7 +452,7 @@ fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
     return _e14;
 }
 
-// The parts of an impulse's word. Positions in the cell have 1 added, in [1, 2)^2, to avoid a conversion from integers.
+// The parts of an impulse's word. Positions are offset by 1, to [1, 2)^2, which avoids a conversion from integers.
 struct GaborImpulse {
     position_plus_one: vec2<f32>,
     phase: f32,
@@ -757,7 +757,7 @@ fn gabor_impl_window(x: f32) -> vec2<f32> {
     return vec2<f32>(((_e13 * _e14) * (_e16.x + (_e18 * (_e19.y + (_e21 * _e22.z))))), (((-2f * x) * _e32) * ((2f * _e35.x) + (_e38 * ((3f * _e40.y) + (_e43 * (4f * _e45.z)))))));
 }
 
-// A cell's coordinate within a period.
+// Wraps a cell's coordinate into a period.
 fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
     var within: i32;
     var local_5: i32;

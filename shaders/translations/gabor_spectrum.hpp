@@ -1,13 +1,13 @@
 // clang-format off
-// gabor_spectrum.hpp: Gabor noise with any power spectrum, and filtered for a pixel: for C++ on the CPU.
+// gabor_spectrum.hpp: Gabor noise with any power spectrum, or filtered for a pixel: for C++ on the CPU.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
-// Positions are in kernel radii, as in gabor_lattice.hpp. Noise has variance 1; filtered noise has 1 minus the removed
-// share. The filter needs GABOR_TAPS 3, the default.
+// Positions are in kernel radii, as in gabor_lattice.hpp. Noise has variance 1; filtered noise has variance 1 minus
+// the removed share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -17,17 +17,17 @@
 #ifndef GABOR_SPECTRUM_HPP
 #define GABOR_SPECTRUM_HPP
 
-// The capacity of a GaborLobes, defined before the file.
+// The most lobes that a GaborLobes can hold; define it before this file to change it.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
 #endif
 #if GABOR_LOBES < 1
-#error GABOR_LOBES is an int, at least 1
+#error GABOR_LOBES must be an int, at least 1
 #endif
 
 // ---- Sums of lobes -------------------------------------------------------------------------------------------------
 
-// Waves around one wave vector, from gabor_lobe.
+// Waves around one wave vector, made by gabor_lobe.
 struct GaborLobe {
     float frequency;
     float orientation;
@@ -70,14 +70,16 @@ struct GaborLobes {
 
 // float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread,
 //                          float orientation_spread, uint seed)
-//     Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
-//     `frequency_spread` (0 to 1) of the frequency, as evenly as lobes of kernel radius 1 allow. A spread of pi/2 gives
-//     isotropic noise; its power varies with direction by at most 5 % at frequencies from 0.12 to 14, and by up to 7 %
-//     below. Normal with all its derivatives, mean 0, variance 1, and continuous where the arguments are. Costs one
-//     gabor_noise per lobe. With o for the orientation_spread there are
+//     Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
+//     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, as evenly as lobes of kernel radius 1
+//     allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most 5 % at
+//     frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and its
+//     derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. With o =
+//     orientation_spread, there are
 //         (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
 //     directions (10 for isotropic noise of frequency 2), and 2.86 frequency_spread frequency + 0.8 frequencies,
-//     rounded down, up to 16. For a fifth of all arguments, where a count changes, both counts run.
+//     rounded down, up to 16. Near each change of a count, for a fifth of all arguments, the lobes of both counts are
+//     summed.
 
 // vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
@@ -136,8 +138,8 @@ struct GaborLobes {
 //     The noise with its gradient: (noise, d/dx, d/dy, removed).
 
 // vec4 gabor_stripes_filtered(vec2 p, vec2 dx, vec2 dy, vec2 wave, float sharpness, uint seed)
-//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
-//     So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
+//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part, within
+//     0.1. So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
 
 // ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
 //
@@ -154,7 +156,7 @@ struct GaborLobes {
 //     A straight line from 0 at phase 0 to 1 after a turn.
 
 // float gabor_profile_pulse(float phase, float duty, float width)
-//     1 from phase 0 over the share `duty` (0 to 1) of a turn, then 0.
+//     1 for the first `duty` (0 to 1) of each turn, then 0.
 
 // float gabor_profile_ridges(float phase, float width)
 //     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
@@ -168,14 +170,14 @@ struct GaborLobes {
 // float gabor_stripes_sawtooth(vec2 stripes)
 // float gabor_stripes_pulse(vec2 stripes, float duty)
 // float gabor_stripes_ridges(vec2 stripes)
-//     The same profiles: gabor_profile_sine and so on.
+//     The profiles of gabor_profile_sine and so on.
 
 // ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 // GaborPlace gabor_place_stretched(GaborPlace place, vec2 radius)
-//     The same place, period and time for a kernel with `radius` times the place's kernel radius, along both axes or
-//     along x and y. Its position is rounded to a float, within the period if there is one.
+//     The same place, period and time for kernels with `radius` times the place's kernel radius, which may differ along
+//     x and y. The position is rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 //     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
@@ -192,7 +194,7 @@ struct GaborLobes {
 // The area of a pixel, from gabor_footprint.
 struct GaborFootprint {
     gabor_vec3 covariance; // xx, yy, xy in kernel radii^2
-    gabor_vec3 resolved;   // the same with standard deviations of at most 1/2, for which the windows are made
+    gabor_vec3 resolved;   // the same, limited to standard deviations of 1/2, for which the windows are made
 };
 #endif
 
@@ -205,7 +207,7 @@ struct GaborFootprint {
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
 //     The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
-//     period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because its nodes are not 1 /
+//     period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because nodes are then not 1 /
 //     GABOR_RADIUS apart.
 
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, GaborFootprint footprint, uint seed,
@@ -265,8 +267,8 @@ GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, st
 // part of a number c. As the fraction of c goes from 0.8 to 1, these pieces fade out and a set with one more piece
 // fades in, so that the noise is continuous in frequency and spread.
 
-// The power of a sum that replaces another as x goes from 0 to 1. With x as the power, the amplitudes would be square
-// roots, with infinite slopes at the ends.
+// The power of a sum that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// square roots, with infinite slopes at the ends.
 GABOR_INLINE float gabor_impl_takeover(float x) {
     return x * x / (x * x + (1.0f - x) * (1.0f - x));
 }
@@ -276,7 +278,7 @@ GABOR_INLINE int gabor_impl_pieces(float c) {
     return gabor_cpp_fract(c) > 0.8f ? 2 * int(c) + 1 : int(c);
 }
 
-// Lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
+// Returns lobe `i`: its position in the range, from -1 to 1; its share of the power; and a number for its seed.
 GABOR_INLINE gabor_vec3 gabor_impl_piece(int i, float c) {
     int n = int(c);
     float left = gabor_cpp_min(5.0f - 5.0f * gabor_cpp_fract(c), 1.0f);
@@ -321,10 +323,11 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
 //     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
 // Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
-// three waves a = -1, 0, 1 are h itself. Filtered, these waves are wrong only near the ends of h, by less than 1 % of
-// the noise's deviation for filters of at most 0.1 radii. The filter widens the kernel; the seven waves a = -3 ... 3
-// make room for that: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five
-// nodes beyond. Between 0.09 and 0.1, seven waves gradually replace three. All of this is for GABOR_TAPS 3.
+// three waves a = -1, 0, 1 are h itself. After the filter, these waves are wrong only near the ends of h, by less than
+// 1 % of the noise's standard deviation if the filter's is at most 0.1 radii. The filter widens the kernel, and the
+// seven waves a = -3 ... 3 make room for that: up to a deviation of 0.33 with w = 4/3 and four nodes along the axis,
+// beyond it with w up to 5/3 and five nodes. Between 0.09 and 0.1, seven waves gradually replace three. All of this is
+// for GABOR_TAPS 3.
 //
 // The axes are coupled by exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy is
 // enough. For seven waves, we use that H is nearly a normal curve: H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v
@@ -343,8 +346,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix, gabor_vec2 v) {
     return matrix.xy() * v + matrix.z * v.yx();
 }
 
-// The share of its variance that a lobe keeps under a filter of covariance S. With a normal approximation of the lobe's
-// power, with the variance 1/12 of Hann's window along each axis, and with d the determinant of 1 + 2/3 pi^2 S, it is
+// The share of its variance that a lobe keeps under a filter of covariance S. If the lobe's power is taken to be
+// normal, with Hann's variance of 1/12 along each axis, and d is the determinant of 1 + 2/3 pi^2 S, the share is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance) {
     float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z);
@@ -353,15 +356,16 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
     return gabor_cpp_exp(-gabor_cpp_clamp(exponent, 0.0f, 80.0f)) * gabor_cpp_inversesqrt(d);
 }
 
-// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), as the root of a rational function.
+// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), approximated by the root of a rational function.
 GABOR_INLINE float gabor_impl_mean_angle(float q) {
     return gabor_cpp_sqrt((1.0f + q * (0.19075951f + 0.0865599f * q))
                 / (1.0f + q * (1.1907595f + q * (0.60787136f + 0.27193595f * q))));
 }
 
-// Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With the even and odd parts of this factor at q = 1/2, and S along the axis, the
-// window h becomes 1/2 + even (h - 1/2) + i odd h' / pi.
+// Returns a node's window, filtered by three waves, and its derivative. The filter multiplies the wave q = -1/2, 0 or
+// 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along the axis. If `even` and
+// `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes 1/2 + even (h - 1/2) + i odd h' /
+// pi.
 GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor_vec2 part, gabor_vec2 phase) {
     gabor_vec2 wave = gabor_vec2(value - 0.5f, slope);
     gabor_vec2 even = part.x * wave, odd = part.y * gabor_vec2(-3.1415927f, 0.31830989f) * wave;
@@ -399,14 +403,14 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     return gabor_impl_field(sum, slope, gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred)) * turn, wave, gabor_vec2(1.0f));
 }
 
-// Seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
+// For the form with seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
 struct GaborFactors {
     gabor_vec3 real;
     gabor_vec3 imaginary;
 };
 
-// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and
-// sine of 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
+// An axis. With (C, S) the cosine and sine of 2 pi d / 2w, the filtered window for each factor, at a distance of d
+// kernel radii, is even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
 struct GaborBand {
     gabor_vec3 even_0;
     gabor_vec3 even_1;
@@ -442,8 +446,8 @@ GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int ce
     float g = 19.739209f * m, unit = 0.75f / b.reach;
     float fall = gabor_cpp_exp((2.5797363f - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = gabor_cpp_exp(2.0f * g * c * unit), sink = 1.0f / rise;
-    // For the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the leading factors of
-    // their cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
+    // H(q) / 2w, within 0.00024, for the waves of 1, 2 and 3 times 1 / 2w, times 1, 2 and 4: the leading coefficients
+    // of their cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
     float t = b.reach - 2.0f;
     gabor_vec3 wave = gabor_vec3(0.25723323f, 0.12732396f, -0.03693604f)
               + t * (gabor_vec3(-0.03099653f, 0.22852218f, 0.10636504f) - t * gabor_vec3(0.0214304f, 0.11618766f, -0.1615392f));
@@ -553,7 +557,7 @@ GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uin
     return row;
 }
 
-// The factors without the first, moved up by one.
+// Drops the first factor and moves the others up by one.
 GABOR_INLINE GaborFactors gabor_impl_next(GaborFactors f) {
     return GaborFactors{gabor_vec3(f.real.yz(), 0.0f), gabor_vec3(f.imaginary.yz(), 0.0f)};
 }
@@ -564,7 +568,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, ga
                 gabor_cpp_dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The noise at a place, filtered by seven waves along each axis; skipped unless `wanted`.
+// The noise at a place, filtered by seven waves along each axis. Computes only one row unless `wanted`.
 GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, bool wanted, std::uint32_t salt) {
     gabor_vec2 m = s.xy() + 0.13069097f; // v
     gabor_vec2 deviation = gabor_cpp_sqrt(s.xy());
@@ -684,7 +688,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors 
 }
 
 // The noise in space and its derivatives, `local` node spacings from a cell's corner, filtered by seven waves along
-// each axis; skipped unless `wanted`.
+// each axis. Computes only one row unless `wanted`.
 GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, gabor_ivec3 period, bool animated, float time, gabor_vec3 wave,
                                GaborMatrix s, bool wanted, std::uint32_t salt, gabor_vec4& noise, gabor_vec4& quadrature) {
     float determinant;
@@ -694,7 +698,7 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
     gabor_vec3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
     gabor_vec3 d = gabor_cpp_sqrt(m.diagonal * determinant / adjugate.diagonal);
     gabor_vec3 pairs = gabor_cpp_sqrt(d.yzx() * d.zxy());
-    adjugate = gabor_impl_adjugate(GaborMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // that of 1 + C
+    adjugate = gabor_impl_adjugate(GaborMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // for 1 + C
     gabor_vec3 w = 157.91367f / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborBand x = gabor_impl_band(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
                                   gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -729,8 +733,8 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
         next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
         next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
     } while (++k < slices);
-    // As in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times the next factor of the
-    // other axes.
+    // The derivatives follow as in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times
+    // the next factor of the other axes.
     gabor_vec3 real = gabor_vec3(next_x.x, next_y.x, next_z.x), imaginary = gabor_vec3(next_x.y, next_y.y, next_z.y);
     gabor_vec3 quarter = 0.012665148f / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix{gabor_vec3(0.0f), w}, real);
@@ -751,7 +755,7 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
 // K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 3/2. Value and gradient are
 // independent. Since none of this depends on the directions, both are also normal over random directions.
 
-// Four more words of a row, for further uses; their products with column words are equally random.
+// Four more words of a row; their products with column words are just as random.
 GABOR_INLINE gabor_uvec4 gabor_impl_row(std::uint32_t word) {
     std::uint32_t first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     std::uint32_t second = (first ^ (first >> 15u)) * 0xd35a2d97u;
@@ -778,8 +782,8 @@ struct GaborFilter {
     gabor_vec2 fall;
 };
 
-// Adds a node's wave: `a` is its amplitude, turned by the wave from the node to the point. The filter multiplies it by
-// exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
+// Adds a node's wave. `a` is its amplitude times the wave at the point. The filter multiplies it by exp(-2 pi^2 F.S F)
+// and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
 GABOR_INLINE void gabor_impl_add_wave_2d(GaborField& sum, GaborWindows node, GaborFilter pixel, gabor_vec2 a, gabor_vec2 wave) {
     gabor_vec2 value = node.value.x * node.value.y * a;
     gabor_vec2 slope_x = node.slope.x * node.value.y * a, slope_y = node.value.x * node.slope.y * a;
@@ -787,7 +791,7 @@ GABOR_INLINE void gabor_impl_add_wave_2d(GaborField& sum, GaborWindows node, Gab
     if (pixel.used) {
         gabor_vec2 x = 19.739209f * gabor_impl_symmetric(pixel.covariance, wave);
         a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave, x), 0.0f));
-        x = gabor_cpp_clamp(x, -3.0f, 3.0f); // allows any wave that the filter keeps
+        x = gabor_cpp_clamp(x, -3.0f, 3.0f); // changes no wave that the filter keeps
         gabor_vec2 y = x * x;
         gabor_vec2 even = 1.0f + y * (0.5f + 0.041666667f * y), odd = x * (1.0f + y * (0.16666667f + 0.0083333333f * y));
         gabor_vec2 real = node.middle + even * node.cosine, imaginary = 0.31830989f * odd * node.sine;
@@ -817,7 +821,7 @@ GABOR_INLINE void gabor_impl_add_star(GaborField& sum, GaborPlace place, GaborWi
         node.sine = fade * pixel.fall * node.slope;
     }
     d *= frequency / place.radius;
-    gabor_vec2 u = gabor_impl_half_turn(3.8805107e-11f * float(int(words.w))); // a twelfth of a turn either way
+    gabor_vec2 u = gabor_impl_half_turn(3.8805107e-11f * float(int(words.w))); // up to a twelfth of a turn either way
     gabor_vec2 v = 0.5f * u + 0.8660254f * gabor_vec2(-u.y, u.x);
     gabor_vec2 first = gabor_impl_wave(gabor_cpp_dot(u, d)), second = gabor_impl_wave(gabor_cpp_dot(v, d));
     gabor_vec2 third = gabor_impl_product(second, gabor_vec2(first.x, -first.y));
@@ -954,7 +958,8 @@ GABOR_INLINE GaborFootprint gabor_footprint(gabor_vec2 dx, gabor_vec2 dy) {
     GaborFootprint footprint;
     footprint.covariance = 0.25f * gabor_vec3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
 
-    // The eigenvalues are mean +- apart; the smaller one is more precise as the determinant over the larger one.
+    // The eigenvalues are mean +- apart; the smaller one is more precise if computed as the determinant over the larger
+    // one.
     float mean = 0.5f * (footprint.covariance.x + footprint.covariance.y);
     gabor_vec2 axis = gabor_vec2(0.5f * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
     float apart = gabor_cpp_length(axis);

@@ -1,12 +1,12 @@
-// gabor_spectrum.metal: Gabor noise with any power spectrum, and filtered for a pixel: for the Metal shading language.
+// gabor_spectrum.metal: Gabor noise with any power spectrum, or filtered for a pixel: for the Metal shading language.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
-// Positions are in kernel radii, as in gabor_lattice.metal. Noise has variance 1; filtered noise has 1 minus the removed
-// share. The filter needs GABOR_TAPS 3, the default.
+// Positions are in kernel radii, as in gabor_lattice.metal. Noise has variance 1; filtered noise has variance 1 minus
+// the removed share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -20,17 +20,17 @@
 
 using namespace metal;
 
-// The capacity of a GaborLobes, defined before the file.
+// The most lobes that a GaborLobes can hold; define it before this file to change it.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
 #endif
 #if GABOR_LOBES < 1
-#error GABOR_LOBES is an int, at least 1
+#error GABOR_LOBES must be an int, at least 1
 #endif
 
 // ---- Sums of lobes -------------------------------------------------------------------------------------------------
 
-// Waves around one wave vector, from gabor_lobe.
+// Waves around one wave vector, made by gabor_lobe.
 struct GaborLobe {
     float frequency;
     float orientation;
@@ -73,14 +73,16 @@ struct GaborLobes {
 
 // float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread,
 //                          float orientation_spread, uint seed)
-//     Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
-//     `frequency_spread` (0 to 1) of the frequency, as evenly as lobes of kernel radius 1 allow. A spread of pi/2 gives
-//     isotropic noise; its power varies with direction by at most 5 % at frequencies from 0.12 to 14, and by up to 7 %
-//     below. Normal with all its derivatives, mean 0, variance 1, and continuous where the arguments are. Costs one
-//     gabor_noise per lobe. With o for the orientation_spread there are
+//     Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
+//     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, as evenly as lobes of kernel radius 1
+//     allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most 5 % at
+//     frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and its
+//     derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. With o =
+//     orientation_spread, there are
 //         (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
 //     directions (10 for isotropic noise of frequency 2), and 2.86 frequency_spread frequency + 0.8 frequencies,
-//     rounded down, up to 16. For a fifth of all arguments, where a count changes, both counts run.
+//     rounded down, up to 16. Near each change of a count, for a fifth of all arguments, the lobes of both counts are
+//     summed.
 
 // float3 gabor_noise_spread_gradient(float2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
@@ -139,8 +141,8 @@ struct GaborLobes {
 //     The noise with its gradient: (noise, d/dx, d/dy, removed).
 
 // float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave, float sharpness, uint seed)
-//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
-//     So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
+//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part, within
+//     0.1. So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
 
 // ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
 //
@@ -157,7 +159,7 @@ struct GaborLobes {
 //     A straight line from 0 at phase 0 to 1 after a turn.
 
 // float gabor_profile_pulse(float phase, float duty, float width)
-//     1 from phase 0 over the share `duty` (0 to 1) of a turn, then 0.
+//     1 for the first `duty` (0 to 1) of each turn, then 0.
 
 // float gabor_profile_ridges(float phase, float width)
 //     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
@@ -171,14 +173,14 @@ struct GaborLobes {
 // float gabor_stripes_sawtooth(float2 stripes)
 // float gabor_stripes_pulse(float2 stripes, float duty)
 // float gabor_stripes_ridges(float2 stripes)
-//     The same profiles: gabor_profile_sine and so on.
+//     The profiles of gabor_profile_sine and so on.
 
 // ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 // GaborPlace gabor_place_stretched(GaborPlace place, float2 radius)
-//     The same place, period and time for a kernel with `radius` times the place's kernel radius, along both axes or
-//     along x and y. Its position is rounded to a float, within the period if there is one.
+//     The same place, period and time for kernels with `radius` times the place's kernel radius, which may differ along
+//     x and y. The position is rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 //     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
@@ -195,7 +197,7 @@ struct GaborLobes {
 // The area of a pixel, from gabor_footprint.
 struct GaborFootprint {
     float3 covariance; // xx, yy, xy in kernel radii^2
-    float3 resolved;   // the same with standard deviations of at most 1/2, for which the windows are made
+    float3 resolved;   // the same, limited to standard deviations of 1/2, for which the windows are made
 };
 #endif
 
@@ -208,7 +210,7 @@ struct GaborFootprint {
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
 //     The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
-//     period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because its nodes are not 1 /
+//     period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because nodes are then not 1 /
 //     GABOR_RADIUS apart.
 
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, GaborFootprint footprint, uint seed,
@@ -268,8 +270,8 @@ inline GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint see
 // part of a number c. As the fraction of c goes from 0.8 to 1, these pieces fade out and a set with one more piece
 // fades in, so that the noise is continuous in frequency and spread.
 
-// The power of a sum that replaces another as x goes from 0 to 1. With x as the power, the amplitudes would be square
-// roots, with infinite slopes at the ends.
+// The power of a sum that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// square roots, with infinite slopes at the ends.
 inline float gabor_impl_takeover(float x) {
     return x * x / (x * x + (1.0 - x) * (1.0 - x));
 }
@@ -279,7 +281,7 @@ inline int gabor_impl_pieces(float c) {
     return fract(c) > 0.8 ? 2 * int(c) + 1 : int(c);
 }
 
-// Lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
+// Returns lobe `i`: its position in the range, from -1 to 1; its share of the power; and a number for its seed.
 inline float3 gabor_impl_piece(int i, float c) {
     int n = int(c);
     float left = min(5.0 - 5.0 * fract(c), 1.0);
@@ -324,10 +326,11 @@ inline GaborField gabor_field_spread(GaborPlace place, float frequency, float or
 //     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
 // Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
-// three waves a = -1, 0, 1 are h itself. Filtered, these waves are wrong only near the ends of h, by less than 1 % of
-// the noise's deviation for filters of at most 0.1 radii. The filter widens the kernel; the seven waves a = -3 ... 3
-// make room for that: with w = 4/3 and four nodes along the axis up to a deviation of 0.33, with w up to 5/3 and five
-// nodes beyond. Between 0.09 and 0.1, seven waves gradually replace three. All of this is for GABOR_TAPS 3.
+// three waves a = -1, 0, 1 are h itself. After the filter, these waves are wrong only near the ends of h, by less than
+// 1 % of the noise's standard deviation if the filter's is at most 0.1 radii. The filter widens the kernel, and the
+// seven waves a = -3 ... 3 make room for that: up to a deviation of 0.33 with w = 4/3 and four nodes along the axis,
+// beyond it with w up to 5/3 and five nodes. Between 0.09 and 0.1, seven waves gradually replace three. All of this is
+// for GABOR_TAPS 3.
 //
 // The axes are coupled by exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy is
 // enough. For seven waves, we use that H is nearly a normal curve: H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v
@@ -346,8 +349,8 @@ inline float2 gabor_impl_symmetric(float3 matrix_, float2 v) {
     return matrix_.xy * v + matrix_.z * v.yx;
 }
 
-// The share of its variance that a lobe keeps under a filter of covariance S. With a normal approximation of the lobe's
-// power, with the variance 1/12 of Hann's window along each axis, and with d the determinant of 1 + 2/3 pi^2 S, it is
+// The share of its variance that a lobe keeps under a filter of covariance S. If the lobe's power is taken to be
+// normal, with Hann's variance of 1/12 along each axis, and d is the determinant of 1 + 2/3 pi^2 S, the share is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 inline float gabor_impl_transmitted(float2 wave, float3 covariance) {
     float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
@@ -356,15 +359,16 @@ inline float gabor_impl_transmitted(float2 wave, float3 covariance) {
     return exp(-clamp(exponent, 0.0, 80.0)) * rsqrt(d);
 }
 
-// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), as the root of a rational function.
+// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), approximated by the root of a rational function.
 inline float gabor_impl_mean_angle(float q) {
     return sqrt((1.0 + q * (0.19075951 + 0.0865599 * q))
                 / (1.0 + q * (1.1907595 + q * (0.60787136 + 0.27193595 * q))));
 }
 
-// Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With the even and odd parts of this factor at q = 1/2, and S along the axis, the
-// window h becomes 1/2 + even (h - 1/2) + i odd h' / pi.
+// Returns a node's window, filtered by three waves, and its derivative. The filter multiplies the wave q = -1/2, 0 or
+// 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along the axis. If `even` and
+// `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes 1/2 + even (h - 1/2) + i odd h' /
+// pi.
 inline float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 phase) {
     float2 wave = float2(value - 0.5, slope);
     float2 even = part.x * wave, odd = part.y * float2(-3.1415927, 0.31830989) * wave;
@@ -402,14 +406,14 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, floa
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, float2(1.0));
 }
 
-// Seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
+// For the form with seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
 struct GaborFactors {
     float3 real;
     float3 imaginary;
 };
 
-// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and
-// sine of 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
+// An axis. With (C, S) the cosine and sine of 2 pi d / 2w, the filtered window for each factor, at a distance of d
+// kernel radii, is even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
 struct GaborBand {
     float3 even_0;
     float3 even_1;
@@ -445,8 +449,8 @@ inline GaborBand gabor_impl_band(float deviation, float m, float c, int cell, fl
     float g = 19.739209 * m, unit = 0.75 / b.reach;
     float fall = exp((2.5797363 - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = exp(2.0 * g * c * unit), sink = 1.0 / rise;
-    // For the waves of 1, 2 and 3 times 1 / 2w: H(q) / 2w, within 0.00024, times 1, 2 and 4, the leading factors of
-    // their cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and sines S, 2 S C and S (4 C^2 - 1).
+    // H(q) / 2w, within 0.00024, for the waves of 1, 2 and 3 times 1 / 2w, times 1, 2 and 4: the leading coefficients
+    // of their cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
     float t = b.reach - 2.0;
     float3 wave = float3(0.25723323, 0.12732396, -0.03693604)
               + t * (float3(-0.03099653, 0.22852218, 0.10636504) - t * float3(0.0214304, 0.11618766, -0.1615392));
@@ -556,7 +560,7 @@ inline GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word,
     return row;
 }
 
-// The factors without the first, moved up by one.
+// Drops the first factor and moves the others up by one.
 inline GaborFactors gabor_impl_next(GaborFactors f) {
     return GaborFactors{float3(f.real.yz, 0.0), float3(f.imaginary.yz, 0.0)};
 }
@@ -567,7 +571,7 @@ inline float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weigh
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The noise at a place, filtered by seven waves along each axis; skipped unless `wanted`.
+// The noise at a place, filtered by seven waves along each axis. Computes only one row unless `wanted`.
 inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, bool wanted, uint salt) {
     float2 m = s.xy + 0.13069097; // v
     float2 deviation = sqrt(s.xy);
@@ -687,7 +691,7 @@ inline float2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, Gabor
 }
 
 // The noise in space and its derivatives, `local` node spacings from a cell's corner, filtered by seven waves along
-// each axis; skipped unless `wanted`.
+// each axis. Computes only one row unless `wanted`.
 inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animated, float time, float3 wave,
                                GaborMatrix s, bool wanted, uint salt, thread float4& noise, thread float4& quadrature) {
     float determinant;
@@ -697,7 +701,7 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
     float3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
     float3 d = sqrt(m.diagonal * determinant / adjugate.diagonal);
     float3 pairs = sqrt(d.yzx * d.zxy);
-    adjugate = gabor_impl_adjugate(GaborMatrix{1.0 + m.diagonal / d, s.mixed / pairs}, determinant); // that of 1 + C
+    adjugate = gabor_impl_adjugate(GaborMatrix{1.0 + m.diagonal / d, s.mixed / pairs}, determinant); // for 1 + C
     float3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborBand x = gabor_impl_band(sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
                                   gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -732,8 +736,8 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
         next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
         next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
     } while (++k < slices);
-    // As in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times the next factor of the
-    // other axes.
+    // The derivatives follow as in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times
+    // the next factor of the other axes.
     float3 real = float3(next_x.x, next_y.x, next_z.x), imaginary = float3(next_x.y, next_y.y, next_z.y);
     float3 quarter = 0.012665148 / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix{float3(0.0), w}, real);
@@ -754,7 +758,7 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
 // K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 3/2. Value and gradient are
 // independent. Since none of this depends on the directions, both are also normal over random directions.
 
-// Four more words of a row, for further uses; their products with column words are equally random.
+// Four more words of a row; their products with column words are just as random.
 inline uint4 gabor_impl_row(uint word) {
     uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;
@@ -781,8 +785,8 @@ struct GaborFilter {
     float2 fall;
 };
 
-// Adds a node's wave: `a` is its amplitude, turned by the wave from the node to the point. The filter multiplies it by
-// exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
+// Adds a node's wave. `a` is its amplitude times the wave at the point. The filter multiplies it by exp(-2 pi^2 F.S F)
+// and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
 inline void gabor_impl_add_wave_2d(thread GaborField& sum, GaborWindows node, GaborFilter pixel, float2 a, float2 wave) {
     float2 value = node.value.x * node.value.y * a;
     float2 slope_x = node.slope.x * node.value.y * a, slope_y = node.value.x * node.slope.y * a;
@@ -790,7 +794,7 @@ inline void gabor_impl_add_wave_2d(thread GaborField& sum, GaborWindows node, Ga
     if (pixel.used) {
         float2 x = 19.739209 * gabor_impl_symmetric(pixel.covariance, wave);
         a *= exp(-max(dot(wave, x), 0.0));
-        x = clamp(x, -3.0, 3.0); // allows any wave that the filter keeps
+        x = clamp(x, -3.0, 3.0); // changes no wave that the filter keeps
         float2 y = x * x;
         float2 even = 1.0 + y * (0.5 + 0.041666667 * y), odd = x * (1.0 + y * (0.16666667 + 0.0083333333 * y));
         float2 real = node.middle + even * node.cosine, imaginary = 0.31830989 * odd * node.sine;
@@ -820,7 +824,7 @@ inline void gabor_impl_add_star(thread GaborField& sum, GaborPlace place, GaborW
         node.sine = fade * pixel.fall * node.slope;
     }
     d *= frequency / place.radius;
-    float2 u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // a twelfth of a turn either way
+    float2 u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
     float2 v = 0.5 * u + 0.8660254 * float2(-u.y, u.x);
     float2 first = gabor_impl_wave(dot(u, d)), second = gabor_impl_wave(dot(v, d));
     float2 third = gabor_impl_product(second, float2(first.x, -first.y));
@@ -957,7 +961,8 @@ inline GaborFootprint gabor_footprint(float2 dx, float2 dy) {
     GaborFootprint footprint;
     footprint.covariance = 0.25 * float3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
 
-    // The eigenvalues are mean +- apart; the smaller one is more precise as the determinant over the larger one.
+    // The eigenvalues are mean +- apart; the smaller one is more precise if computed as the determinant over the larger
+    // one.
     float mean = 0.5 * (footprint.covariance.x + footprint.covariance.y);
     float2 axis = float2(0.5 * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
     float apart = length(axis);

@@ -68,7 +68,7 @@ class Help(ProgramTest):
             options = re.findall(r"(?m)^--(\S+) +[A-Z].*\[\S+\]$", self.succeed("materials", material))
             self.assertTrue(5 <= len(options) <= 8, material)
             self.assertEqual({option.partition(".")[0] for option in options}, {material})
-        self.assertRegex(self.succeed("materials", "wood"), r"--wood.rings +Year rings per unit: a number from 2 to 60 \[13\]")
+        self.assertRegex(self.succeed("materials", "wood"), r"--wood.rings +Growth rings per unit: a number from 2 to 60 \[13\]")
 
     def test_help_writes_nothing(self):
         self.succeed("render", "-o", "out.exr", "--help")

@@ -45,24 +45,24 @@ RECIPES = {
 # Invalid values of macros, and the compiler's expected message.
 BAD_MACROS = {
     "gabor_noise": [
-        ("GABOR_IMPULSES", "0", "GABOR_IMPULSES is an int *, at least 1"),
+        ("GABOR_IMPULSES", "0", "GABOR_IMPULSES must be an int *, at least 1"),
         ("GABOR_IMPULSES", "2.0", "'preprocessor evaluation' : bad expression"),
-        ("GABOR_PHASES", "3", "GABOR_PHASES is a power of two *, from 2 to 256"),
-        ("GABOR_PHASES", "512", "GABOR_PHASES is a power of two *, from 2 to 256"),
+        ("GABOR_PHASES", "3", "GABOR_PHASES must be a power of two *, from 2 to 256"),
+        ("GABOR_PHASES", "512", "GABOR_PHASES must be a power of two *, from 2 to 256"),
         ("GABOR_RADIUS", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
         ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
         ("GABOR_WINDOW", "1.0", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
     ],
     "gabor_lattice": [
-        ("GABOR_TAPS", "1", "GABOR_TAPS is 2 *, 3 or 4"),
-        ("GABOR_TAPS", "5", "GABOR_TAPS is 2 *, 3 or 4"),
+        ("GABOR_TAPS", "1", "GABOR_TAPS must be 2 *, 3 or 4"),
+        ("GABOR_TAPS", "5", "GABOR_TAPS must be 2 *, 3 or 4"),
         ("GABOR_TAPS", "5.5", "'preprocessor evaluation' : bad expression"),
     ],
-    "gabor_spectrum": [("GABOR_LOBES", "0", "GABOR_LOBES is an int *, at least 1")],
+    "gabor_spectrum": [("GABOR_LOBES", "0", "GABOR_LOBES must be an int *, at least 1")],
     "gabor_lattice_3d": [("GABOR_TAPS", "4", "gabor_lattice_3d . glsl needs GABOR_TAPS 3")],
     "gabor_materials": [("GABOR_TAPS", "4", "gabor_materials . glsl needs GABOR_TAPS 3")],
     "gabor_direction": [("GABOR_TAPS", "4", "gabor_direction . glsl needs GABOR_TAPS 3")],
-    "gabor_erosion": [("GABOR_TAPS", "5", "GABOR_TAPS is 2 *, 3 or 4")],
+    "gabor_erosion": [("GABOR_TAPS", "5", "GABOR_TAPS must be 2 *, 3 or 4")],
 }
 
 # Every public function, with arguments that no compiler can fold.

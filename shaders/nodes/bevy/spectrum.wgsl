@@ -1,19 +1,19 @@
 #define_import_path gabor_noise::spectrum
 #import gabor_noise::lattice::{GABOR_TAPS, gabor_phasor, gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_kernel, gabor_kernel_wave, gabor_place, gabor_place_tiled, gabor_field, gabor_impl_salt, gabor_impl_line_word, gabor_impl_product, gabor_impl_half_turn, gabor_impl_wave, gabor_impl_windows, gabor_impl_wrap, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at, gabor_impl_sum, gabor_impl_field}
 
-// gabor_spectrum.wgsl: Gabor noise with any power spectrum, and filtered for a pixel: for WGSL.
+// gabor_spectrum.wgsl: Gabor noise with any power spectrum, or filtered for a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
-// Positions are in kernel radii, as in gabor_lattice.wgsl. Noise has variance 1; filtered noise has 1 minus the removed
-// share. The filter needs GABOR_TAPS 3, the default.
+// Positions are in kernel radii, as in gabor_lattice.wgsl. Noise has variance 1; filtered noise has variance 1 minus
+// the removed share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Waves around one wave vector, from gabor_lobe.
+// Waves around one wave vector, made by gabor_lobe.
 struct GaborLobe {
     frequency: f32,
     orientation: f32,
@@ -149,14 +149,16 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
     }
 }
 
-// Noise of many waves at p: within `orientation_spread` radians of the orientation and within the share
-// `frequency_spread` (0 to 1) of the frequency, as evenly as lobes of kernel radius 1 allow. A spread of pi/2 gives
-// isotropic noise; its power varies with direction by at most 5 % at frequencies from 0.12 to 14, and by up to 7 %
-// below. Normal with all its derivatives, mean 0, variance 1, and continuous where the arguments are. Costs one
-// gabor_noise per lobe. With o for the orientation_spread there are
+// Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
+// frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, as evenly as lobes of kernel radius 1
+// allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most 5 % at
+// frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and its
+// derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. With o =
+// orientation_spread, there are
 //     (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
 // directions (10 for isotropic noise of frequency 2), and 2.86 frequency_spread frequency + 0.8 frequencies,
-// rounded down, up to 16. For a fifth of all arguments, where a count changes, both counts run.
+// rounded down, up to 16. Near each change of a count, for a fifth of all arguments, the lobes of both counts are
+// summed.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_14: GaborPlace;
@@ -523,8 +525,8 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     return _e112;
 }
 
-// gabor_stripes, filtered: (cosine, sine, intensity, removed). Each is the mean over the removed part, within 0.1.
-// So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
+// gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part, within
+// 0.1. So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
 fn gabor_stripes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec4<f32> {
     let _e13 = gabor_place(vec2(0i), (p * 1.5f));
     let _e14 = gabor_footprint(dx, dy);
@@ -592,7 +594,7 @@ fn gabor_profile_sawtooth(phase: f32, width: f32) -> f32 {
     return (_e4.z * (_e8 - _e11));
 }
 
-// 1 from phase 0 over the share `duty` (0 to 1) of a turn, then 0.
+// 1 for the first `duty` (0 to 1) of each turn, then 0.
 fn gabor_profile_pulse(phase: f32, duty: f32, width: f32) -> f32 {
     var ends_2: vec3<f32>;
 
@@ -620,7 +622,7 @@ fn gabor_profile_ridges(phase: f32, width: f32) -> f32 {
     return (_e4.z * (_e8 - _e11));
 }
 
-// The same profiles: gabor_profile_sine and so on.
+// The profiles of gabor_profile_sine and so on.
 fn gabor_stripes_sine(stripes: vec2<f32>) -> f32 {
     return (0.5f - (0.5f * stripes.x));
 }
@@ -749,8 +751,8 @@ fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
     }
 }
 
-// The same place, period and time for a kernel with `radius` times the place's kernel radius, along both axes or
-// along x and y. Its position is rounded to a float, within the period if there is one.
+// The same place, period and time for kernels with `radius` times the place's kernel radius, which may differ along
+// x and y. The position is rounded to a float, within the period if there is one.
 fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
     let _e3 = gabor_place_stretched(place, vec2(radius));
     return _e3;
@@ -1243,7 +1245,7 @@ fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: Gabo
 }
 
 // The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
-// period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because its nodes are not 1 /
+// period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because nodes are then not 1 /
 // GABOR_RADIUS apart.
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
     var kernel_9: GaborKernel;
@@ -1325,8 +1327,8 @@ fn gabor_impl_lobe_kernel(lobe: GaborLobe) -> GaborKernel {
     return _e19;
 }
 
-// The power of a sum that replaces another as x goes from 0 to 1. With x as the power, the amplitudes would be square
-// roots, with infinite slopes at the ends.
+// The power of a sum that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// square roots, with infinite slopes at the ends.
 fn gabor_impl_takeover(x: f32) -> f32 {
     return ((x * x) / ((x * x) + ((1f - x) * (1f - x))));
 }
@@ -1344,7 +1346,7 @@ fn gabor_impl_pieces(c: f32) -> i32 {
     return _e11;
 }
 
-// Lobe `i`: its place in the range, from -1 to 1, its share of the power, and a number for its seed.
+// Returns lobe `i`: its position in the range, from -1 to 1; its share of the power; and a number for its seed.
 fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
     var i_2: i32;
     var n: i32;
@@ -1384,8 +1386,8 @@ fn gabor_impl_symmetric(matrix: vec3<f32>, v: vec2<f32>) -> vec2<f32> {
     return ((matrix.xy * v) + (matrix.z * v.yx));
 }
 
-// The share of its variance that a lobe keeps under a filter of covariance S. With a normal approximation of the lobe's
-// power, with the variance 1/12 of Hann's window along each axis, and with d the determinant of 1 + 2/3 pi^2 S, it is
+// The share of its variance that a lobe keeps under a filter of covariance S. If the lobe's power is taken to be
+// normal, with Hann's variance of 1/12 along each axis, and d is the determinant of 1 + 2/3 pi^2 S, the share is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     var area: f32;
@@ -1404,14 +1406,15 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     return (exp(-(clamp(_e32, 0f, 80f))) * inverseSqrt(_e38));
 }
 
-// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), as the root of a rational function.
+// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), approximated by the root of a rational function.
 fn gabor_impl_mean_angle(q: f32) -> f32 {
     return sqrt(((1f + (q * (0.19075951f + (0.0865599f * q)))) / (1f + (q * (1.1907595f + (q * (0.60787135f + (0.27193594f * q))))))));
 }
 
-// Three waves: a node's filtered window and its derivative. A wave q = -1/2, 0, 1/2 of Hann's window has the factor
-// exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q). With the even and odd parts of this factor at q = 1/2, and S along the axis, the
-// window h becomes 1/2 + even (h - 1/2) + i odd h' / pi.
+// Returns a node's window, filtered by three waves, and its derivative. The filter multiplies the wave q = -1/2, 0 or
+// 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along the axis. If `even` and
+// `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes 1/2 + even (h - 1/2) + i odd h' /
+// pi.
 fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2<f32>) -> vec4<f32> {
     var wave_11: vec2<f32>;
     var even: vec2<f32>;
@@ -1525,14 +1528,14 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     return _e90;
 }
 
-// Seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
+// For the form with seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
 struct GaborFactors {
     real: vec3<f32>,
     imaginary: vec3<f32>,
 }
 
-// An axis: at a distance of d kernel radii its filtered windows are, for each factor and with (C, S) the cosine and
-// sine of 2 pi d / 2w, even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
+// An axis. With (C, S) the cosine and sine of 2 pi d / 2w, the filtered window for each factor, at a distance of d
+// kernel radii, is even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
 struct GaborBand {
     even_0_: vec3<f32>,
     even_1_: vec3<f32>,
@@ -1869,7 +1872,7 @@ fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, animated: bool,
     return _e26;
 }
 
-// The factors without the first, moved up by one.
+// Drops the first factor and moves the others up by one.
 fn gabor_impl_next(f: GaborFactors) -> GaborFactors {
     let _e2 = f.real.yz;
     let _e8 = f.imaginary.yz;
@@ -1881,7 +1884,7 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
     return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
 }
 
-// The noise at a place, filtered by seven waves along each axis; skipped unless `wanted`.
+// The noise at a place, filtered by seven waves along each axis. Computes only one row unless `wanted`.
 fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
     var m_1: vec2<f32>;
     var deviation_1: vec2<f32>;
@@ -2177,7 +2180,7 @@ fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFact
 }
 
 // The noise in space and its derivatives, `local` node spacings from a cell's corner, filtered by seven waves along
-// each axis; skipped unless `wanted`.
+// each axis. Computes only one row unless `wanted`.
 fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32>, animated: bool, time: f32, wave: vec3<f32>, s: GaborMatrix, wanted: bool, salt: u32, noise: ptr<function, vec4<f32>>, quadrature: ptr<function, vec4<f32>>) {
     var determinant_1: f32;
     var m_4: GaborMatrix;
@@ -2459,7 +2462,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     return;
 }
 
-// Four more words of a row, for further uses; their products with column words are equally random.
+// Four more words of a row; their products with column words are just as random.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
     if GABOR_TAPS == 2 {
         var first: u32;
@@ -2544,8 +2547,8 @@ struct GaborFilter {
     fall: vec2<f32>,
 }
 
-// Adds a node's wave: `a` is its amplitude, turned by the wave from the node to the point. The filter multiplies it by
-// exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
+// Adds a node's wave. `a` is its amplitude times the wave at the point. The filter multiplies it by exp(-2 pi^2 F.S F)
+// and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
 fn gabor_impl_add_wave_2d(sum: ptr<function, GaborField>, node: GaborWindows, pixel: GaborFilter, a: vec2<f32>, wave: vec2<f32>) {
     if GABOR_TAPS == 2 {
         var a_2: vec2<f32>;

@@ -1,5 +1,5 @@
-"""Brushed metal and cloth by gabor_lattice.osl in a Script node: blender --background --python example.py, or with bpy.
-Writes example.png."""
+"""Draws example.png, brushed metal, stripes and sand, with gabor_lattice.osl in a Script node. Run it with
+blender --background --python example.py, or in Python with the module bpy."""
 
 import math
 import pathlib

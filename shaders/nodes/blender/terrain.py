@@ -1,5 +1,5 @@
-"""Eroded mountains: gabor_erosion.osl displaces a grid. blender --background --python terrain.py, or with bpy.
-Writes terrain.jpg."""
+"""Draws terrain.jpg: gabor_erosion.osl displaces a grid to eroded mountains. Run it with
+blender --background --python terrain.py, or in Python with the module bpy."""
 
 import math
 import pathlib
@@ -27,14 +27,14 @@ mountains = tree.nodes.new("ShaderNodeScript")
 mountains.mode, mountains.filepath = "EXTERNAL", str(HERE.parent / "osl" / "gabor_erosion.osl")
 cycles.osl.update_script_node(mountains, lambda kinds, message: print(message))
 mountains.inputs["Seed"].default_value = 7
-# The place before the displacement: an object's own coordinates.
+# An object's own coordinates are those before displacement.
 tree.links.new(tree.nodes.new("ShaderNodeTexCoord").outputs["Object"], mountains.inputs["Vector"])
 displacement = tree.nodes.new("ShaderNodeDisplacement")
 displacement.inputs["Midlevel"].default_value, displacement.inputs["Scale"].default_value = 0, 1
 tree.links.new(mountains.outputs["Height"], displacement.inputs["Height"])
 tree.links.new(displacement.outputs[0], tree.nodes["Material Output"].inputs["Displacement"])
 
-# Dark creases, light ridges; snow above them.
+# Creases are dark and ridges light, with snow at the top.
 rock = tree.nodes.new("ShaderNodeMix")
 rock.data_type = "RGBA"
 rock.inputs[6].default_value, rock.inputs[7].default_value = (0.06, 0.06, 0.03, 1), (0.22, 0.19, 0.16, 1)

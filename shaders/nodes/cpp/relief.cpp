@@ -1,5 +1,5 @@
-// A relief of the noise, lit from the upper left, as a grey picture: c++ -std=c++11 -O3 relief.cpp && ./a.out
-// > relief.pgm
+// Writes a grey picture of the noise as a relief, lit from the upper left. To run it:
+// c++ -std=c++11 -O3 relief.cpp && ./a.out > relief.pgm
 #include "../../translations/gabor_lattice.hpp"
 
 #include <cstdio>

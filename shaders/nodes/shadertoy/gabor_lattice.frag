@@ -1,7 +1,7 @@
-// Gabor noise: waves whose frequency and direction you choose. Drag the mouse: to the right the frequency grows, upwards
-// the waves turn. Paste all of this into shadertoy.com, or write your own mainImage.
+// Gabor noise: waves whose frequency and direction you choose. Drag the mouse to the right for higher frequencies, and
+// upwards to turn the waves. Paste all of this into shadertoy.com, and change mainImage, at the end, as you like.
 
-// ---- gabor_lattice.glsl as it is ----
+// ---- gabor_lattice.glsl unchanged ----
 // gabor_lattice.glsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place.
 //
 // Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name
@@ -10,7 +10,8 @@
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Values are normal up to three standard deviations. Beyond 3.5, they are 13 % too rare overall, and 56 % at a node.
+// Values are normal up to three standard deviations. Values beyond 3.5 are 13 % too rare overall, and 56 % too rare at
+// a node.
 //
 // Arguments of all functions:
 //     p            position in kernel radii: a wave fades out within one radius of its node. |p| < 2^31 / GABOR_RADIUS,
@@ -20,8 +21,8 @@
 //                  each radian at frequency 4.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis, instead of frequency and
 //                  orientation. Use it for direction maps; (0, 0) gives noise of frequency 0.
-//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Below 2 it narrows
-//                  the windows; above, it stretches them by at most a sixth.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Periods
+//                  below 2 narrow the windows; longer ones stretch them by at most a sixth.
 //     seed         any; different seeds give independent noises
 // Frequency, orientation and wave may vary with p. The noise is continuous wherever they are; gabor_direction.glsl
 // keeps stripes whole where a map jumps. NaN gives an unspecified value.
@@ -40,13 +41,13 @@ precision highp float;
 precision highp int;
 #endif
 
-// Quality, defined before the file: each point sums GABOR_TAPS^2 waves. 2 is fastest but shows columns and rows at high
-// frequencies; 4 makes the covariance depend less on the place.
+// Quality; define it before this file to change it. Each point sums GABOR_TAPS^2 waves. 2 is the fastest, but columns
+// and rows become visible at high frequencies; with 4, the covariance depends less on the place.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
 #if GABOR_TAPS < 2 || GABOR_TAPS > 4
-#error GABOR_TAPS is 2, 3 or 4
+#error GABOR_TAPS must be 2, 3 or 4
 #endif
 
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
@@ -57,10 +58,11 @@ precision highp int;
 
 // float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1; time 0 gives gabor_noise. Its correlation over a time t is cos^2(pi
-//     t). Costs three noises.
+//     t). Costs three times as much as gabor_noise.
 
 // vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
-//     Four independent noises, with seeds `seed` and gabor_lobe_seed(seed, -1), -2 and -3. Costs four noises.
+//     Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
+//     as much as gabor_noise.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 // vec3 gabor_noise_wave_gradient(vec2 p, vec2 wave, uint seed)
@@ -68,8 +70,8 @@ precision highp int;
 
 // vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
 // vec2 gabor_noise_wave_complex(vec2 p, vec2 wave, uint seed)
-//     (quadrature, noise): real and imaginary part of a complex noise. The quadrature has cosines instead of sines. At
-//     each place both are independent with variance 1.
+//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
+//     sines. At each place the two are independent and have variance 1.
 
 // vec2 gabor_phasor(vec2 value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
@@ -158,7 +160,8 @@ struct GaborField {
 // normal because sums of normal numbers are.
 //
 // Each wave's phase starts at its own node, so the wave vector F may vary with the place. From one node to the next the
-// phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into both axes:
+// phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into one sum per
+// axis:
 //
 //     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
 //
@@ -166,7 +169,7 @@ struct GaborField {
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
 
-// Mixes a word, with a different sequence for each salt (constants from the hash-prospector project).
+// Hashes a word; each salt gives a different sequence. The constants are from the hash-prospector project.
 uint gabor_impl_mix(uint word, uint salt) {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
@@ -178,16 +181,16 @@ uint gabor_lobe_seed(uint seed, int index) {
 }
 
 #define GABOR_IMPL_ROWS 0x5bd1e995u
-// The salt of the columns. Xor it with GABOR_IMPL_ROWS for the rows: with equal salts node (i, i) would hash to a
-// square.
+// The salt of the columns. Xor it with GABOR_IMPL_ROWS for the rows: with equal salts, the word of node (i, i) would be
+// a square.
 uint gabor_impl_salt(uint seed) {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
-// The word of a column or row of nodes; a node's word is their product. Words are odd and have 24 bits, which GPUs
-// multiply at a quarter of the cost; the highest bit is set, so that products fill all 32 bits. Multiplying a word by a
-// shifted copy of itself mixes better than a constant factor: two indices have equal words with probability 2^-22, at
-// any distance.
+// The word of a column or row of nodes; a node's word is the product of the two. Words are odd and have 24 bits,
+// because GPUs multiply 24-bit numbers at a quarter of the cost; their highest bit is set, so that products fill all 32
+// bits. Multiplying a word by a shifted copy of itself mixes better than a constant factor: two indices have equal
+// words with probability 2^-22, at any distance.
 uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
     word = word * (word ^ (word >> 15u));
@@ -197,8 +200,8 @@ uint gabor_impl_line_word(int index, uint salt) {
 #define GABOR_IMPL_DEVIATION 1.4599553e27 // standard deviation of each part of an amplitude
 // The amplitude of a word. One part comes from the whole word, the other from its low 20 bits; they are independent and
 // nearly normal: for u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are
-// proportional to normal ones. The noise's cvm [TNVT19] is 0.001 on average and 0.03 at the worst place, a node, whose
-// amplitude has 79 % of the power there.
+// nearly proportional to those of a normal distribution. The noise's cvm [TNVT19] is 0.001 on average and 0.03 at the
+// worst place, a node, whose amplitude has 79 % of the power there.
 vec2 gabor_impl_amplitude(uint word) {
     vec2 u = vec2(float(int(word)), float(int(word << 12u)));
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
@@ -237,8 +240,8 @@ vec2 gabor_impl_wave(float t) {
 #define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of their squares
 void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 #if GABOR_TAPS == 2
-    // Two shifts of Hann's window do not have a constant energy. With s = t^2 (3 - 2 t), the windows 1 - s and s do,
-    // divided by the root of their sum of squares, but the variances of their derivatives vary.
+    // The squares of two shifts of Hann's window do not sum to a constant. With s = t^2 (3 - 2 t), those of 1 - s and s
+    // do, once both are divided by the root of their sum of squares; but the variances of their derivatives vary.
     float t = x + 1.0, s = t * t * (3.0 - 2.0 * t);
     float scale = inversesqrt(1.0 - 2.0 * s * (1.0 - s));
     value = scale * vec4(1.0 - s, s, 0.0, 0.0);
@@ -252,7 +255,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
     value = vec4(a - s, 0.5 + c, a + s, 0.0);
     slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z over sqrt(8). c and s are half those of pi/2 x
+    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over sqrt(8). c and s are half those of pi/2 x
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;
@@ -263,14 +266,14 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
-// An index within a period.
+// Wraps an index into a period.
 int gabor_impl_wrap(int index, int period) {
     if (period == 0) return index;
     int within = index - index / period * period;
     return within < 0 ? within + period : within;
 }
 
-// The next index within a period, without a division.
+// The index after this one, wrapped into a period without a division.
 int gabor_impl_next_node(int index, int period) {
     return period == 0 || index + 1 < period ? index + 1 : 0;
 }
@@ -321,16 +324,16 @@ vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
          + 0.70710678 * turn.y * gabor_impl_amplitude(third);
 }
 
-// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by their derivatives; zw of
-// both has the derivatives of the windows along x. Some compilers do not unroll or vectorize loops over nodes and rows,
-// so there are none.
+// Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
+// windows. In zw, both sums use the derivatives of the windows along x. Some compilers do not unroll or vectorize loops
+// over nodes and rows, so the nodes are written out.
 void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
     vec4 row = vec4(0.0);
     gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
     gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
     if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
-    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always true, but a branch keeps CPUs from spilling registers
+    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always true, but keeps CPU compilers from spilling registers
         gabor_impl_add(sum, row, y.node[j].xy);
         gabor_impl_add(slope, row, y.node[j].zw);
     }
@@ -471,7 +474,7 @@ float gabor_unorm(float noise) {
 }
 
 #endif // GABOR_LATTICE_GLSL
-// ---- mine ----
+// ---- your code ----
 
 void mainImage(out vec4 color, vec2 pixel)
 {

@@ -1,4 +1,4 @@
-// gabor_lattice.tsl.js: the noise of gabor_lattice.glsl, with GABOR_TAPS 3, as nodes of three.js: for WebGPU and WebGL 2.
+// gabor_lattice.tsl.js: the noise of gabor_lattice.glsl, with GABOR_TAPS 3, as three.js nodes for WebGPU and WebGL 2.
 //
 //     material.colorNode = vec3(gabor_unorm(gabor_noise(uv().mul(8), 4, 0.7854, uint(7))));
 //
@@ -65,7 +65,7 @@ const gabor_impl_wave = (t_) => {
 const RADIUS = 1.5;                  // nodes per kernel radius
 const TURN = 6.2831853;
 
-// The amplitude of a node; with time, a sum of three.
+// The amplitude of a node; with time, a sum of three amplitudes.
 const amplitude_at = (word, time) => {
     const first = gabor_impl_amplitude(word);
     if (time === undefined) return first;
@@ -97,7 +97,8 @@ const axis = (place, wave, salt, radius = float(RADIUS), period) => {
     });
 };
 
-// The sum over nodes of { word, value, slope } and axes: complex value and its derivatives along each axis.
+// Sums over the nodes { word, value, slope } of an axis. next(node) returns the value and its derivatives along the other
+// axes; this appends the derivative along the axis.
 const along = (nodes, next) => {
     let sums;
     for (const node of nodes) {

@@ -1,9 +1,9 @@
 // The functions that Shader Graph's Custom Function nodes call.
 //   Place         in kernel radii
 //   Frequency     cycles per kernel radius
-//   Orientation   of the waves, in radians from +x towards +y
-//   Wave          the wave vector, in cycles per kernel radius: it may follow a direction map
-//   Sharpness     of stripes where they fork, 2 say
+//   Orientation   direction of the waves, in radians from +x towards +y
+//   Wave          wave vector, in cycles per kernel radius; it may follow a direction map
+//   Sharpness     sharpness of stripes where they fork; 2 is a good value
 //   Seed          a whole number
 // Noise and Quadrature have mean 0 and variance 1; the quadrature's waves are a quarter period ahead. Gradient is the
 // noise's, per kernel radius. Stripes are cosine, sine and intensity: see gabor_stripes.
@@ -27,7 +27,7 @@ void GaborStripes_float(float2 Place, float2 Wave, float Sharpness, float Seed, 
     Stripes = gabor_stripes_of(field.value, Sharpness);
 }
 
-// For graphs of half precision: the noise itself is calculated in full.
+// For graphs with half precision; the noise itself is computed in full precision.
 void GaborNoise_half(half2 Place, half Frequency, half Orientation, half Seed, out half Noise, out half Quadrature)
 {
     float2 value = gabor_noise_complex((float2)Place, (float)Frequency, (float)Orientation, (uint)(int)Seed);

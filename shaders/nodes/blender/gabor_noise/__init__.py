@@ -1,7 +1,7 @@
-# Gabor noise as a group of Blender's own shader nodes: Add > Texture > Gabor Noise (Normalized) in the shader editor.
+# Adds Gabor noise, as a group of Blender's own nodes, to the shader editor: Add > Texture > Gabor Noise (Normalized).
 #
-# The sum is that of gabor_lattice.glsl with three taps, and so is the law of its values. The amplitudes differ: shader
-# nodes have no integers to hash, so White Noise nodes supply them.
+# It computes the sum of gabor_lattice.glsl with three taps, so its values have the same distribution. But the amplitudes
+# differ: shader nodes have no integers to hash, so White Noise nodes supply them.
 #
 # Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -10,7 +10,7 @@ import math
 import bpy
 
 NODE, FIELD = "Gabor Noise Node", "Gabor Noise (Normalized)"
-# A part of an amplitude, of u uniform in [-1, 1]: (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2), nearly normal.
+# A part of an amplitude, for u uniform in [-1, 1]: (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2), nearly normal.
 SLOPE, KNEE, SQUARE, DEVIATION = 0.89289313, 0.93687596, 0.62342056, 0.09190329
 
 
@@ -79,7 +79,7 @@ def node_group():
                    b.vector("MULTIPLY_ADD", b.vector("MULTIPLY", u, u), (SQUARE,) * 3, (1, 1, 1)))
     parts = b.node("SeparateXYZ", law)
 
-    # Hann's windows along x and y, over the amplitude's deviation and the sum of squared windows, 9/8.
+    # Hann's windows along x and y, divided by the amplitude's deviation and by the sum of squared windows, 9/8.
     cosines = b.node("SeparateXYZ", b.vector("COSINE", b.scaled(offset, math.pi)))
     window = b.math("MULTIPLY", *(b.math("MULTIPLY_ADD", cosines[axis], 0.5, 0.5) for axis in (0, 1)))
     window = b.math("MULTIPLY", window, 1 / (DEVIATION * 1.125))

@@ -1,4 +1,4 @@
-//! Draws stripes.png with wgpu: `cargo run --release`. naga_oil composes stripes.wgsl with the modules that it imports, as in Bevy.
+//! Draws stripes.png with wgpu: run `cargo run --release`. naga_oil combines stripes.wgsl with the modules that it imports, as in Bevy.
 
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor};
 use std::{borrow::Cow, fs::File};

@@ -1,4 +1,4 @@
-// Stripes that follow a vortex: the map is read at the nine nodes around a pixel, so that stripes stay whole everywhere.
+// Stripes that follow a vortex. The direction map is read at the nine nodes around a pixel, so stripes stay whole everywhere.
 #import gabor_noise::lattice::{gabor_place, gabor_stripes_of}
 #import gabor_noise::direction::{GaborWaves, gabor_field_waves, gabor_node_position}
 

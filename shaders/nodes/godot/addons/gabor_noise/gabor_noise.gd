@@ -1,7 +1,7 @@
 @tool
 class_name VisualShaderNodeGaborNoise
 extends VisualShaderNodeCustom
-## Gabor noise in a visual shader: mean 0 and variance 1, and its quadrature. The place is in kernel radii, UV * 8 if
+## Gabor noise for visual shaders, with mean 0 and variance 1, and its quadrature. The place is in kernel radii, UV * 8 if
 ## nothing is connected; the frequency is in cycles per kernel radius, the orientation in radians.
 
 const NAMES := ["place", "frequency", "orientation", "seed"]
@@ -15,7 +15,7 @@ func _get_category() -> String:
 	return "Textures/Noise"
 
 func _get_description() -> String:
-	return "Gabor noise of a frequency and a direction: mean 0, variance 1"
+	return "Gabor noise with a chosen frequency and direction: mean 0, variance 1"
 
 func _get_return_icon_type() -> PortType:
 	return PORT_TYPE_SCALAR

@@ -149,7 +149,7 @@ vec4 mx_gabor_field2d(vec2 p, vec2 wave, int seed)
     return vec4(value.y, value.x, slope_x.y + 6.2831853 * wave.x * value.x, slope_y.y + 6.2831853 * wave.y * value.x);
 }
 
-// A slice of nodes in space, with the windows along x and their slopes, and with other weights along y.
+// A slice of nodes in space, with the windows along x, their slopes, and the given weights along y.
 vec4 mx_gabor_slice(uint slice, uint below, uint level, uint above, uint before, uint middle, uint after, vec3 windows,
                     vec3 slopes, vec2 turn, vec3 weights, vec2 turn_y)
 {
@@ -159,7 +159,7 @@ vec4 mx_gabor_slice(uint slice, uint below, uint level, uint above, uint before,
     return mx_gabor_sums(a, b, c, weights, turn_y);
 }
 
-// Noise and its gradient in space, in the same units.
+// Noise in space and its gradient, in the units of mx_gabor_field2d.
 vec4 mx_gabor_field3d(vec3 p, vec3 wave, int seed)
 {
     float x = 1.5 * p.x;
