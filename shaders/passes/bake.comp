@@ -30,14 +30,14 @@
 
 layout(constant_id = visited_id) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = block_columns_id) const int block_columns = 8;
-layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: any number; else this many, unrolled
+layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: any number of rows; otherwise this many, unrolled
 layout(constant_id = quadrature_id) const bool with_quadrature = false; // also writes the real part
 layout(constant_id = gradient_id) const bool with_gradient = false;   // also writes the derivatives along x and y
 layout(constant_id = animated_id) const bool animated = false;        // whether time is not 0, for the lattice
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
 layout(constant_id = few_waves_id) const int few_waves = 0; // 1: this step has one noise
 layout(constant_id = coloured_id) const bool coloured = false;        // writes the components of a colour instead of the noise
-layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match, which takes divisions, slow on CPUs
+layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; takes divisions, which are slow on CPUs
 layout(constant_id = view_id) const uint view = view_flat;
 const bool slice = view == view_slice; // whether it is a slice of solid noise, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
@@ -247,7 +247,7 @@ void main() {
     if (gl_GlobalInvocationID.x >= column_runs)
         across.count = 0;
     Run down = rows[first_run + gl_GlobalInvocationID.y];
-    if (few_waves == 1) { // compilers would keep a loop of one iteration
+    if (few_waves == 1) { // because compilers would keep a loop of one iteration
         fill(across, down, first_wave);
     } else {
         for (uint i = 0u; i < wave_count; ++i)

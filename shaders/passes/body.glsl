@@ -99,8 +99,8 @@ struct Seen {
     vec3 dy;
 };
 
-// Whether all rays of the pixel hit, or none. Their hits are at most `reach` apart, and under each point of its surface a body
-// is at least as deep as the torus's tube.
+// Whether all rays of the pixel hit the body, or all miss it. Their hits are at most `reach` apart, and a body is at least as
+// thick everywhere as the torus's tube.
 bool all_alike(Hit hit, vec3 ray) {
     float reach = 0.75 * pixel * (eye_distance + 1.0);
     float facing = dot(normalize(ray), hit.normal);

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Erodes a heightmap. Slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps:
-// binomial weights (1, 4, 6, 4, 1) / 16 across, and (-1, -2, 0, 2, 1) / 8 along.
+// Erodes a heightmap. Slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps. The weights
+// are binomial, (1, 4, 6, 4, 1) / 16, across the direction of a slope, and (-1, -2, 0, 2, 1) / 8 along it.
 
 #include "passes/erode_interface.h"
 #include "gabor_lattice.glsl"

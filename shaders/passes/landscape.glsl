@@ -45,7 +45,8 @@ vec3 sky_along(vec3 sun, vec3 ray) {
 }
 
 // The distance along the ray to the ground, or -1. Steps grow with the height above the ground and with the distance; the
-// hills, which are cheap, show where the ray is above any erosion. `wide` is the width of a pixel at distance 1.
+// hills, which are cheap, tell where the ray is too high for any erosion to reach. `wide` is the width of a pixel at distance
+// 1.
 float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
     float t = 0.0, before = 0.0;
     for (int i = 0; i < 200 && t < far; ++i) {
@@ -118,7 +119,7 @@ Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     return sight;
 }
 
-// The position, at distance 1, and a ray of a camera that looks at the origin. `yaw` and `pitch` are (cosine, sine) of its
+// A camera that looks at the origin from distance 1: its position and its rays. `yaw` and `pitch` are (cosine, sine) of its
 // angles. `place` is the offset from the middle of the picture, in units of its focal length, with y growing downwards.
 vec3 camera_at(vec2 yaw, vec2 pitch) {
     return vec3(pitch.x * yaw.x, pitch.y, pitch.x * yaw.y);

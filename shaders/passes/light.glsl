@@ -1,6 +1,6 @@
-// Lights a material with a lamp, in a room with a window. The surface is the plane z = 0; y points down the picture. Radiance
-// is that of glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction
-// through rough surfaces", 2007). The exported maps look the same in other renderers; see docs/gallery.md.
+// Lights a material with a lamp, in a room with a window. The surface is the plane z = 0; y points down the picture. Surfaces
+// reflect light as in glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for
+// refraction through rough surfaces", 2007). The exported maps look the same in other renderers; see docs/gallery.md.
 
 // The room's light from direction `d`: dark walls and a window, blurred by the roughness of the surface that reflects
 // it.

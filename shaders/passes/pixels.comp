@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Draws a picture pixel by pixel: any sum of noises, in any view of the plane; it can be painted, filtered, and in colour.
+// Draws a picture pixel by pixel: any sum of noises, in any view of the plane, optionally painted, filtered or in colour.
 
 #include "passes/pixels_interface.h"
 const int colour_binding = 5;
@@ -18,11 +18,12 @@ layout(constant_id = painted_id) const bool painted = false;
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
-layout(constant_id = values_id) const int values = 1; // independent noises
-layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match, which takes divisions, slow on CPUs
+layout(constant_id = values_id) const int values = 1; // number of independent noises
+layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; takes divisions, which are slow on CPUs
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0, for the lattice
-layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves, if there are few: their loop is unrolled
-// A bit for each of few waves whose filter needs only its narrow or only its wide form.
+layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves if their loop is unrolled, else 0
+// If the loop is unrolled: a bit for each wave whose filter needs only its narrow form, and one for each that needs only its
+// wide form.
 layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
 layout(constant_id = wide_waves_id) const uint wide_waves = 0u;
 layout(constant_id = coloured_id) const bool coloured = false; // red, green and blue instead of the noise
@@ -37,7 +38,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Waves { PixelsWave wave_tab
 layout(std430, set = 0, binding = 4) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
-// The sample with its orientation within half a turn of another's.
+// Changes a sample's orientation by whole turns, to within half a turn of another's.
 vec2 nearest_turn(vec2 sampled, vec2 other) {
     return vec2(sampled.x, sampled.y - 6.2831853 * floor((sampled.y - other.y) * 0.15915494 + 0.5));
 }
@@ -175,7 +176,7 @@ void main() {
     if (horizon) {
         vec2 seen = vec2(columns[pixel_at.x * tables].local, rows[pixel_at.y * tables].local);
         in_sky = seen.y <= 0.0;
-        // The camera looks along the plane from its height: depth = height * focal length / rows below the horizon.
+        // The camera looks horizontally: depth = its height * focal length / rows below the horizon.
         float near = pixel / (in_sky ? 1.0 : seen.y);
         here.from_camera = near * vec2(seen.x, -focal_length);
         here.dx = vec2(near, 0.0);

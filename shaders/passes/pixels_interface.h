@@ -16,7 +16,7 @@ struct PixelsWave {
     vec2 nodes;        // like GaborPlace.radius
     ivec2 period;      // like GaborPlace.period
     vec2 camera;       // the camera's place in its cell, in perspective
-    float frequency;   // frequency of the wave per radius along x, or a factor of the painted frequency
+    float frequency;   // cycles per radius along x, or a factor of the painted frequency
     float orientation; // radians, added to any painted orientation
     vec2 radius;       // radii of its kernels along x and y, in kernel radii of the picture
     float amplitude;   // the square root of its share of the variance

@@ -10,7 +10,7 @@ layout(constant_id = view_id) const uint view = view_slice;
 layout(constant_id = isotropic_id) const bool some_isotropic = false; // whether any noise is isotropic
 layout(constant_id = directed_id) const bool some_directed = false;
 layout(constant_id = filter_id) const bool filtered = true;     // whether to filter for the pixel's footprint
-layout(constant_id = values_id) const int values = 1; // independent noises
+layout(constant_id = values_id) const int values = 1; // number of independent noises
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false; // derivatives to the right and down in the picture
 layout(constant_id = phasor_id) const bool with_phasor = false;

@@ -4,9 +4,9 @@
 #include "viewer/colours.glsl"
 #include "passes/light.glsl"
 
-// Specialization constants, because CPUs run every branch.
-// 0 value, 1 gradient, 2 phase, 3 intensity, 4 variance, 5 stripes, 6 a lit height, 7 lit stripes, 8 colours; for
-// materials: 9 lit, 10 colour, 11 height, 12 normal, 13 roughness, 14 metalness
+// These are specialization constants because CPUs run every branch. Outputs: 0 value, 1 gradient, 2 phase, 3 intensity, 4
+// variance, 5 stripes, 6 a lit height, 7 lit stripes, 8 colours; for materials: 9 lit, 10 colour, 11 height, 12 normal, 13
+// roughness, 14 metalness
 layout(constant_id = 0) const int output_shown = 0;
 layout(constant_id = 1) const int colours = 0;      // the colour map
 layout(constant_id = 2) const int channels = 1;
@@ -62,7 +62,7 @@ float stripes(vec2 pixel) {
 
 vec3 lit_stripes(vec2 pixel) {
     float height = stripes(pixel);
-    vec2 at = max(pixel, vec2(1.5 * stride)); // the first row and column have the slopes of the next
+    vec2 at = max(pixel, vec2(1.5 * stride)); // the first row and column use the slopes of the second
     vec2 slope = vec2(stripes(vec2(at.x, pixel.y)) - stripes(vec2(at.x - stride, pixel.y)),
                       stripes(vec2(pixel.x, at.y)) - stripes(vec2(pixel.x, at.y - stride)));
     return lit_surface(pixel, mapped(height), vec3(2.0 * slope / spacing, 0.0));
