@@ -44,8 +44,8 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
             static_cast<int>(value(two, "VGPRs"))};
 }
 
-// The compiler guesses how often a loop runs, so this measures the code without the loop and adds the cost of
-// one round for each octave.
+// The compiler only guesses how often a loop runs. So this measures the code without the loop, and adds the
+// cost of one round for each octave.
 Code multiplied_out(const vulkan::Device& device, Subject subject) {
     subject.options.back() = 0;
     const Statistics none = make_pass(device, subject, Use::statistics).statistics(device);

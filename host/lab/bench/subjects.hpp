@@ -20,7 +20,7 @@ struct Subject {
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
     bool measure_cvm = false;                ///< whether to measure the Gaussianity of its values
     bool has_loops = false; ///< whether compilers keep its loops, so that its code cannot be counted
-    int octaves = 0;        ///< rounds of a loop that compilers keep; their number is the last option
+    int octaves = 0;        ///< rounds of a loop that compilers keep; also the last option
 };
 
 /// The noises that others are compared with, named as in docs/benchmark.html.
@@ -75,8 +75,8 @@ struct Setting {
 constexpr Setting base_setting{1024, 32, 4};
 constexpr double base_orientation = 40; ///< degrees
 
-/// The use of a pass: fill a picture, evaluate random places of independent instances, or report the
-/// compiler's statistics.
+/// What a pass is for: to fill a picture, to evaluate random places of independent instances, or to report
+/// the compiler's statistics.
 enum class Use { picture, samples, statistics };
 
 /// Makes the pass of a subject.
@@ -98,7 +98,7 @@ class Filling {
     vulkan::Job job_;
 };
 
-/// Submits `job`, which runs a subject's pass, to compute a picture or as many samples.
+/// Submits `job`, which runs a subject's pass to compute a picture or an equal number of samples.
 void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed);
 
 } // namespace gabor::bench

@@ -164,7 +164,7 @@ void add_bench_command(CLI::App& app) {
                       "Use few repetitions and a small picture, to check that everything runs");
     command->add_flag(
         "--isa", options->isa,
-        "Report the compiler's statistics instead of times: needs RADV, but no GPU, as in tools/isa");
+        "Report the compiler's statistics instead of times. Needs RADV but no GPU: see tools/isa");
     command->callback([options] { run_bench(*options); });
 }
 

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Computes variants of the drop-in's recipes for the frontier and the open questions, with any number of
-// impulses, lattice, distribution of magnitudes and window.
+// Computes variants of the drop-in's recipes for the studies `frontier` and `future`: any number of impulses,
+// lattice, distribution of magnitudes and window.
 
 layout(constant_id = 0) const int impulses = 1;
 layout(constant_id = 1) const float radius = 1.0; // radius in cells

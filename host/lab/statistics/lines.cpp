@@ -33,7 +33,7 @@ Lines::Lines(int side) : side_(side) {
 }
 
 // At f cycles per cell plus `step` cycles per picture, pixel x = cell * m + r has the phase -2 pi (f r / cell
-// + step x / side). So sums over m for each r serve all f.
+// + step x / side). So the sums over m, one for each r, serve every f.
 void Lines::add_row(std::span<const float> row) {
     std::array<std::array<Complex, cell>, steps> along{};
     const auto side = static_cast<std::size_t>(side_);

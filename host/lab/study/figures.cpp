@@ -176,8 +176,8 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
 
 namespace {
 
-// N* from the cvm if it is measured well; if the noise is too close to a normal distribution for that, from
-// the excess kurtosis.
+// Returns N*, from the cvm if it is clearly above 0. If the noise is too close to normal for that, N* comes
+// from the excess kurtosis.
 double seminal_equivalent(const ValueStatistics& values, const Ingredients& ingredients) {
     const statistics::Estimate cvm = values.gaussianity.index();
     if (cvm.low > cvm.value / 2)

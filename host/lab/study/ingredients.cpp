@@ -128,7 +128,7 @@ HexagonalLattice hexagonal_lattice(int n) {
         if (dot(a, a) > dot(best.a, best.a) + 1e-12)
             best = {step, a, b, std::max(0.0, circumradius(a, b) - 0.5 / n)};
     }
-    // One square cell needs no neighbours beyond the usual ones.
+    // The Voronoi cell of a single point is the unit cell itself, so nothing overhangs.
     if (n == 1)
         best.overhang = 0;
     return best;

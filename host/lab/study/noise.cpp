@@ -84,7 +84,7 @@ double Noise::fill(std::span<float> values, const Grid& grid, std::uint32_t firs
 
 PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients, int side,
                    std::uint32_t seed) {
-    // Poisson counts stay within twelve standard deviations.
+    // In practice, Poisson counts stay within twelve standard deviations.
     const double capacity = ingredients.impulses + 12 * std::sqrt(ingredients.impulses) + 12;
     const passes::PointsPush push{static_cast<std::uint32_t>(side), static_cast<std::uint32_t>(capacity),
                                   seed};

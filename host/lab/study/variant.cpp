@@ -196,8 +196,8 @@ SpectralPurity spectral_purity(const std::function<double(double)>& q, bool sepa
         ++end;
     const double sidelobe = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(end), power.end());
 
-    // By Parseval's theorem, the window gives the whole power; what the lobe lacks of it is outside. On a
-    // separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round one with Hankel's
+    // By Parseval's theorem, the window gives the total power; whatever is not in the lobe is outside it. On
+    // a separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round one with Hankel's
     // transform, (2 pi)^2 integral(a^2 f) df = integral(w^2 r) dr.
     double lobe = 0;
     double whole = 0;

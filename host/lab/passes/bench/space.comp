@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Calls the 3D drop-in the way users would.
+// Calls the 3D drop-in as users would.
 
 #include "gabor_lattice.glsl"
 #include "gabor_spectrum.glsl"

@@ -1,7 +1,7 @@
-// The erosion filter with stripes of random splats, as described by runevision, "Fast and gorgeous erosion
-// filter", March 2026. In each octave, each of the 4 x 4 cells around a point has one splat at a random
-// place: a wave under a round window, with the direction needed at the point. The benchmark compares this
-// filter with gabor_eroded; structs and parameters are the same.
+// The erosion filter with stripes made of random splats, as described by runevision, "Fast and gorgeous
+// erosion filter", March 2026. In each octave, each of the 4 x 4 cells around a point has one splat at a
+// random place: a wave under a round window, with the direction needed at the point. The benchmark compares
+// this filter with gabor_eroded; structs and parameters are the same.
 
 // Two random numbers in [0, 1) for a cell: PCG2D by Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
 vec2 gabor_splat_place(ivec2 cell, uint seed) {

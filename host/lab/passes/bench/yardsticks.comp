@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The noises for comparison; docs/benchmark.html has the same text.
+// Calls the noises to compare with.
 
 #include "bench.glsl"
 #include "yardsticks.glsl"

@@ -1,7 +1,7 @@
-// The noises to compare with, each written plainly, as a competent author publishes it. p is in kernel radii; the waves of
-// all have `frequency` cycles per kernel radius. docs/benchmark.html times the same text in browsers.
+// The noises to compare with, each written plainly, as a competent author would publish it. p is in kernel radii, and
+// `frequency` in waves per kernel radius. docs/benchmark.html times the same code in browsers.
 
-// ---- Words ----
+// ---- Hashes ----
 
 uint yardstick_word(ivec2 cell, uint seed) {
     uint word = uint(cell.x) * 0x9e3779b1u ^ (uint(cell.y) * 0x85ebca6bu + seed);
@@ -20,7 +20,7 @@ uint yardstick_generator(ivec2 cell, uint seed) {
     return yardstick_word(cell, seed) | 1u;
 }
 
-// ---- Perlin's ----
+// ---- Perlin's noises ----
 
 // Dot product of the offset with one of eight gradients.
 float yardstick_slope(ivec2 corner, vec2 offset, uint seed) {
@@ -31,7 +31,7 @@ float yardstick_slope(ivec2 corner, vec2 offset, uint seed) {
     return u + 0.5 * v;
 }
 
-// Perlin, "Improving noise", 2002, in two dimensions. Two cells for each wave.
+// Perlin, "Improving noise", 2002, in two dimensions. Each wave spans two cells.
 float perlin_noise(vec2 p, float frequency, uint seed) {
     p *= 2.0 * frequency;
     vec2 corner = floor(p);
@@ -51,7 +51,7 @@ float yardstick_corner(ivec2 corner, vec2 offset, uint seed) {
     return near * near * yardstick_slope(corner, offset, seed);
 }
 
-// Perlin, "Noise hardware", 2001, in two dimensions: on triangles, each with three corners.
+// Simplex noise: Perlin, "Noise hardware", 2001, in two dimensions. Sums the three corners of a triangle.
 float simplex_noise(vec2 p, float frequency, uint seed) {
     p *= 2.0 * frequency;
     const float skew = 0.36602540; // (sqrt(3) - 1) / 2
@@ -66,7 +66,7 @@ float simplex_noise(vec2 p, float frequency, uint seed) {
 
 // ---- Sparse convolution ----
 
-int yardstick_poisson(float mean, inout uint generator) { // Knuth's product
+int yardstick_poisson(float mean, inout uint generator) { // Knuth's method
     float limit = exp(-mean);
     int count = 0;
     float product = yardstick_uniform(generator);
@@ -77,8 +77,8 @@ int yardstick_poisson(float mean, inout uint generator) { // Knuth's product
     return count;
 }
 
-// Lagae, Lefebvre, Drettakis and Dutre, "Procedural noise using sparse Gabor convolution", 2009, with a mean of 30 impulses
-// for each of 9 cells.
+// Lagae, Lefebvre, Drettakis and Dutre, "Procedural noise using sparse Gabor convolution", 2009. Each of 9 cells has 30
+// impulses on average.
 float seminal_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
     vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
@@ -114,8 +114,8 @@ float yardstick_pair(ivec2 cell, vec2 offset, vec2 wave, uint seed) {
     return first + yardstick_impulse(offset, wave, generator);
 }
 
-// Tavernier, Neyret, Vergne and Thollot, "Making Gabor noise fast and normalized", 2019: 2 impulses for each of 9 cells.
-// The cells are written out because a compiler's estimate of cycles only guesses how often a loop runs.
+// Tavernier, Neyret, Vergne and Thollot, "Making Gabor noise fast and normalized", 2019. Each of 9 cells has 2 impulses. The
+// loop over cells is unrolled by hand, because compilers that estimate cycles can only guess how often a loop runs.
 float advice_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
     ivec2 cell = ivec2(corner);
@@ -133,7 +133,7 @@ float advice_noise(vec2 p, float frequency, float orientation, uint seed) {
     return 1.416 * sum;
 }
 
-// Gabor noise as in 3D packages: 8 impulses for each of 9 cells, as a complex number.
+// Gabor noise as 3D packages compute it: a complex sum over 8 impulses in each of 9 cells.
 float gabor_72_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
     vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
@@ -154,8 +154,8 @@ float gabor_72_noise(vec2 p, float frequency, float orientation, uint seed) {
     return 0.708 * sum.y;
 }
 
-// Tricard et al., "Procedural phasor noise", 2019: 16 impulses with random phases for each of 9 cells; a sine of the phase
-// of their sum.
+// Tricard et al., "Procedural phasor noise", 2019: the sine of the phase of a sum over 16 impulses in each of 9 cells, with
+// random phases.
 float phasor_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
     vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
@@ -176,7 +176,7 @@ float phasor_noise(vec2 p, float frequency, float orientation, uint seed) {
     return sum.y * inversesqrt(max(dot(sum, sum), 1.0e-12));
 }
 
-// Stripes of 16 splats at random places: one wave for each of 4 x 4 cells, phases counted from its splat.
+// Stripes from a sum of 16 splats: each of 4 x 4 cells has one wave, around a random point.
 float splats_16_noise(vec2 p, float frequency, float orientation, uint seed) {
     p *= 1.5;
     vec2 corner = floor(p);
