@@ -28,7 +28,7 @@ struct GaborErosion {
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
     float strength;        // depth of the gullies times their frequency: how steep they are
     float lacunarity;      // frequency of each octave, relative to the previous one
-    float gain;            // depth of each octave, relative to the previous one: 1 / lacunarity keeps slopes
+    float gain;            // depth of each octave, relative to the previous one: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth
     float detail;          // how far fine gullies reach into creases, ridges and flat places: at least 1
     float sharpness;       // how equal gullies are in depth: 1 for natural variety, 4 for even stripes

@@ -190,7 +190,7 @@ struct GaborLobes {
 //     noise, but not of its gradient.
 
 #if GABOR_TAPS == 3
-// The area of a pixel, from gabor_footprint.
+// The area of a pixel, made by gabor_footprint.
 struct GaborFootprint {
     vec3 covariance; // xx, yy, xy in kernel radii^2
     vec3 resolved;   // the same, limited to standard deviations of 1/2, for which the windows are made
@@ -201,7 +201,7 @@ struct GaborFootprint {
 //     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
 
 // vec4 gabor_stripes_filtered_at(GaborPlace place, vec2 wave, GaborFootprint footprint, float sharpness, uint seed)
-//     gabor_stripes_filtered at a place, with the footprint of gabor_field_filtered.
+//     gabor_stripes_filtered at a place, with a footprint as in gabor_field_filtered.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
@@ -277,7 +277,7 @@ int gabor_impl_pieces(float c) {
     return fract(c) > 0.8 ? 2 * int(c) + 1 : int(c);
 }
 
-// Returns lobe `i`: its position in the range, from -1 to 1; its share of the power; and a number for its seed.
+// Returns lobe `i` as (position in the range, from -1 to 1; share of the power; number from which its seed derives).
 vec3 gabor_impl_piece(int i, float c) {
     int n = int(c);
     float left = min(5.0 - 5.0 * fract(c), 1.0);
@@ -525,7 +525,7 @@ GaborColumns gabor_impl_columns(GaborBand b) {
     return columns;
 }
 
-// The line before the first, from the phase of the noise's wave there.
+// The line before line 0, given the phase of the noise's wave there.
 GaborLine gabor_impl_line_before(GaborBand b, vec2 phase) {
     GaborLine line;
     line.turn = gabor_impl_wave(0.5 / b.reach * (b.offset + 1.0));

@@ -1,7 +1,7 @@
 // gabor_direction.wgsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
 // pixel: for WGSL.
 //
-// Digest of the GLSL and of this file: 0ba4bd345a190ab1
+// Digest of the GLSL and of this file: 16460b097feb5c58
 // Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p

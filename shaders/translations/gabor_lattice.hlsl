@@ -31,8 +31,8 @@
 #define GABOR_LATTICE_HLSL
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
-// Quality; define it before this file to change it. Each point sums GABOR_TAPS^2 waves. 2 is the fastest, but columns
-// and rows become visible at high frequencies; with 4, the covariance depends less on the place.
+// Sets the quality; define it before this file to change it. Each point sums GABOR_TAPS^2 waves. 2 is the fastest, but
+// columns and rows become visible at high frequencies; with 4, the covariance depends less on the place.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -86,7 +86,7 @@
 
 #define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector, from gabor_kernel.
+// A wave vector, made by gabor_kernel.
 struct GaborKernel {
     float2 wave; // cycles per kernel radius
 };
@@ -244,8 +244,8 @@ float2 gabor_impl_half_turn(float t) {
                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to the error. With t reduced
-// to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. With t
+// reduced to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 float2 gabor_impl_wave(float t) {
     t -= floor(t + 0.5);
     float2 turn = gabor_impl_half_turn(0.25 - abs(t));
@@ -365,7 +365,7 @@ void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out flo
     if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
 }
 
-// Turns the sums by the wave from node (0, 0) to the point, and scales them by K: E[n^2] is half of E|A|^2 times the
+// Multiplies the sums by the wave at the point, counted from node (0, 0), and by K: E[n^2] is half of E|A|^2 times the
 // sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 GaborField gabor_impl_field(float4 sum, float4 slope, float2 turn, float2 wave, float2 stretch) {
     turn *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);

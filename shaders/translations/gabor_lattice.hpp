@@ -335,8 +335,8 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 #endif // GABOR_VECTORS_HPP
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
-// Quality; define it before this file to change it. Each point sums GABOR_TAPS^2 waves. 2 is the fastest, but columns
-// and rows become visible at high frequencies; with 4, the covariance depends less on the place.
+// Sets the quality; define it before this file to change it. Each point sums GABOR_TAPS^2 waves. 2 is the fastest, but
+// columns and rows become visible at high frequencies; with 4, the covariance depends less on the place.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -390,7 +390,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 #define GABOR_RADIUS (0.5f * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector, from gabor_kernel.
+// A wave vector, made by gabor_kernel.
 struct GaborKernel {
     gabor_vec2 wave; // cycles per kernel radius
 };
@@ -520,8 +520,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_half_turn(float t) {
                 t * ((6.2831852f - 41.341655f * s) + r * ((81.601004f - 76.549782f * s) + 39.536707f * r)));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to the error. With t reduced
-// to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. With t
+// reduced to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 GABOR_INLINE gabor_vec2 gabor_impl_wave(float t) {
     t -= gabor_cpp_floor(t + 0.5f);
     gabor_vec2 turn = gabor_impl_half_turn(0.25f - gabor_cpp_abs(t));
@@ -641,7 +641,7 @@ GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float 
     if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
 }
 
-// Turns the sums by the wave from node (0, 0) to the point, and scales them by K: E[n^2] is half of E|A|^2 times the
+// Multiplies the sums by the wave at the point, counted from node (0, 0), and by K: E[n^2] is half of E|A|^2 times the
 // sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor_vec2 turn, gabor_vec2 wave, gabor_vec2 stretch) {
     turn *= 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);

@@ -72,7 +72,7 @@
 //     twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface have
 //     the distribution of gabor_noise_3d_isotropic.
 
-// ---- By place: large worlds, periods, time and pixels together -----------------------------------------------------
+// ---- For large worlds, and for periods, time and pixels together ---------------------------------------------------
 
 // A position in nodes of the lattice, and how space and time repeat: see GaborPlace.
 struct GaborPlace3d {

@@ -479,7 +479,7 @@ GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
         float2 whole = floor(3.0 * normalize(turn / pixel.period) + 0.5);
         float2 size = abs(whole);
         float2 signs = float2(whole.x < 0.0 ? -1.0 : 1.0, whole.y < 0.0 ? -1.0 : 1.0);
-        if (size.x == size.y || size.x * size.y == 0.0) // (2, 2), (3, 0) and (0, 3)
+        if (size.x == size.y || size.x * size.y == 0.0) // (2, 2), (3, 0), (0, 3) become (1, 1), (1, 0), (0, 1)
             whole = signs * min(size, (float2)(1.0));
         size = abs(whole);
         float2 other = size.x > 1.0 && size.y > 1.0 ? (size.x > size.y ? signs : -signs)
@@ -801,7 +801,7 @@ GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, u
     bool first = turn < 1.5;
     float3 fibre = first ? upright : level;
     float2 along_across = first ? within.yx : within;
-    float along = 0.5 * (along_across.x + (frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // spans two rows
+    float along = 0.5 * (along_across.x + (frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // spans the tow's two rows
     float across = 2.0 * along_across.y - 1.0;
 
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);

@@ -309,7 +309,7 @@ GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
         gabor_vec2 whole = gabor_cpp_floor(3.0f * gabor_cpp_normalize(turn / pixel.period) + 0.5f);
         gabor_vec2 size = gabor_cpp_abs(whole);
         gabor_vec2 signs = gabor_vec2(whole.x < 0.0f ? -1.0f : 1.0f, whole.y < 0.0f ? -1.0f : 1.0f);
-        if (size.x == size.y || size.x * size.y == 0.0f) // (2, 2), (3, 0) and (0, 3)
+        if (size.x == size.y || size.x * size.y == 0.0f) // (2, 2), (3, 0), (0, 3) become (1, 1), (1, 0), (0, 1)
             whole = signs * gabor_cpp_min(size, gabor_vec2(1.0f));
         size = gabor_cpp_abs(whole);
         gabor_vec2 other = size.x > 1.0f && size.y > 1.0f ? (size.x > size.y ? signs : -signs)
@@ -631,7 +631,7 @@ GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFi
     bool first = turn < 1.5f;
     gabor_vec3 fibre = first ? upright : level;
     gabor_vec2 along_across = first ? within.yx() : within;
-    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // spans two rows
+    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // spans the tow's two rows
     float across = 2.0f * along_across.y - 1.0f;
 
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);

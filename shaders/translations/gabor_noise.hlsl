@@ -92,7 +92,7 @@
 
 // ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
-// A wave and its normalization, from gabor_kernel.
+// A wave and its normalization, made by gabor_kernel.
 struct GaborKernel {
     float2 wave;             // wave vector, cycles per kernel radius
     float amplitude;       // K
@@ -231,8 +231,8 @@ GaborImpulse gabor_impl_impulse(uint word) {
                         rate < 0.0 ? rate : rate + 1.0, int(word) < 0 ? 1.0 : GABOR_WEIGHT_FLOOR);
 }
 
-// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond, the rounding of t
-// adds to the error.
+// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond that, the rounding
+// of t adds to the error.
 float gabor_impl_sine(float t) {
     t = frac(t) - 0.5;
     float s = t * t;

@@ -396,7 +396,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 // ---- For large worlds, and for periods and time together -----------------------------------------------------------
 
-// A wave and its normalization, from gabor_kernel.
+// A wave and its normalization, made by gabor_kernel.
 struct GaborKernel {
     gabor_vec2 wave;             // wave vector, cycles per kernel radius
     float amplitude;       // K
@@ -496,8 +496,8 @@ GABOR_INLINE GaborImpulse gabor_impl_impulse(std::uint32_t word) {
                         rate < 0.0f ? rate : rate + 1.0f, int(word) < 0 ? 1.0f : GABOR_WEIGHT_FLOOR};
 }
 
-// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond, the rounding of t
-// adds to the error.
+// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond that, the rounding
+// of t adds to the error.
 GABOR_INLINE float gabor_impl_sine(float t) {
     t = gabor_cpp_fract(t) - 0.5f;
     float s = t * t;

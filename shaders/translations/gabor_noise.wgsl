@@ -1,7 +1,7 @@
 // gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for WGSL.
 //
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 93388cf3e4729021
+// Digest of the GLSL and of this file: 6f46e89fbd47b8b4
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -137,7 +137,7 @@ fn gabor_unorm(noise: f32) -> f32 {
     return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
 
-// A wave and its normalization, from gabor_kernel.
+// A wave and its normalization, made by gabor_kernel.
 struct GaborKernel {
     wave: vec2<f32>,
     amplitude: f32,
@@ -488,8 +488,8 @@ fn gabor_impl_impulse(word: u32) -> GaborImpulse {
     return GaborImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
 }
 
-// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond, the rounding of t
-// adds to the error.
+// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond that, the rounding
+// of t adds to the error.
 fn gabor_impl_sine(t: f32) -> f32 {
     var t_1: f32;
     var s: f32;

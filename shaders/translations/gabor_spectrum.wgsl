@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or filtered for a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: ea263be71a889a8e
+// Digest of the GLSL and of this file: c9aee9230be0a97f
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -1127,7 +1127,7 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
     }
 }
 
-// The area of a pixel, from gabor_footprint.
+// The area of a pixel, made by gabor_footprint.
 struct GaborFootprint {
     covariance: vec3<f32>,
     resolved: vec3<f32>,
@@ -1217,7 +1217,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     return _e141;
 }
 
-// gabor_stripes_filtered at a place, with the footprint of gabor_field_filtered.
+// gabor_stripes_filtered at a place, with a footprint as in gabor_field_filtered.
 fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
     var removed_7: f32;
     var value_10: vec2<f32>;
@@ -1344,7 +1344,7 @@ fn gabor_impl_pieces(c: f32) -> i32 {
     return _e11;
 }
 
-// Returns lobe `i`: its position in the range, from -1 to 1; its share of the power; and a number for its seed.
+// Returns lobe `i` as (position in the range, from -1 to 1; share of the power; number from which its seed derives).
 fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
     var i_2: i32;
     var n: i32;
@@ -1825,7 +1825,7 @@ fn gabor_impl_columns(b: GaborBand) -> GaborColumns {
     return _e53;
 }
 
-// The line before the first, from the phase of the noise's wave there.
+// The line before line 0, given the phase of the noise's wave there.
 fn gabor_impl_line_before(b: GaborBand, phase: vec2<f32>) -> GaborLine {
     var line_2: GaborLine;
 

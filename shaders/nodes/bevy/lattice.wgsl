@@ -325,7 +325,7 @@ fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
     return _e7;
 }
 
-// A wave vector, from gabor_kernel.
+// A wave vector, made by gabor_kernel.
 struct GaborKernel {
     wave: vec2<f32>,
 }
@@ -758,8 +758,8 @@ fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
     return vec2<f32>(((1f - (19.73917f * _e9)) + (_e12 * ((64.93459f - (85.24033f * _e15)) + (56.24243f * _e19)))), (t * ((6.283185f - (41.341656f * _e26)) + (_e29 * ((81.601006f - (76.54978f * _e32)) + (39.53671f * _e36))))));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to the error. With t reduced
-// to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. With t
+// reduced to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
     var t_2: f32;
     var turn: vec2<f32>;
@@ -1320,7 +1320,7 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: pt
     }
 }
 
-// Turns the sums by the wave from node (0, 0) to the point, and scales them by K: E[n^2] is half of E|A|^2 times the
+// Multiplies the sums by the wave at the point, counted from node (0, 0), and by K: E[n^2] is half of E|A|^2 times the
 // sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
     if GABOR_TAPS == 2 {

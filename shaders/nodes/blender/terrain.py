@@ -27,7 +27,7 @@ mountains = tree.nodes.new("ShaderNodeScript")
 mountains.mode, mountains.filepath = "EXTERNAL", str(HERE.parent / "osl" / "gabor_erosion.osl")
 cycles.osl.update_script_node(mountains, lambda kinds, message: print(message))
 mountains.inputs["Seed"].default_value = 7
-# An object's own coordinates are those before displacement.
+# Object coordinates are those before the displacement.
 tree.links.new(tree.nodes.new("ShaderNodeTexCoord").outputs["Object"], mountains.inputs["Vector"])
 displacement = tree.nodes.new("ShaderNodeDisplacement")
 displacement.inputs["Midlevel"].default_value, displacement.inputs["Scale"].default_value = 0, 1

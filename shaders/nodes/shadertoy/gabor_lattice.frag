@@ -41,8 +41,8 @@ precision highp float;
 precision highp int;
 #endif
 
-// Quality; define it before this file to change it. Each point sums GABOR_TAPS^2 waves. 2 is the fastest, but columns
-// and rows become visible at high frequencies; with 4, the covariance depends less on the place.
+// Sets the quality; define it before this file to change it. Each point sums GABOR_TAPS^2 waves. 2 is the fastest, but
+// columns and rows become visible at high frequencies; with 4, the covariance depends less on the place.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -96,7 +96,7 @@ precision highp int;
 
 #define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector, from gabor_kernel.
+// A wave vector, made by gabor_kernel.
 struct GaborKernel {
     vec2 wave; // cycles per kernel radius
 };
@@ -226,8 +226,8 @@ vec2 gabor_impl_half_turn(float t) {
                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond, the rounding of t adds to the error. With t reduced
-// to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. With t
+// reduced to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
 vec2 gabor_impl_wave(float t) {
     t -= floor(t + 0.5);
     vec2 turn = gabor_impl_half_turn(0.25 - abs(t));
@@ -347,7 +347,7 @@ void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out vec
     if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
 }
 
-// Turns the sums by the wave from node (0, 0) to the point, and scales them by K: E[n^2] is half of E|A|^2 times the
+// Multiplies the sums by the wave at the point, counted from node (0, 0), and by K: E[n^2] is half of E|A|^2 times the
 // sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 GaborField gabor_impl_field(vec4 sum, vec4 slope, vec2 turn, vec2 wave, vec2 stretch) {
     turn *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);

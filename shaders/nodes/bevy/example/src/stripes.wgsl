@@ -11,7 +11,7 @@ fn vortex(p: vec2f) -> vec2f {
 }
 
 @compute @workgroup_size(8, 8) fn draw(@builtin(global_invocation_id) pixel: vec3u) {
-    let place = gabor_place(vec2i(), 1.5 * vec2f(pixel.xy) / 32.0); // three nodes to two kernel radii
+    let place = gabor_place(vec2i(), 1.5 * vec2f(pixel.xy) / 32.0); // 1.5 nodes and 32 pixels per kernel radius
     var waves: GaborWaves;
     for (var node = 0; node < 9; node++) {
         waves.wave[node] = vortex(gabor_node_position(place, node));

@@ -77,7 +77,7 @@ vec3 mx_gabor_windows(float x)
     return vec3(c - s, 0.5 + 0.5 * turn.x, c + s);
 }
 
-// Their derivatives per kernel radius, which is 3/2 node spacings.
+// The derivatives of these windows per kernel radius, which is 3/2 node spacings.
 vec3 mx_gabor_slopes(float x)
 {
     vec2 turn = mx_gabor_wave(0.33333333 * x);
@@ -86,7 +86,7 @@ vec3 mx_gabor_slopes(float x)
     return vec3(s - c, -2.0 * s, s + c);
 }
 
-// The sum over three nodes along an axis, with the wave's turn from one node to the next.
+// The sum over three nodes along an axis. `turn` is the wave's turn from one node to the next.
 vec2 mx_gabor_sum(vec2 a, vec2 b, vec2 c, vec3 weights, vec2 turn)
 {
     vec2 before = mx_gabor_product(turn, a);
