@@ -81,7 +81,7 @@ float sunlight_at(Ground ground, vec3 at) {
     return smoothstep(0.0, 1.0, clamp(light, 0.0, 1.0));
 }
 
-// The ground that a ray hits, its colour, and the linear light towards the eye. In the sky, the ground is 0.
+// The ground that a ray hits, its colour, and the linear light towards the eye. For a ray into the sky, the ground is 0.
 struct Sight {
     GaborTerrain ground;
     float added; // height that erosion added

@@ -16,7 +16,8 @@ vec3 diffuse_room(vec3 n) {
     return walls + window * (0.304 - dot(vec2(0.085, 0.177), n.xy) - dot(vec3(0.182, 0.08, -0.087), vec3(n.xy * n.xy, n.x * n.y)));
 }
 
-// The direction to the eye, which is above the middle of the picture. Places are -0.5 to 0.5 along its longer side.
+// The direction to the eye, which is above the middle of the picture. Places run from -0.5 to 0.5 along the picture's longer
+// side.
 vec3 eye_above(vec2 place) {
     return normalize(vec3(-place, 1.8));
 }

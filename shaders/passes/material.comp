@@ -54,7 +54,7 @@ void main() {
     float coverage = 1.0;
     Axes axes;
     if (view == view_horizon) {
-        // The camera looks horizontally: depth = its height * focal length / rows below the horizon.
+        // The camera looks horizontally: depth = camera height * focal length / rows below the horizon.
         seen_from = vec2(0.0);
         vec2 below = place - vec2(center.x, sky);
         if (below.y <= 0.0) { // the sky

@@ -101,7 +101,7 @@ Values wave_at(PixelsWave wave, int index, Footprint here) {
 #ifdef GABOR_TAPS
         uint seed = i == 0 ? wave.seed : gabor_lobe_seed(wave.seed, -i);
 #else
-        uint seed = wave.seed; // sparse noise has only one value
+        uint seed = wave.seed; // the sparse noise gives only one value
 #endif
 #if GABOR_TAPS == 3
         if (filtered)
@@ -176,7 +176,7 @@ void main() {
     if (horizon) {
         vec2 seen = vec2(columns[pixel_at.x * tables].local, rows[pixel_at.y * tables].local);
         in_sky = seen.y <= 0.0;
-        // The camera looks horizontally: depth = its height * focal length / rows below the horizon.
+        // The camera looks horizontally: depth = camera height * focal length / rows below the horizon.
         float near = pixel / (in_sky ? 1.0 : seen.y);
         here.from_camera = near * vec2(seen.x, -focal_length);
         here.dx = vec2(near, 0.0);

@@ -11,8 +11,8 @@ const uint terrain_group = 8; // pixels along x and y
 
 GABOR_PUSH_CONSTANTS(TerrainPush) {
     GABOR_BAND
-    ivec2 cell;     // cell of the picture's corner, or of what the camera looks at
-    vec2 corner;    // place of that point in the cell
+    ivec2 cell;     // cell of the picture's corner, or of the point that the camera looks at
+    vec2 corner;    // offset of that corner or point in its cell
     vec2 period;    // period of a tile, 0 for none
     vec2 center;    // the pixel that the camera looks at
     vec2 yaw;       // cosine and sine of the camera's azimuth

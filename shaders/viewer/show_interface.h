@@ -7,7 +7,7 @@
 
 GABOR_INTERFACE_BEGIN
 
-const uint show_group = 256; // pixels, in files
+const uint show_group = 256; // pixels per group, when writing files
 const int own_colours = 5;   // the number of the user's colour map
 
 GABOR_PUSH_CONSTANTS(ShowPush) {
@@ -20,8 +20,8 @@ GABOR_PUSH_CONSTANTS(ShowPush) {
     float deviation; // standard deviation of a derivative, per kernel radius
     float spacing;   // distance between values, in units of the material
     float green;     // sign of green in normals: 1 for up, as in OpenGL, -1 for down, as in DirectX
-    int first_row;   // first row of the band, in files
-    int count;       // number of the band's pixels
+    int first_row;   // first row of the band, when writing files
+    int count;       // number of pixels in the band
     float turns;     // turns of the stripes' phase per pixel
     uvec4 ramp_low;  // the user's colour map: eight stops of 8 bits for red, green, blue and place
     uvec4 ramp_high;
