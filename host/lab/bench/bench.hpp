@@ -54,7 +54,7 @@ struct Code {
     std::string name;
     double instructions = 0; ///< instructions per pixel
     double throughput = 0;   ///< estimated inverse throughput, cycles per pixel
-    int registers = 0;       ///< vector registers of an invocation
+    int registers = 0;       ///< vector registers per invocation
 };
 
 /// Returns statistics for everything that the benchmark times, except the seminal noise, whose loops have

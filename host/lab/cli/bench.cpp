@@ -157,7 +157,7 @@ void run_bench(const BenchOptions& options) {
 void add_bench_command(CLI::App& app) {
     auto options = std::make_shared<BenchOptions>();
     CLI::App* command =
-        app.add_subcommand("bench", "Compare the times of all noises by the device's own clock");
+        app.add_subcommand("bench", "Time all noises with the device's own clock and compare them");
     command->add_option("--json", options->json, "Also write all figures to this file")->type_name("FILE");
     cli::add_device_option(*command, options->device);
     command->add_flag("--quick", options->quick,

@@ -44,8 +44,8 @@ class Lines {
     std::vector<double> powers_; ///< indexed by frequency, then by step along y and x
 };
 
-/// Measures the lines of functions of a noise. If the noise's mean, variance, kurtosis or tails depend on the
-/// place within a cell, one of the functions has lines.
+/// Measures the spectral lines of several functions of a noise. If the noise's mean, variance, kurtosis or
+/// tails depend on the place within a cell, one of the functions has lines.
 class NoiseLines {
   public:
     enum Function : std::size_t { value, square, magnitude, fourth_power, tails, count };

@@ -52,7 +52,7 @@ struct Ingredients {
 inline constexpr Ingredients recommended{
     Points::stratified, Weights::bernoulli, Kernel::cosine, Envelope::gaussian, 2, 0};
 
-/// The values of a table's first columns, "points,weights,kernel,envelope,N".
+/// The values of the columns "points,weights,kernel,envelope,N", with which tables begin.
 std::string key(const Ingredients& ingredients);
 
 /// The lattice (i / n, i step / n) mod 1: n points in each unit cell, the same in all cells. Its Voronoi

@@ -61,7 +61,7 @@ Source source(const vulkan::Device& device, const Subject& subject, const PlaneW
     };
 }
 
-// Returns values of instances. Equal seeds give equal instances, at the same places.
+// Returns the values of several instances. Equal seeds give equal instances, at the same places.
 std::vector<float> draw(Noise& noise, std::uint64_t instances, const Grid& grid, std::uint32_t seed) {
     std::vector<float> values(instances << 2 * grid.bits);
     noise.fill(values, grid, 0, seed, ~seed);

@@ -18,7 +18,7 @@ namespace gabor::study {
 struct Grid {
     unsigned bits = 0;
     double side = 0;               ///< length of a side in kernel radii
-    bool random = true;            ///< begins at a random place of a cell, otherwise at its corner
+    bool random = true;            ///< whether it begins at a random place of a cell, not at its corner
     std::array<double, 2> shift{}; ///< offset from there, in kernel radii
 };
 
