@@ -296,10 +296,10 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, ga
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period};
 }
 
-// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, where
-// `whole` is the nearest of 32 directions. In units of that line's length and of the distance between neighbouring
-// lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at
-// right angles, which long kernels hide.
+// Turns the axes by an angle. With a period, it takes the nearest of 32 directions in which a line closes after whole
+// numbers of periods, `whole`, along both axes; x follows this line. In units of that line's length and of the distance
+// between neighbouring lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes
+// are then not quite at right angles, which long kernels hide.
 GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;

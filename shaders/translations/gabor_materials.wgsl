@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 58ab10007de99133
+// Digest of the GLSL and of this file: 7d8d6b5cb5ce1253
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -1622,10 +1622,10 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
     return GaborPixel((pixel.p + (amplitude * _e23.value)), ((pixel.dx + (pixel.dx.x * _e30)) + (pixel.dx.y * _e35)), ((pixel.dy + (pixel.dy.x * _e41)) + (pixel.dy.y * _e46)), pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle. With a period, x follows a line that closes after `whole` periods along each axis, where
-// `whole` is the nearest of 32 directions. In units of that line's length and of the distance between neighbouring
-// lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes are then not quite at
-// right angles, which long kernels hide.
+// Turns the axes by an angle. With a period, it takes the nearest of 32 directions in which a line closes after whole
+// numbers of periods, `whole`, along both axes; x follows this line. In units of that line's length and of the distance
+// between neighbouring lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes
+// are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;

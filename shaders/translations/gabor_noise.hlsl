@@ -249,7 +249,7 @@ float2 gabor_impl_direction(float angle) {
     float r = angle - quarter * 1.5703125;
     r -= quarter * 4.837512969970703e-4;
     r -= quarter * 7.549789948768648e-8;
-    r = abs(r) < 1.0 ? r : 0.0; // far outside the range no digit is left, and the direction becomes arbitrary
+    r = abs(r) < 1.0 ? r : 0.0; // far outside the range no digits are left, and the direction is arbitrary
     float s = r * r;
     float sine = r + r * s * (-0.16666654 + s * (8.3321608e-3 - s * 1.9515295e-4));
     float cosine = 1.0 - 0.5 * s + s * s * (4.1666645e-2 + s * (-1.3887316e-3 + s * 2.4433157e-5));

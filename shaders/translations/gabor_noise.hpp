@@ -514,7 +514,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle) {
     float r = angle - quarter * 1.5703125f;
     r -= quarter * 4.837512969970703e-4f;
     r -= quarter * 7.549789948768648e-8f;
-    r = gabor_cpp_abs(r) < 1.0f ? r : 0.0f; // far outside the range no digit is left, and the direction becomes arbitrary
+    r = gabor_cpp_abs(r) < 1.0f ? r : 0.0f; // far outside the range no digits are left, and the direction is arbitrary
     float s = r * r;
     float sine = r + r * s * (-0.16666654f + s * (8.3321608e-3f - s * 1.9515295e-4f));
     float cosine = 1.0f - 0.5f * s + s * s * (4.1666645e-2f + s * (-1.3887316e-3f + s * 2.4433157e-5f));
