@@ -1,12 +1,7 @@
 #pragma once
 
-#include <string_view>
-
 namespace CLI {
 class App;
-}
-namespace gabor::image {
-struct Rect;
 }
 
 namespace gabor::cli {
@@ -20,10 +15,5 @@ void add_fit_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_materials_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
-
-/// Throws RequestError, which says `whose` region it is, unless `region` lies within the `whole` of `width` x
-/// `height` pixels.
-void check_within(const image::Rect& region, int width, int height, std::string_view whose,
-                  std::string_view whole);
 
 } // namespace gabor::cli

@@ -1,16 +1,14 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
-#include "error.hpp"
 #include "image/exr.hpp"
-#include "image/raw16.hpp"
+#include "image/picture.hpp"
 #include "render/erosion.hpp"
 #include "render/heightmap.hpp"
 #include "render/load.hpp"
-#include "render/parameters.hpp"
 #include "vulkan/device.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,75 +30,52 @@ using render::has_extension;
 constexpr int most_side = 16384;
 constexpr double preset_hill = 4; // the width of the hills that presets are designed for
 
-// The options for gullies: a preset, and single parameters that override it.
-struct GullyOptions {
-    std::string preset = "alps";
-    std::vector<std::string> members; // values in the order of render::erosion_parameters; empty if not given
-
-    void add_to(CLI::App& command);
-    // Returns gullies for hills that are `hill` wide. Throws RequestError for an unknown preset or a number
-    // out of range.
-    render::Erosion erosion(double hill) const;
-};
-
 std::vector<std::string_view> terrain_presets() {
     std::vector<std::string_view> names = render::preset_names();
     std::erase_if(names, [](std::string_view name) { return !render::has_terrain(render::preset(name)); });
     return names;
 }
 
-void GullyOptions::add_to(CLI::App& command) {
-    command
-        .add_option("--preset", preset,
-                    fmt::format("Shape of the gullies: {} [alps]", fmt::join(terrain_presets(), ", ")))
-        ->type_name("NAME");
-    const auto parameters = render::erosion_parameters();
-    members.resize(parameters.size());
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        command.add_option(render::option_name(*parameters[i]), members[i], std::string(parameters[i]->help))
-            ->type_name("NUMBER");
-}
-
-render::Erosion GullyOptions::erosion(double hill) const {
-    const std::vector<std::string_view> names = terrain_presets();
-    if (std::ranges::find(names, preset) == names.end())
-        throw RequestError(fmt::format("--preset '{}': expected {}", preset, fmt::join(names, ", ")));
-    render::Request request = render::preset(preset);
-    std::get<render::Terrain>(request.view).erosion.frequency *= preset_hill / hill;
-    const auto parameters = render::erosion_parameters();
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        if (!members[i].empty())
-            with_prefix(render::option_name(*parameters[i]) + ' ', [&] {
-                render::set(request, parameters[i]->name, render::read(*parameters[i], members[i]));
-            });
-    return std::get<render::Terrain>(request.view).erosion;
-}
-
 struct ErodeOptions {
     std::filesystem::path map;
     std::filesystem::path output;
-    std::vector<int> size;
-    std::vector<int> region;
+    std::optional<std::string> size;
+    std::optional<std::string> region;
     std::vector<double> elevation;
     double extent = 2 * preset_hill;
-    GullyOptions gullies;
+    std::string preset = "alps";
+    ParameterOptions gullies; // override the preset's
     std::uint32_t seed = 0;
     bool tileable = false;
     std::string device;
 };
 
+// Returns gullies for hills that are `hill` wide.
+render::Erosion erosion_of(const ErodeOptions& options, double hill) {
+    const std::vector<std::string_view> names = terrain_presets();
+    if (std::ranges::find(names, options.preset) == names.end())
+        refuse("--preset", options.preset, fmt::format("{}", fmt::join(names, ", ")));
+    render::Request request = render::preset(options.preset);
+    std::get<render::Terrain>(request.view).erosion.frequency *= preset_hill / hill;
+    render::set(request, given_values(options.gullies));
+    return std::get<render::Terrain>(request.view).erosion;
+}
+
 render::HeightMap map_of(const ErodeOptions& options) {
     render::HeightMap map;
     const bool raw = has_extension(options.map, ".r16");
-    if (raw != !options.size.empty())
+    if (raw != options.size.has_value())
         throw RequestError(raw ? "a .r16 file has no header: give its WIDTHxHEIGHT with --size"
                                : "--size is for .r16 files: other files store their size");
-    if (raw && (options.size[0] < 1 || options.size[1] < 1))
-        throw RequestError("--size takes WIDTHxHEIGHT, each at least 1");
-    map.open = [options] {
-        return has_extension(options.map, ".r16")
-                   ? image::open_raw16(options.map, options.size[0], options.size[1])
-                   : image::open_picture(options.map, "height");
+    std::array<int, 2> size{};
+    if (raw) {
+        constexpr std::string_view accepted = "WIDTHxHEIGHT, each at least 1";
+        size = parse_integers<2>("--size", *options.size, 'x', accepted);
+        if (std::min(size[0], size[1]) < 1)
+            refuse("--size", *options.size, accepted);
+    }
+    map.open = [path = options.map, raw, size] {
+        return raw ? image::open_raw16(path, size[0], size[1]) : image::open_picture(path, "height");
     };
     const image::PictureReader::Format format = map.open()->format();
     if (format.channels != 1)
@@ -121,17 +96,15 @@ void erode(const ErodeOptions& options) {
         throw RequestError(fmt::format("--extent {}: expected the map's width, more than 0", options.extent));
     const bool to_exr = has_extension(options.output, ".exr");
     if (!to_exr && !has_extension(options.output, ".png") && !has_extension(options.output, ".r16"))
-        throw RequestError(fmt::format("-o '{}': expected the name of a file that ends in .exr, .png or .r16",
-                                       options.output.string()));
+        refuse("-o", options.output.string(), "the name of a file that ends in .exr, .png or .r16");
     std::error_code ignored;
     if (std::filesystem::equivalent(options.map, options.output, ignored))
         throw RequestError(
             fmt::format("-o '{}' is the map itself; give another file", options.output.string()));
-    const render::Erosion erosion = options.gullies.erosion(options.extent / 2);
+    const render::Erosion erosion = erosion_of(options, options.extent / 2);
     render::HeightMap map = map_of(options);
-    image::Rect region{0, 0, map.width, map.height};
-    if (!options.region.empty())
-        region = {options.region[0], options.region[1], options.region[2], options.region[3]};
+    const image::Rect whole{0, 0, map.width, map.height};
+    const image::Rect region = options.region ? parse_region(*options.region) : whole;
     check_within(region, map.width, map.height, "--region", "map");
 
     const bool floats = has_extension(options.map, ".exr");
@@ -156,17 +129,14 @@ void erode(const ErodeOptions& options) {
     std::optional<image::ExrWriter> exr;
     std::optional<render::HeightWriter> heights;
     if (to_exr)
-        exr.emplace(options.output,
-                    image::ExrWriter::Description{
-                        .picture = {0, 0, map.width, map.height},
-                        .window = region,
-                        .channels = {render::erosion_channels.begin(), render::erosion_channels.end()},
-                        .parameters = {}});
+        exr.emplace(options.output, image::ExrHeader{.picture = whole,
+                                                     .window = region,
+                                                     .channels = {render::erosion_channels.begin(),
+                                                                  render::erosion_channels.end()}});
     else
         heights.emplace(options.output, region, range, map.pixel);
     {
-        Progress progress("eroding", static_cast<std::uint64_t>(region.width) *
-                                         static_cast<std::uint64_t>(region.height));
+        Progress progress("eroding", region.pixels());
         render::erode(device, map, erosion, options.seed, region, [&](std::span<const float> rows) {
             if (exr)
                 exr->write_rows(rows);
@@ -188,36 +158,26 @@ void erode(const ErodeOptions& options) {
 void add_erode_command(CLI::App& app) {
     auto options = std::make_shared<ErodeOptions>();
     CLI::App* command = app.add_subcommand("erode", "Add gullies and ridges to a heightmap");
-    command->add_option("MAP", options->map, "EXR with heights, 16-bit PNG, or .r16 with --size")
-        ->type_name("FILE")
+    add_option(*command, "MAP", options->map, "FILE", "EXR with heights, 16-bit PNG, or .r16 with --size")
         ->required();
-    command
-        ->add_option(
-            "-o,--output", options->output,
-            "EXR with height, slope, ridge and erosion; or 16-bit heights in a PNG or .r16, with their "
-            "scale in a .json file beside it")
-        ->type_name("FILE")
+    add_option(*command, "-o,--output", options->output, "FILE",
+               "EXR with height, slope, ridge and erosion; or 16-bit heights in a PNG or .r16, with their "
+               "scale in a .json file beside it")
         ->required();
-    command->add_option("--size", options->size, "WIDTHxHEIGHT of a .r16 file")
-        ->type_name("SIZE")
-        ->delimiter('x')
-        ->expected(2);
-    command
-        ->add_option("--region", options->region,
-                     "X,Y,WIDTH,HEIGHT: write only this part, with the same pixels")
-        ->type_name("RECTANGLE")
-        ->delimiter(',')
-        ->expected(4);
-    command->add_option("--extent", options->extent, "Width of the map, in the unit of heights [8]")
-        ->type_name("NUMBER");
-    command
-        ->add_option("--elevation", options->elevation,
-                     "LOW,HIGH: heights of 0 and 65535 in a 16-bit map [0 and an eighth of --extent]")
-        ->type_name("RANGE")
-        ->delimiter(',')
-        ->expected(2);
-    options->gullies.add_to(*command);
-    command->add_option("--seed", options->seed, "Another seed gives other gullies [0]")->type_name("NUMBER");
+    add_option(*command, "--size", options->size, "SIZE", "WIDTHxHEIGHT of a .r16 file");
+    add_option(*command, "--region", options->region, "RECTANGLE",
+               "X,Y,WIDTH,HEIGHT: write only this part, with the same pixels");
+    add_option(*command, "--extent", options->extent, "NUMBER",
+               "Width of the map, in the unit of heights [8]");
+    add_elevation_option(*command, options->elevation,
+                         "LOW,HIGH: heights of 0 and 65535 in a 16-bit map [0 and an eighth of --extent]");
+    add_option(*command, "--preset", options->preset, "NAME",
+               fmt::format("Shape of the gullies: {} [alps]", fmt::join(terrain_presets(), ", ")));
+    for (const render::Parameter* p : render::erosion_parameters())
+        options->gullies.emplace_back(p, command->add_option(render::option_name(*p))
+                                             ->type_name("NUMBER")
+                                             ->description(std::string(p->help)));
+    add_option(*command, "--seed", options->seed, "NUMBER", "Another seed gives other gullies [0]");
     command->add_flag("--tileable", options->tileable, "The map tiles, and so does the output");
     add_device_option(*command, options->device);
     command->callback([options] { erode(*options); });

@@ -1,17 +1,14 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
-#include "error.hpp"
 #include "fit/glsl.hpp"
 #include "fit/preset.hpp"
 #include "fit/warnings.hpp"
 #include "image/output_file.hpp"
-#include "render/parameters.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -30,11 +27,6 @@ struct FitOptions {
     std::optional<std::string> glsl;
 };
 
-void save(image::OutputFile& file, const std::string& text) {
-    file.write(std::as_bytes(std::span(text)));
-    file.commit();
-}
-
 // Returns a function that reports the part of the whole progress from `from` to `to`.
 fit::Advance part_of(Progress& progress, double from, double to) {
     return [&progress, from, to, shown = std::uint64_t{0}](double share) mutable {
@@ -43,15 +35,6 @@ fit::Advance part_of(Progress& progress, double from, double to) {
         progress.advance(now - shown);
         shown = now;
     };
-}
-
-int lobes_of(const std::string& text) {
-    int lobes = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), lobes);
-    if (error != std::errc() || end != text.data() + text.size() || lobes < 1 || lobes > fit::most_lobes)
-        throw RequestError(
-            fmt::format("--lobes '{}': expected a whole number from 1 to {}", text, fit::most_lobes));
-    return lobes;
 }
 
 void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const fit::FittedNoise& fitted) {
@@ -71,12 +54,11 @@ void print_fit(const FitOptions& options, const fit::Exemplar& exemplar, const f
 
 void fit_picture(const FitOptions& options) {
     note_interrupts();
-    const int lobes = lobes_of(options.lobes);
+    const int lobes = parse_integer("--lobes", options.lobes, 1, fit::most_lobes);
     const std::optional<std::string> name =
         options.glsl ? std::optional(fit::function_name(*options.glsl)) : std::nullopt;
     if (std::filesystem::path(options.output).extension() != ".json")
-        throw RequestError(
-            fmt::format("-o '{}': expected the name of a file that ends in .json", options.output));
+        refuse("-o", options.output, "the name of a file that ends in .json");
     image::OutputFile output(options.output);
     std::optional<image::OutputFile> glsl;
     if (options.glsl)
@@ -87,9 +69,12 @@ void fit_picture(const FitOptions& options) {
     const fit::FittedNoise fitted = fit::fit(exemplar, lobes, part_of(*progress, 0.3, 1));
     const render::Request request = fit::request_of(exemplar, fitted);
     progress.reset();
-    save(output, render::to_json(request) + "\n");
-    if (glsl)
-        save(*glsl, fit::glsl_of(*name, options.image, exemplar, fitted));
+    output.write(render::to_json(request) + "\n");
+    output.commit();
+    if (glsl) {
+        glsl->write(fit::glsl_of(*name, options.image, exemplar, fitted));
+        glsl->commit();
+    }
     print_fit(options, exemplar, fitted);
 }
 
@@ -98,25 +83,18 @@ void fit_picture(const FitOptions& options) {
 void add_fit_command(CLI::App& app) {
     auto options = std::make_shared<FitOptions>();
     CLI::App* command = app.add_subcommand("fit", "Fit Gabor noise to a photograph of a texture");
-    command
-        ->add_option("IMAGE", options->image,
-                     "The photograph: PNG, JPEG, TGA or OpenEXR, at least 128x128 pixels")
-        ->type_name("FILE")
+    add_option(*command, "IMAGE", options->image, "FILE",
+               "The photograph: PNG, JPEG, TGA or OpenEXR, at least 128x128 pixels")
         ->required();
-    command
-        ->add_option("-o,--output", options->output, "Output: a preset NAME.json for gabor render --preset")
-        ->type_name("FILE")
+    add_option(*command, "-o,--output", options->output, "FILE",
+               "Output: a preset NAME.json for gabor render --preset")
         ->required();
-    command
-        ->add_option("--lobes", options->lobes,
-                     fmt::format("Maximum number of lobes, 1 to {}; each costs as much as one noise [{}]",
-                                 fit::most_lobes, options->lobes))
-        ->type_name("NUMBER");
-    command
-        ->add_option("--glsl", options->glsl,
-                     "Also write NAME.glsl with vec3 NAME(vec2 p) and its filtered form, to include after "
-                     "gabor_lattice.glsl and gabor_spectrum.glsl")
-        ->type_name("FILE");
+    add_option(*command, "--lobes", options->lobes, "NUMBER",
+               fmt::format("Maximum number of lobes, 1 to {}; each costs as much as one noise [{}]",
+                           fit::most_lobes, options->lobes));
+    add_option(*command, "--glsl", options->glsl, "FILE",
+               "Also write NAME.glsl with vec3 NAME(vec2 p) and its filtered form, to include after "
+               "gabor_lattice.glsl and gabor_spectrum.glsl");
     command->callback([options] { fit_picture(*options); });
 }
 

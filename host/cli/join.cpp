@@ -1,10 +1,9 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
-#include "error.hpp"
 #include "image/exr.hpp"
 #include "render/texture.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -28,16 +27,14 @@ void join(const JoinOptions& options) {
         throw RequestError("--half requires --texture: pictures have 32-bit floats");
     const std::filesystem::path extension = std::filesystem::path(options.output).extension();
     if (!extension.empty() && extension != ".exr")
-        throw RequestError(
-            fmt::format("-o '{}': expected the name of a file that ends in .exr", options.output));
+        refuse("-o", options.output, "the name of a file that ends in .exr");
     std::uint64_t pixels = 0;
     for (const std::filesystem::path& region : options.regions) {
         std::error_code ignored;
         if (std::filesystem::equivalent(region, options.output, ignored))
             throw RequestError(fmt::format("cannot join: -o '{}' is one of the regions; choose another file",
                                            options.output));
-        const image::Rect window = image::ExrReader(region).window();
-        pixels += static_cast<std::uint64_t>(window.width) * static_cast<std::uint64_t>(window.height);
+        pixels += image::ExrReader(region).header().window.pixels();
     }
     note_interrupts();
     Progress progress("joining", pixels);
@@ -55,12 +52,10 @@ void add_join_command(CLI::App& app) {
     auto options = std::make_shared<JoinOptions>();
     CLI::App* command = app.add_subcommand(
         "join", "Join regions of one picture into the file that a single render would write");
-    command->add_option("REGION", options->regions, "EXR files of `gabor render --region`, in any order")
-        ->type_name("FILE")
+    add_option(*command, "REGION", options->regions, "FILE",
+               "EXR files of `gabor render --region`, in any order")
         ->required();
-    command->add_option("-o,--output", options->output, "The EXR of the whole picture")
-        ->type_name("FILE")
-        ->required();
+    add_option(*command, "-o,--output", options->output, "FILE", "The EXR of the whole picture")->required();
     command->add_flag("--texture", options->texture,
                       "Assemble a texture from levels rendered by `gabor render --level`");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");

@@ -1,12 +1,12 @@
 // Lists devices, recipes, and the parameters of materials.
 
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "noise/recipe.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
 #include "vulkan/device.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -72,8 +72,7 @@ void add_materials_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();
     CLI::App* command =
         app.add_subcommand("materials", "List the materials, or the options of gabor render for one");
-    command->add_option("MATERIAL", *name, fmt::format("{}", fmt::join(render::materials, ", ")))
-        ->type_name("");
+    add_option(*command, "MATERIAL", *name, "", fmt::format("{}", fmt::join(render::materials, ", ")));
     command->callback([name] {
         if (!name->empty())
             print_material(*name);

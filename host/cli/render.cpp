@@ -1,22 +1,19 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
-#include "error.hpp"
 #include "render/file.hpp"
 #include "render/load.hpp"
 #include "render/maps.hpp"
-#include "render/parameters.hpp"
 #include "render/texture.hpp"
 #include "seconds.hpp"
 #include "vulkan/device.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -29,9 +26,6 @@ namespace gabor::cli {
 namespace {
 
 using Kind = render::Parameter::Kind;
-
-static_assert(render::most_frames == 9999);
-constexpr std::string_view frames_accepted = "a whole number from 1 to 9999";
 
 // The command-line options. Those not given come from --like or --preset, or have defaults.
 struct RenderOptions {
@@ -53,7 +47,7 @@ struct RenderOptions {
     bool texture = false;
     bool half = false;
     bool verbose = false;
-    std::vector<std::pair<const render::Parameter*, const CLI::Option*>> parameters; // the whole table
+    ParameterOptions parameters; // the whole table
 };
 
 // The request to render, and the region.
@@ -63,41 +57,9 @@ struct Work {
     bool scaled = false; ///< whether an option, a preset or another file sets the scale
 };
 
-[[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted) {
-    throw RequestError(fmt::format("{} '{}': expected {}", option, text, accepted));
-}
-
-// Parses `count` whole numbers with separators, such as 1024x768 or 0,0,64,64.
-template <std::size_t count>
-std::array<int, count> parse_integers(std::string_view option, std::string_view text, char separator,
-                                      std::string_view accepted) {
-    std::array<int, count> values{};
-    const char* at = text.data();
-    const char* end = at + text.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        if (i > 0 && (at == end || *at++ != separator))
-            refuse(option, text, accepted);
-        const auto [stop, error] = std::from_chars(at, end, values[i]);
-        if (error != std::errc())
-            refuse(option, text, accepted);
-        at = stop;
-    }
-    if (at != end)
-        refuse(option, text, accepted);
-    return values;
-}
-
-render::Values given_values(const RenderOptions& options) {
-    render::Values values;
-    for (const auto& [parameter, option] : options.parameters) {
-        if (option->count() == 0)
-            continue;
-        const render::Parameter& p = *parameter;
-        const auto text = option->as<std::string>();
-        values.emplace_back(&p, with_prefix(render::option_name(p) + ' ', [&] {
-            return p.kind == Kind::lobes ? render::load_lobes(text) : render::read(p, text);
-        }));
-    }
+// Returns the values of the options for parameters, and of --size.
+render::Values values_of(const RenderOptions& options) {
+    render::Values values = given_values(options.parameters);
     if (options.size) {
         const render::Parameter& width = render::parameter("width");
         const std::string accepted =
@@ -115,12 +77,8 @@ render::Values given_values(const RenderOptions& options) {
 render::Request level_of(const render::Request& request, const std::string& text) {
     const image::Rect whole{0, 0, request.width, request.height};
     render::check_texture(request, whole);
-    const int last = render::drawn_levels(whole) - 1;
-    const std::string accepted = fmt::format("a whole number from 0 to {} at this size", last);
-    const auto [level] = parse_integers<1>("--level", text, ' ', accepted);
-    if (level < 0 || level > last)
-        refuse("--level", text, accepted);
-    return render::texture_level(request, level);
+    const int levels = render::drawn_levels(whole);
+    return render::texture_level(request, parse_integer("--level", text, 0, levels - 1, " at this size"));
 }
 
 Work make_work(const RenderOptions& options) {
@@ -139,7 +97,7 @@ Work make_work(const RenderOptions& options) {
     }
     if (options.terrain && !render::has_terrain(work.request))
         render::set(work.request, "view", "terrain");
-    const render::Values given = given_values(options);
+    const render::Values given = values_of(options);
     render::set(work.request, given);
     work.scaled = options.preset || options.like ||
                   std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
@@ -150,12 +108,8 @@ Work make_work(const RenderOptions& options) {
     if (options.level)
         work.request = level_of(work.request, *options.level);
 
-    if (options.region) {
-        const auto [x, y, width, height] =
-            parse_integers<4>("--region", *options.region, ',',
-                              "X,Y,WIDTH,HEIGHT in pixels from the picture's upper left corner");
-        region = image::Rect{x, y, width, height};
-    }
+    if (options.region)
+        region = parse_region(*options.region);
     work.region = region.value_or(image::Rect{0, 0, work.request.width, work.request.height});
     check_within(work.region, work.request.width, work.request.height,
                  options.region ? "--region"
@@ -191,17 +145,16 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-void print_times(const render::FileTimes& times, const vulkan::Device& device, double pixels,
-                 double device_ready, double wall) {
-    const double gpu = times.rendering.gpu;
+void print_times(const render::Times& times, const vulkan::Device& device, double pixels, double device_ready,
+                 double wall) {
+    const double gpu = times.gpu;
     fmt::print("  driver                  {}\n", device.info().driver);
-    fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.rendering.first_dispatch);
+    fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.first_dispatch);
     fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", gpu, gpu / pixels * 1e9);
     fmt::print("  compression and writing {:8.3f} s, then {:.3f} s to reach the disk\n", times.writing,
                times.closing);
     fmt::print("  everything              {:8.3f} s\n", wall);
-    fmt::print("  host overhead           {:8.3f} s\n",
-               wall - times.rendering.waiting - times.writing - times.closing);
+    fmt::print("  host overhead           {:8.3f} s\n", wall - times.waiting - times.writing - times.closing);
     fmt::print("  resident memory         {:8} MiB at most\n", peak_memory() >> 20);
 }
 
@@ -248,15 +201,6 @@ render::Files files_of(const RenderOptions& options) {
     return files;
 }
 
-int frames_of(const RenderOptions& options) {
-    if (!options.frames)
-        return 1;
-    const auto [frames] = parse_integers<1>("--frames", *options.frames, ' ', frames_accepted);
-    if (frames < 1 || frames > render::most_frames)
-        refuse("--frames", *options.frames, frames_accepted);
-    return frames;
-}
-
 // Renders a set of maps: 4 x 4 units of a material or 8 x 8 of terrain, unless a scale is given.
 void render_map_set(const RenderOptions& options) {
     if (options.output || options.png || options.region || options.frames || options.level)
@@ -270,8 +214,7 @@ void render_map_set(const RenderOptions& options) {
     work.request.filter = !terrain;
     const vulkan::Device device(options.device);
     {
-        Progress progress("rendering", static_cast<std::uint64_t>(work.request.width) *
-                                           static_cast<std::uint64_t>(work.request.height));
+        Progress progress("rendering", work.region.pixels());
         render::render_maps(device, work.request, *options.maps,
                             {options.directx, options.texture, options.half},
                             [&](std::uint64_t done) { progress.advance(done); });
@@ -294,16 +237,16 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
     const Work work = make_work(options);
     const image::Rect& region = work.region;
     const render::Files files = files_of(options);
-    const int frames = frames_of(options);
+    const int frames =
+        options.frames ? parse_integer("--frames", *options.frames, 1, render::most_frames) : 1;
     warn_above_nyquist(work.request);
 
     const vulkan::Device device(options.device);
     const double device_ready = seconds_since(start);
-    const auto pixels = static_cast<std::uint64_t>(region.width) * static_cast<std::uint64_t>(region.height) *
-                        static_cast<std::uint64_t>(frames);
+    const std::uint64_t pixels = region.pixels() * static_cast<std::uint64_t>(frames);
     std::optional<Progress> progress(std::in_place, "rendering",
                                      options.texture ? render::texture_pixels(pixels) : pixels);
-    render::FileTimes total;
+    render::Times total;
     for (int frame = 0; frame < frames; ++frame) {
         const render::Request request = render::frame_of(work.request, frame, frames);
         render::Files here = files;
@@ -311,12 +254,10 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
             if (*path)
                 *path = render::frame_path(**path, frame, frames);
         const auto advance = [&](std::uint64_t done) { progress->advance(done); };
-        const render::FileTimes times =
-            options.texture ? render::render_texture(device, request, region, *here.exr,
-                                                     {options.compression, options.half}, advance)
-                            : render::render_file(device, request, region, here, advance);
-        if (frame == 0)
-            total.rendering.first_dispatch = times.rendering.first_dispatch;
+        const render::Times times = options.texture
+                                        ? render::render_texture(device, request, region, *here.exr,
+                                                                 {options.compression, options.half}, advance)
+                                        : render::render_file(device, request, region, here, advance);
         total += times;
         if (frame + 1 == frames)
             progress.reset();
@@ -395,87 +336,55 @@ void add_parameters(CLI::App& command, RenderOptions& options) {
 
 } // namespace
 
-void check_within(const image::Rect& r, int width, int height, std::string_view whose,
-                  std::string_view whole) {
-    if (r.x < 0 || r.y < 0 || r.width < 1 || r.height < 1 || r.width > width - r.x || r.height > height - r.y)
-        throw RequestError(fmt::format("{} {},{},{},{} is not within the {} of {} x {} pixels", whose, r.x,
-                                       r.y, r.width, r.height, whole, width, height));
-}
-
 void add_render_command(CLI::App& app) {
     const Clock::time_point start = Clock::now();
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Render the noise to an OpenEXR or a PNG file");
     const render::Request defaults;
 
-    command
-        ->add_option("-o,--output", options->output,
-                     "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, with -2 "
-                     "to 2 standard deviations from black to white")
-        ->type_name("FILE");
-    command->add_option("--png", options->png, "Also write a PNG")->type_name("FILE");
-    command
-        ->add_option(
-            "--maps", options->maps,
-            "Instead of -o: a folder for the maps of a material or of terrain. PNGs of base colour, "
-            "normals, height, "
-            "roughness, metalness and occlusion, one EXR with all of them, material.mtlx and material.gltf")
-        ->type_name("FOLDER");
+    add_option(*command, "-o,--output", options->output, "FILE",
+               "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, with -2 to 2 "
+               "standard deviations from black to white");
+    add_option(*command, "--png", options->png, "FILE", "Also write a PNG");
+    add_option(*command, "--maps", options->maps, "FOLDER",
+               "Instead of -o: a folder for the maps of a material or of terrain. PNGs of base colour, "
+               "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
+               "and material.gltf");
     command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
-    command
-        ->add_option("--size", options->size,
-                     fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
-                                 render::parameter("width").range.high, defaults.width, defaults.height))
-        ->type_name("WIDTHxHEIGHT");
+    add_option(*command, "--size", options->size, "WIDTHxHEIGHT",
+               fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
+                           render::parameter("width").range.high, defaults.width, defaults.height));
     add_parameters(*command, *options);
-    command
-        ->add_option("--preset", options->preset,
-                     fmt::format("Use a preset for options not given: {}, or a file NAME.json from gabor fit",
-                                 fmt::join(render::preset_names(), ", ")))
-        ->type_name("NAME");
-    command
-        ->add_option("--like", options->like,
-                     "Use the options of an earlier EXR, or of a JSON file, for options not given")
-        ->type_name("FILE");
-    command
-        ->add_option("--region", options->region,
-                     "Render only this part of the picture, with the same pixels")
-        ->type_name("X,Y,WIDTH,HEIGHT");
-    command
-        ->add_option("--frames", options->frames,
-                     fmt::format("Render one period of the animation as NAME.0001.exr, NAME.0002.exr ...: {}",
-                                 frames_accepted))
-        ->type_name("NUMBER");
-    command
-        ->add_option("--compression", options->compression,
-                     fmt::format("Compression of the EXR: {} [{}]",
-                                 fmt::join(image::compression_names(), ", "), options->compression))
-        ->type_name("NAME");
+    add_option(*command, "--preset", options->preset, "NAME",
+               fmt::format("Use a preset for options not given: {}, or a file NAME.json from gabor fit",
+                           fmt::join(render::preset_names(), ", ")));
+    add_option(*command, "--like", options->like, "FILE",
+               "Use the options of an earlier EXR, or of a JSON file, for options not given");
+    add_option(*command, "--region", options->region, "X,Y,WIDTH,HEIGHT",
+               "Render only this part of the picture, with the same pixels");
+    add_option(*command, "--frames", options->frames, "NUMBER",
+               fmt::format("Render one period of the animation as NAME.0001.exr, NAME.0002.exr ...: a whole "
+                           "number from 1 to {}",
+                           render::most_frames));
+    add_option(*command, "--compression", options->compression, "NAME",
+               fmt::format("Compression of the EXR: {} [{}]", fmt::join(image::compression_names(), ", "),
+                           options->compression));
     add_device_option(*command, options->device);
     command->add_flag(
         "--texture", options->texture,
-        "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be "
-        "powers of two. With --maps: make maps.exr such a texture, rougher where filtering flattens its "
-        "normals");
+        "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be powers "
+        "of two. With --maps: make maps.exr such a texture, rougher where filtering flattens its normals");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
-    command
-        ->add_option(
-            "--level", options->level,
-            "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest")
-        ->type_name("NUMBER");
+    add_option(*command, "--level", options->level, "NUMBER",
+               "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest");
     command->add_flag("--terrain", options->terrain,
                       "Draw eroded mountains: --view terrain, with two hills across unless --scale is given");
-    command
-        ->add_option("--heightmap", options->heightmap,
-                     "For terrain: also write 16-bit heights to a PNG or .r16, with their scale in a .json "
-                     "file beside it")
-        ->type_name("FILE");
-    command
-        ->add_option("--elevation", options->elevation,
-                     "LOW,HIGH: heights that 0 and 65535 stand for in --heightmap [the full possible range]")
-        ->type_name("RANGE")
-        ->delimiter(',')
-        ->expected(2);
+    add_option(*command, "--heightmap", options->heightmap, "FILE",
+               "For terrain: also write 16-bit heights to a PNG or .r16, with their scale in a .json file "
+               "beside it");
+    add_elevation_option(
+        *command, options->elevation,
+        "LOW,HIGH: heights that 0 and 65535 stand for in --heightmap [the full possible range]");
     command->add_flag("--verbose", options->verbose, "Print how much time and memory each step took");
     command->callback([options, start] { render_pictures(*options, start); });
 }

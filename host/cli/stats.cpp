@@ -1,13 +1,12 @@
 #include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "cli/terminal.hpp"
-#include "error.hpp"
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
 #include "render/parameters.hpp"
 #include "render/variance.hpp"
 #include "statistics/picture.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -62,16 +61,15 @@ image::ExrReader open_picture(const StatsOptions& options, const std::vector<std
 
 // Reads a channel. If there is a channel A, sets pixels with A below 1 to NaN and returns their number.
 template <typename Use>
-std::uint64_t read_bands(const StatsOptions& options, const image::ExrReader& header, Progress& progress,
+std::uint64_t read_bands(const StatsOptions& options, const image::ExrReader& of, Progress& progress,
                          Use use) {
-    const std::string& channel = header.channels().front();
-    const bool covered = channel != "A" && header.has_channel("A");
+    const std::string& channel = of.header().channels.front();
+    const bool covered = channel != "A" && of.has_channel("A");
     image::ExrReader reader =
         open_picture(options, covered ? std::vector{channel, std::string("A")} : std::vector{channel});
-    const int rows = std::max(1, (1 << 20) / reader.window().width);
     std::vector<float> inside;
     std::uint64_t outside = 0;
-    for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows)) {
+    reader.read_bands([&](std::span<const float> band) {
         if (covered) {
             inside.clear();
             for (std::size_t i = 0; i < band.size(); i += 2) {
@@ -83,7 +81,7 @@ std::uint64_t read_bands(const StatsOptions& options, const image::ExrReader& he
         }
         use(band);
         progress.advance(band.size());
-    }
+    });
     return outside;
 }
 
@@ -98,14 +96,16 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
 
 // Measures a channel. If its variance is unknown, reads the channel twice: first for its mean and variance.
 Measured measure(const StatsOptions& options) {
-    const std::string channel =
-        options.channel ? *options.channel : image::ExrReader(options.files.front()).channels().front();
+    const std::string channel = options.channel
+                                    ? *options.channel
+                                    : image::ExrReader(options.files.front()).header().channels.front();
     const image::ExrReader reader = open_picture(options, {channel});
     Measured measured;
-    measured.width = reader.window().width;
-    measured.height = reader.window().height;
+    const image::Rect& window = reader.header().window;
+    measured.width = window.width;
+    measured.height = window.height;
     measured.channel = channel;
-    const std::string& attribute = reader.parameters();
+    const std::string& attribute = reader.header().parameters;
     bool deep = false;
     json parsed = json::parse(
         attribute,
@@ -116,10 +116,8 @@ Measured measure(const StatsOptions& options) {
         if (const json scale = measured.parameters.value("scale", json()); scale.is_number() && scale > 0)
             measured.scale = scale.get<double>();
 
-    const std::uint64_t pixels =
-        static_cast<std::uint64_t>(measured.width) * static_cast<std::uint64_t>(measured.height);
     const std::optional<double> variance = deep ? std::nullopt : known_variance(measured.channel, attribute);
-    Progress progress("measuring", variance ? pixels : 2 * pixels);
+    Progress progress("measuring", variance ? window.pixels() : 2 * window.pixels());
     if (variance && *variance > 0) {
         measured.expected = {0, std::sqrt(*variance), false};
     } else {
@@ -172,6 +170,9 @@ std::string to_json(const Measured& measured) {
     const PictureReport& report = measured.report;
     const statistics::Moments& moments = report.moments;
     const auto& blocks = report.blocks;
+    json cvm;
+    if (blocks)
+        cvm = {{"value", blocks->cvm.value}, {"low", blocks->cvm.low}, {"high", blocks->cvm.high}};
     const json result = {
         {"width", measured.width},
         {"height", measured.height},
@@ -188,9 +189,7 @@ std::string to_json(const Measured& measured) {
         {"excess_kurtosis", moments.excess_kurtosis()},
         {"minimum", moments.minimum()},
         {"maximum", moments.maximum()},
-        {"cvm", blocks
-                    ? json{{"value", blocks->cvm.value}, {"low", blocks->cvm.low}, {"high", blocks->cvm.high}}
-                    : json()},
+        {"cvm", cvm},
         {"cvm_reference", reference_name(measured)},
         {"reference_mean", measured.expected.mean},
         {"reference_variance", reference_variance(measured)},
@@ -310,8 +309,7 @@ void report_statistics(const StatsOptions& options) {
     else
         print_report(options, measured);
     if (output) {
-        const std::string text = to_json(measured);
-        output->write(std::as_bytes(std::span(text)));
+        output->write(to_json(measured));
         output->commit();
     }
 }
@@ -322,17 +320,13 @@ void add_stats_command(CLI::App& app) {
     auto options = std::make_shared<StatsOptions>();
     CLI::App* command =
         app.add_subcommand("stats", "Measure an OpenEXR picture: moments, Gaussianity, spectrum");
-    command
-        ->add_option("FILE", options->files,
-                     "The EXR to measure; several regions of one picture are measured as one")
-        ->type_name("")
+    add_option(*command, "FILE", options->files, "",
+               "The EXR to measure; several regions of one picture are measured as one")
         ->required();
-    command->add_option("--channel", options->channel, "The channel to measure [Y, else R, else the first]")
-        ->type_name("NAME");
-    command
-        ->add_option("--json", options->json,
-                     "Also write the numbers to this file as JSON; '-' prints JSON instead of text")
-        ->type_name("FILE");
+    add_option(*command, "--channel", options->channel, "NAME",
+               "The channel to measure [Y, else R, else the first]");
+    add_option(*command, "--json", options->json, "FILE",
+               "Also write the numbers to this file as JSON; '-' prints JSON instead of text");
     command->callback([options] { report_statistics(*options); });
 }
 

@@ -35,7 +35,7 @@ void Progress::advance(std::uint64_t by) {
     if (!terminal_ || now - drawn_ < (visible_ ? 100ms : 500ms))
         return;
     const double share = static_cast<double>(done_) / static_cast<double>(total_);
-    const double left = std::chrono::duration<double>(now - start_).count() * (1 - share) / share;
+    const double left = seconds_since(start_) * (1 - share) / share;
     fmt::print(stderr, "\r{} {:.0f} %, {:.0f} s left\x1b[K", label_, 100 * share, left);
     std::fflush(stderr);
     drawn_ = now;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <chrono>
+#include "seconds.hpp"
+
 #include <cstdint>
 #include <string>
 
@@ -22,7 +23,6 @@ class Progress {
     void advance(std::uint64_t by);
 
   private:
-    using Clock = std::chrono::steady_clock;
     std::string label_;
     std::uint64_t total_;
     std::uint64_t done_ = 0;

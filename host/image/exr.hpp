@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -18,15 +19,18 @@ struct Rect {
     int y = 0;
     int width = 0;
     int height = 0;
+
+    std::uint64_t pixels() const {
+        return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    }
+    bool operator==(const Rect&) const = default;
 };
 
-/// Lists the accepted values of `ExrWriter::Description::compression` in the order of the help texts.
+/// Lists the accepted values of `ExrHeader::compression` in the order of the help texts.
 std::span<const std::string_view> compression_names();
 
-/// Writes a picture as 32-bit float scanlines, or a texture. The file appears under its name at `commit`;
-/// destroying the writer earlier leaves nothing behind and keeps an existing file.
-class ExrWriter {
-  public:
+/// What an EXR says about its pixels.
+struct ExrHeader {
     /// A mip-mapped texture in tiles of 64 x 64 pixels. Each level has half the sides of the previous one,
     /// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx.
     struct Texture {
@@ -34,21 +38,24 @@ class ExrWriter {
         bool periodic = false; ///< whether it wraps around; otherwise it is black beyond its edges
     };
 
-    struct Description {
-        Rect picture;                      ///< EXR's display window: the whole picture
-        Rect window;                       ///< EXR's data window: the part of the picture in this file
-        std::vector<std::string> channels; ///< one float channel each
-        std::string_view compression = "none";
-        std::string parameters = {}; ///< stored as the string attribute `gabor`
-        std::string software = {};   ///< the program and driver; stored as `software` unless empty
-        /// The colour space of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty.
-        std::string colour_space = {};
-        /// If set, writes a texture; the window must be the whole picture at 0, 0.
-        std::optional<Texture> texture = {};
-    };
+    Rect picture;                          ///< EXR's display window: the whole picture
+    Rect window;                           ///< EXR's data window: the part of the picture in this file
+    std::vector<std::string> channels;     ///< one float channel each
+    std::string_view compression = "none"; ///< empty for a method that ExrWriter does not offer
+    std::string parameters = {};           ///< stored as the string attribute `gabor`
+    std::string software = {};             ///< the program and driver; stored as `software` unless empty
+    /// The colour space of R, G and B, stored as OpenImageIO's `oiio:ColorSpace` unless empty.
+    std::string colour_space = {};
+    /// If set, writes a texture; the window must be the whole picture at 0, 0.
+    std::optional<Texture> texture = {};
+};
 
+/// Writes a picture as 32-bit float scanlines, or a texture. The file appears under its name at `commit`;
+/// destroying the writer earlier leaves nothing behind and keeps an existing file.
+class ExrWriter {
+  public:
     /// Throws RequestError for an unknown compression or a path that cannot be created.
-    ExrWriter(const std::filesystem::path& path, const Description& description);
+    ExrWriter(const std::filesystem::path& path, const ExrHeader& header);
     ~ExrWriter();
     ExrWriter(ExrWriter&&) noexcept;
 
@@ -64,13 +71,17 @@ class ExrWriter {
     std::unique_ptr<State> state_;
 };
 
+/// Receives the number of pixels that have been done since the last call. An exception from it aborts the
+/// work.
+using Advance = std::function<void(std::uint64_t)>;
+
 /// Joins regions of one picture, written by ExrWriter, into the file that a single render would have written.
 /// Copies the compressed blocks of full-width regions unchanged and decodes other regions a few rows at a
-/// time. Calls `advance` with the number of pixels written; an exception from it aborts and leaves no file.
-/// Returns the picture's rectangle. Throws RequestError if a file is not a region from ExrWriter, if regions
-/// differ in more than their position, or if they overlap or leave a gap.
+/// time. If `advance` throws, no file is left. Returns the picture's rectangle. Throws RequestError if a file
+/// is not a region from ExrWriter, if regions differ in more than their position, or if they overlap or leave
+/// a gap.
 Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
-              const std::function<void(std::uint64_t)>& advance);
+              const Advance& advance);
 
 /// Reads half or float channels of a flat EXR, scanline or tiled, as floats, band by band. The picture may be
 /// spread over several files.
@@ -89,27 +100,27 @@ class ExrReader {
 
     /// Returns the files and the part of the picture in each, from top to bottom.
     std::vector<std::pair<std::filesystem::path, Rect>> regions() const;
-    const Rect& picture() const;
-    const Rect& window() const;
-    /// Returns the channels that are read.
-    const std::vector<std::string>& channels() const;
+    /// Returns the header of one file with the whole picture. It lists the channels that are read, and no
+    /// texture.
+    const ExrHeader& header() const { return header_; }
     /// Tells whether the file has a channel with that name.
     bool has_channel(const std::string& name) const;
-    /// Returns the `gabor` attribute; empty if there is none.
-    const std::string& parameters() const;
-    /// Returns the `software` attribute; empty if there is none.
-    const std::string& software() const;
-    /// Returns the `oiio:ColorSpace` attribute; empty if there is none.
-    std::string colour_space() const;
-    /// Returns the compression's name; empty if ExrWriter does not offer it.
-    std::string_view compression() const;
 
     /// Returns the next `rows` rows, or as many as are left; empty after the last. The span is valid until
     /// the next call. Throws RequestError when the data is damaged.
     std::span<const float> read_rows(int rows);
 
+    /// Passes all rows to `use`, in bands of about a million pixels.
+    template <typename Use>
+    void read_bands(Use use) {
+        const int rows = std::max(1, (1 << 20) / header_.window.width);
+        for (auto band = read_rows(rows); !band.empty(); band = read_rows(rows))
+            use(band);
+    }
+
   private:
     struct State;
+    ExrHeader header_;
     std::unique_ptr<State> state_;
 };
 

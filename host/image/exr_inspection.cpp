@@ -1,14 +1,10 @@
-#include "image/exr_inspection.hpp"
-
 #include "error.hpp"
+#include "image/exr_parts.hpp"
 
-#include <ImfThreading.h>
 #include <fmt/format.h>
 #include <openexr.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <string>
 
 namespace gabor::image {
 

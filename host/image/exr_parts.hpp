@@ -1,6 +1,6 @@
 #pragma once
 
-// Shared by the reader and the writer of EXR files.
+// Shared by the files that read and write EXR.
 
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
@@ -71,10 +71,19 @@ class ExrStream final : public Imf::OStream {
     std::exception_ptr failure_;
 };
 
-/// Returns the header of a file with this description.
-Imf::Header exr_header(const ExrWriter::Description& description);
+/// Returns the header in the form that OpenEXR takes.
+Imf::Header exr_header(const ExrHeader& header);
 
 /// Returns the name of a lossless method; empty for a lossy one.
 std::string_view exr_compression_name(Imf::Compression method);
+
+/// Throws RequestError, "cannot read PATH: WHAT", with control characters removed.
+[[noreturn]] void refuse_exr(const std::filesystem::path& path, std::string_view what);
+
+/// Throws RequestError for a truncated or damaged file; `how` is OpenEXR's message.
+[[noreturn]] void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how);
+
+/// Returns how many threads may decode the file. Throws RequestError if the file is not safe to open.
+int inspect_exr(const std::filesystem::path& path);
 
 } // namespace gabor::image

@@ -1,11 +1,9 @@
 // Reads a picture from one file, or from several that hold its regions.
 
 #include "error.hpp"
-#include "image/exr_inspection.hpp"
 #include "image/exr_parts.hpp"
 
 #include <ImfChannelList.h>
-#include <ImfHeader.h>
 #include <ImfInputFile.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
@@ -76,8 +74,7 @@ void check_region(const fs::path& path, const Imf::Header& header) {
         floats &= i.channel() == Imf::Channel(Imf::FLOAT);
     if (!floats)
         refuse_join(fmt::format("'{}' has tiles, lossy compression, or values other than 32-bit floats; "
-                                "expected regions of flat "
-                                "pictures",
+                                "expected regions of flat pictures",
                                 path.string()));
     const Imath::Box2i& picture = header.displayWindow();
     const Imath::Box2i& window = header.dataWindow();
@@ -170,20 +167,11 @@ struct ExrReader::State {
     }
     explicit State(std::span<const fs::path> paths);
 
-    std::string text(const char* attribute) const {
-        const auto* found = header.findTypedAttribute<Imf::StringAttribute>(attribute);
-        return found ? found->value() : "";
-    }
-    void choose(std::vector<std::string> names);
+    ExrHeader header_of(std::vector<std::string> channels) const;
     void read(const Imf::FrameBuffer& frame, int first, int last);
 
     std::vector<ExrRegion> regions; // sorted by their upper left corners
     Imf::Header header;             // the header of one file with the whole picture
-    Rect picture;
-    Rect window;
-    std::string parameters;
-    std::string software;
-    std::vector<std::string> channels;
     int rows_read = 0;
     std::vector<float> rows;
 };
@@ -210,12 +198,8 @@ ExrReader::State::State(std::span<const fs::path> paths) {
     header.dataWindow() = header.displayWindow();
 }
 
-void ExrReader::State::choose(std::vector<std::string> names) {
-    picture = to_rect(header.displayWindow());
-    window = to_rect(header.dataWindow());
-    parameters = text("gabor");
-    software = text("software");
-    channels = std::move(names);
+// Describes the file, of which `channels` are read.
+ExrHeader ExrReader::State::header_of(std::vector<std::string> channels) const {
     const fs::path& path = regions.front().path;
     const Imf::ChannelList& all = header.channels();
     for (const std::string& name : channels) {
@@ -233,6 +217,17 @@ void ExrReader::State::choose(std::vector<std::string> names) {
                     "channel '{}' is subsampled; only channels with a value for every pixel are supported",
                     name));
     }
+    const auto text = [&](const char* attribute) {
+        const auto* found = header.findTypedAttribute<Imf::StringAttribute>(attribute);
+        return found ? found->value() : std::string();
+    };
+    return {.picture = to_rect(header.displayWindow()),
+            .window = to_rect(header.dataWindow()),
+            .channels = std::move(channels),
+            .compression = exr_compression_name(header.compression()),
+            .parameters = text("gabor"),
+            .software = text("software"),
+            .colour_space = text("oiio:ColorSpace")};
 }
 
 // Reads rows `first` to `last`. Rows must be read in order.
@@ -260,12 +255,12 @@ ExrReader::ExrReader(const fs::path& path, const std::vector<std::string>& chann
     const std::string name = default_channel(all);
     if (channels.empty() && name.empty())
         refuse_exr(path, fmt::format("no half or float channel among {}", fmt::join(names_of(all), ", ")));
-    state_->choose(channels.empty() ? std::vector{name} : channels);
+    header_ = state_->header_of(channels.empty() ? std::vector{name} : channels);
 }
 
 ExrReader::ExrReader(std::span<const fs::path> paths, const std::vector<std::string>& channels)
     : state_(std::make_unique<State>(paths)) {
-    state_->choose(channels.empty() ? names_of(state_->header.channels()) : channels);
+    header_ = state_->header_of(channels.empty() ? names_of(state_->header.channels()) : channels);
 }
 
 ExrReader::~ExrReader() = default;
@@ -277,43 +272,22 @@ std::vector<std::pair<fs::path, Rect>> ExrReader::regions() const {
         regions.emplace_back(region.path, to_rect(region.window));
     return regions;
 }
-const Rect& ExrReader::picture() const {
-    return state_->picture;
-}
-const Rect& ExrReader::window() const {
-    return state_->window;
-}
-const std::vector<std::string>& ExrReader::channels() const {
-    return state_->channels;
-}
+
 bool ExrReader::has_channel(const std::string& name) const {
     return state_->header.channels().findChannel(name) != nullptr;
 }
-const std::string& ExrReader::parameters() const {
-    return state_->parameters;
-}
-std::string ExrReader::colour_space() const {
-    return state_->text("oiio:ColorSpace");
-}
-
-const std::string& ExrReader::software() const {
-    return state_->software;
-}
-std::string_view ExrReader::compression() const {
-    return exr_compression_name(state_->header.compression());
-}
 
 std::span<const float> ExrReader::read_rows(int rows) {
-    const Rect& window = state_->window;
+    const Rect& window = header_.window;
+    const std::vector<std::string>& channels = header_.channels;
     rows = std::min(rows, window.height - state_->rows_read);
     if (rows <= 0)
         return {};
     const int y = window.y + state_->rows_read;
     state_->rows.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(window.width) *
-                        state_->channels.size());
-    state_->read(
-        frame_buffer(Imf::FLOAT, state_->rows.data(), state_->channels, {window.x, y}, window.width, rows), y,
-        y + rows - 1);
+                        channels.size());
+    state_->read(frame_buffer(Imf::FLOAT, state_->rows.data(), channels, {window.x, y}, window.width, rows),
+                 y, y + rows - 1);
     state_->rows_read += rows;
     return state_->rows;
 }

@@ -57,7 +57,7 @@ Imath::Box2i box(const Rect& window) {
 
 } // namespace
 
-Imf::Header exr_header(const ExrWriter::Description& description) {
+Imf::Header exr_header(const ExrHeader& description) {
     Imf::Header header(box(description.picture), box(description.window));
     header.compression() = compression_method(description.compression);
     header.zipCompressionLevel() = zip_level;
@@ -93,7 +93,7 @@ std::string_view exr_compression_name(Imf::Compression method) {
 }
 
 struct ExrWriter::State {
-    State(const std::filesystem::path& path, const Description& of)
+    State(const std::filesystem::path& path, const ExrHeader& of)
         : description(of), header(exr_header(of)), sums(of.channels.size()), file(not_a_pipe(path)),
           stream(file) {
         if (of.texture)
@@ -108,7 +108,7 @@ struct ExrWriter::State {
     std::size_t row_values() const { return static_cast<std::size_t>(width()) * description.channels.size(); }
     void write(std::span<const float> values);
 
-    const Description description;
+    const ExrHeader description;
     const Imf::Header header;
     std::vector<double> sums; ///< sum of each channel over a texture's first level
     int level = 0;
@@ -147,9 +147,9 @@ void ExrWriter::State::write(std::span<const float> values) {
     }
 }
 
-ExrWriter::ExrWriter(const std::filesystem::path& path, const Description& description) {
+ExrWriter::ExrWriter(const std::filesystem::path& path, const ExrHeader& header) {
     start_exr_threads();
-    state_ = std::make_unique<State>(path, description);
+    state_ = std::make_unique<State>(path, header);
 }
 
 ExrWriter::~ExrWriter() = default;
@@ -184,8 +184,7 @@ void ExrWriter::commit() {
     s.tiles.reset();
     s.stream.rethrow_failure();
     if (s.description.texture) {
-        const std::string average =
-            average_text(s.sums, double(s.description.window.width) * s.description.window.height);
+        const std::string average = average_text(s.sums, static_cast<double>(s.description.window.pixels()));
         s.file.seek(average_place(s.header));
         s.file.write(average);
     }

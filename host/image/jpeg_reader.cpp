@@ -17,15 +17,15 @@ namespace {
 class JpegPicture : public PictureReader {
   public:
     explicit JpegPicture(const std::filesystem::path& path);
-    ~JpegPicture() override { jpeg_destroy_decompress(&jpeg_); }
-    JpegPicture(const JpegPicture&) = delete;
-    JpegPicture& operator=(const JpegPicture&) = delete;
 
     void read_row(std::span<float> row) override;
 
   private:
     struct Errors : jpeg_error_mgr {
         std::jmp_buf jump;
+    };
+    struct Decoder : jpeg_decompress_struct {
+        ~Decoder() { jpeg_destroy_decompress(this); }
     };
 
     /// Runs `calls`. libjpeg reports errors and damaged data by a longjmp to here, so `calls` must not own
@@ -45,12 +45,11 @@ class JpegPicture : public PictureReader {
         if (level < 0) // a warning: the data is damaged
             on_error(jpeg);
     }
-    void read_header();
 
     std::filesystem::path path_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     Errors errors_{};
-    jpeg_decompress_struct jpeg_{};
+    Decoder jpeg_{};
     std::vector<JSAMPLE> bytes_;
 };
 
@@ -61,15 +60,6 @@ JpegPicture::JpegPicture(const std::filesystem::path& path)
     jpeg_.err = jpeg_std_error(&errors_);
     errors_.error_exit = on_error;
     errors_.emit_message = on_message;
-    try {
-        read_header();
-    } catch (...) {
-        jpeg_destroy_decompress(&jpeg_);
-        throw;
-    }
-}
-
-void JpegPicture::read_header() {
     guarded([this] {
         jpeg_create_decompress(&jpeg_);
         jpeg_stdio_src(&jpeg_, file_.get());

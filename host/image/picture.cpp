@@ -22,13 +22,14 @@ class ExrPicture : public PictureReader {
   public:
     ExrPicture(const std::filesystem::path& path, const std::string& channel) {
         const ExrReader file(path);
-        std::vector<std::string> names = file.channels();
+        std::vector<std::string> names = file.header().channels;
         if (!channel.empty() && file.has_channel(channel))
             names = {channel};
         else if (names.front() == "R" && file.has_channel("G") && file.has_channel("B"))
             names = {"R", "G", "B"};
-        format_ = {file.window().width, file.window().height, static_cast<int>(names.size()),
-                   file.has_channel("A") && names.front() != "A", file.colour_space() != "sRGB"};
+        const Rect& window = file.header().window;
+        format_ = {window.width, window.height, static_cast<int>(names.size()),
+                   file.has_channel("A") && names.front() != "A", file.header().colour_space != "sRGB"};
         if (format_.alpha)
             names.push_back("A");
         alpha_.resize(format_.alpha ? static_cast<std::size_t>(format_.width) : 0);

@@ -60,5 +60,8 @@ std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path);
 /// Returns nothing if the file is not a TGA.
 std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path);
+/// Opens a .r16 file: 16-bit heights, low byte first, row by row from the top, without a header. The reader
+/// returns values from 0 to 1. Throws RequestError unless the file has exactly width x height heights.
+std::unique_ptr<PictureReader> open_raw16(const std::filesystem::path& path, int width, int height);
 
 } // namespace gabor::image

@@ -1,69 +1,186 @@
 #include "image/png.hpp"
 
-#include "image/libpng.hpp"
 #include "image/output_file.hpp"
+#include "image/picture.hpp"
 
 #include <fmt/format.h>
+#include <png.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <csetjmp>
+#include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace gabor::image {
 
+// The state of libpng, and its last error.
+struct Libpng {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::string message;
+
+    // Runs `calls` and returns whether libpng reported no error. libpng reports errors by a longjmp to here,
+    // so `calls` must not own objects with destructors.
+    template <class Calls>
+    [[nodiscard]] bool succeeds(Calls calls) {
+        if (setjmp(png_jmpbuf(png)) != 0)
+            return false;
+        calls();
+        return true;
+    }
+    static void on_error(png_structp png, png_const_charp text) {
+        static_cast<Libpng*>(png_get_error_ptr(png))->message = text;
+        png_longjmp(png, 1);
+    }
+    static void on_warning(png_structp, png_const_charp) {}
+};
+
 namespace {
 
+constexpr png_uint_32 widest_png = 65536;
 // On noise, higher levels take up to four times as long and save next to nothing.
 constexpr int compression_level = 1;
 constexpr int filter = PNG_FILTER_UP;
+// Interlaced pictures are decoded in memory. The limit is in bytes.
+constexpr std::size_t most_interlaced = std::size_t{1} << 28;
+
+class PngPicture : public PictureReader {
+  public:
+    explicit PngPicture(const std::filesystem::path& path);
+
+    void read_row(std::span<float> row) override;
+
+  private:
+    struct Decoder : Libpng {
+        Decoder() {
+            png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<Libpng*>(this), on_error,
+                                         on_warning);
+            info = png_create_info_struct(png);
+        }
+        ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+        Decoder(const Decoder&) = delete;
+        Decoder& operator=(const Decoder&) = delete;
+    };
+
+    template <class Calls>
+    void guarded(Calls calls) {
+        if (!decoder_.succeeds(calls))
+            refuse_picture(path_, decoder_.message);
+    }
+    void read_header();
+    void read_interlaced();
+
+    std::filesystem::path path_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    Decoder decoder_;
+    bool interlaced_ = false;
+    std::vector<png_byte> bytes_; // one row, or all rows of an interlaced picture
+    std::size_t row_ = 0;
+};
+
+PngPicture::PngPicture(const std::filesystem::path& path)
+    : path_(path), file_(std::fopen(path.c_str(), "rb"), std::fclose) {
+    if (!file_)
+        refuse_picture(path_, "it cannot be opened");
+    if (!decoder_.info)
+        throw std::bad_alloc();
+    read_header();
+    const std::size_t row = png_get_rowbytes(decoder_.png, decoder_.info);
+    const std::size_t all = row * static_cast<std::size_t>(format_.height);
+    if (interlaced_ && all > most_interlaced)
+        refuse_picture(path_,
+                       fmt::format("it is interlaced and larger than {} MiB: save it without interlacing",
+                                   most_interlaced >> 20));
+    bytes_.resize(interlaced_ ? all : row);
+    if (interlaced_)
+        read_interlaced();
+}
+
+// Reads the header and lets libpng convert every format to 16-bit grey or RGB, with alpha if the file has it.
+void PngPicture::read_header() {
+    const png_structp png = decoder_.png;
+    const png_infop info = decoder_.info;
+    guarded([=, this] {
+        png_set_user_limits(png, widest_png, widest_png);
+        png_init_io(png, file_.get());
+        png_read_info(png, info);
+        format_.alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
+                        png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+        interlaced_ = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
+        png_set_expand_16(png);
+        png_set_interlace_handling(png);
+        png_read_update_info(png, info);
+    });
+    format_.width = static_cast<int>(png_get_image_width(png, info));
+    format_.height = static_cast<int>(png_get_image_height(png, info));
+    format_.channels = png_get_channels(png, info) - (format_.alpha ? 1 : 0);
+    alpha_.resize(format_.alpha ? static_cast<std::size_t>(format_.width) : 0);
+}
+
+void PngPicture::read_interlaced() {
+    const std::size_t row = png_get_rowbytes(decoder_.png, decoder_.info);
+    std::vector<png_bytep> rows;
+    for (std::size_t at = 0; at < bytes_.size(); at += row)
+        rows.push_back(&bytes_[at]);
+    png_bytepp begin = rows.data();
+    guarded([this, begin] { png_read_image(decoder_.png, begin); });
+}
+
+void PngPicture::read_row(std::span<float> row) {
+    const png_byte* at = bytes_.data();
+    if (interlaced_)
+        at += row_ * 2 * (row.size() + alpha_.size());
+    else
+        guarded([this] { png_read_row(decoder_.png, bytes_.data(), nullptr); });
+    ++row_;
+    fill(row, [&at] {
+        const int value = 256 * at[0] + at[1];
+        at += 2;
+        return static_cast<float>(value) / 65535.0f;
+    });
+}
+
+} // namespace
+
+std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path) {
+    return std::make_unique<PngPicture>(path);
+}
 
 std::uint32_t quantize(float value, int bits) {
     const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN becomes 0
     return static_cast<std::uint32_t>(clamped * static_cast<float>((1 << bits) - 1) + 0.5f);
 }
 
-} // namespace
-
-struct PngWriter::State {
-    State(const std::filesystem::path& path, int width, int height, int channels, int bits);
+struct PngWriter::State : Libpng {
+    State(const std::filesystem::path& path, int width, int height, int channels, int bits_)
+        : file(path), values(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)),
+          bits(bits_), row(values * static_cast<std::size_t>(bits / 8)), rows_left(height) {
+        png =
+            png_create_write_struct(PNG_LIBPNG_VER_STRING, static_cast<Libpng*>(this), on_error, on_warning);
+        info = png_create_info_struct(png);
+    }
     ~State() { png_destroy_write_struct(&png, &info); }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
 
     template <class Calls>
     void guarded(Calls calls) {
-        if (!succeeds(png, calls))
-            rethrow();
+        if (succeeds(calls))
+            return;
+        if (failure)
+            std::rethrow_exception(failure);
+        throw std::runtime_error(fmt::format("cannot write {}: {}", file.path().string(), message));
     }
-    [[noreturn]] void rethrow() const;
-
     static void on_write(png_structp png, png_bytep bytes, std::size_t count);
 
     OutputFile file;
-    png_structp png = nullptr;
-    png_infop info = nullptr;
     std::size_t values; ///< number of values in a row
     int bits;
     std::vector<png_byte> row;
     int rows_left;
-    PngErrors errors;           ///< libpng's errors
     std::exception_ptr failure; ///< the disk's error, if any
 };
-
-PngWriter::State::State(const std::filesystem::path& path, int width, int height, int channels, int bits_)
-    : file(path), values(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)), bits(bits_),
-      row(values * static_cast<std::size_t>(bits / 8)), rows_left(height) {
-    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &errors, PngErrors::on_error, PngErrors::on_warning);
-    info = png ? png_create_info_struct(png) : nullptr;
-}
-
-void PngWriter::State::rethrow() const {
-    if (failure)
-        std::rethrow_exception(failure);
-    throw std::runtime_error(fmt::format("cannot write {}: {}", file.path().string(), errors.message));
-}
 
 void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t count) {
     auto& state = *static_cast<State*>(png_get_io_ptr(png));

@@ -1,10 +1,8 @@
-#include "image/raw16.hpp"
-
 #include "error.hpp"
+#include "image/picture.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <system_error>
@@ -51,17 +49,6 @@ class Raw16 : public PictureReader {
 
 std::unique_ptr<PictureReader> open_raw16(const std::filesystem::path& path, int width, int height) {
     return std::make_unique<Raw16>(path, width, height);
-}
-
-void Raw16Writer::write_rows(std::span<const float> values) {
-    bytes_.clear();
-    for (const float value : values) {
-        const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f; // NaN becomes 0
-        const auto level = static_cast<std::uint32_t>(clamped * 65535.0f + 0.5f);
-        bytes_.push_back(static_cast<std::byte>(level & 0xffu));
-        bytes_.push_back(static_cast<std::byte>(level >> 8));
-    }
-    file_.write(bytes_);
 }
 
 } // namespace gabor::image

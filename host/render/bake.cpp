@@ -1,5 +1,3 @@
-#include "render/bake.hpp"
-
 #include "noise/variance.hpp"
 #include "render/plan_parts.hpp"
 
@@ -25,16 +23,11 @@ Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, d
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
 
-passes::vec2 turn(double turns) {
-    const double angle = 2 * std::numbers::pi * turns;
-    return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
-}
-
 // `scale` is the picture's, in pixels per kernel radius.
 passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
                            const Axis& y, double scale) {
     const noise::Recipe recipe = drawing_recipe(request);
-    const auto [wave_x, wave_y] = wave.in_kernels();
+    const std::array<double, 2> turns = wave.in_kernels();
     // The variance of sparse noise is proportional to its impulses per unit area.
     const double normalized =
         recipe.is_lattice()
@@ -43,9 +36,10 @@ passes::BakeWave make_wave(const Request& request, std::size_t index, const nois
                                         noise::variance(recipe, wave.frequency * wave.radius[0], wave.angle,
                                                         request.time));  // these kernels are round
     const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours use weights instead
-    passes::BakeWave result{{static_cast<float>(wave_x), static_cast<float>(wave_y)},
-                            turn(wave_x / (scale * wave.radius[0])),
-                            turn(wave_y / (scale * wave.radius[1])),
+    constexpr double tau = 2 * std::numbers::pi;
+    passes::BakeWave result{vec2_of(turns),
+                            direction(tau * (turns[0] / (scale * wave.radius[0]))),
+                            direction(tau * (turns[1] / (scale * wave.radius[1]))),
                             static_cast<float>(amplitude * normalized),
                             wave.seed,
                             {}};
@@ -121,12 +115,11 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
         passes::BakePush push{};
         push.width = region.width;
         push.height = region.height;
-        push.radius = {static_cast<float>(x.radius), static_cast<float>(y.radius)};
+        push.radius = vec2_of(x.radius, y.radius);
         push.period = {x.period, y.period};
         push.time = wrapped_time(request);
-        push.stretch = {static_cast<float>(1 / radius[0]), static_cast<float>(1 / radius[1])};
-        push.pixel = {static_cast<float>(1 / (values_per_radius * radius[0])),
-                      static_cast<float>(1 / (values_per_radius * radius[1]))};
+        push.stretch = vec2_of(1 / radius[0], 1 / radius[1]);
+        push.pixel = vec2_of(1 / (values_per_radius * radius[0]), 1 / (values_per_radius * radius[1]));
         if (const Slice* slice = std::get_if<Slice>(&request.view)) {
             const double nodes = double{recipe.radius};
             const double place = slice->depth / radius[0] * nodes;

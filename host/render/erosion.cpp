@@ -51,15 +51,14 @@ class MapRows {
 
 Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
                   const image::Rect& region) {
-    const auto single = [](double value) { return static_cast<float>(value); };
     passes::ErodePush push{};
     push.first_column = region.x;
     push.first_row = region.y;
     push.width = region.width;
     push.height = region.height;
     if (map.tileable)
-        push.period = {single(map.pixel * map.width), single(map.pixel * map.height)};
-    push.pixel = single(map.pixel);
+        push.period = vec2_of(map.pixel * map.width, map.pixel * map.height);
+    push.pixel = static_cast<float>(map.pixel);
     push.seed = seed;
     push.map_width = map.width;
     push.tileable = map.tileable;
@@ -73,7 +72,7 @@ Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t se
 }
 
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
-           const image::Rect& region, const std::function<void(std::span<const float>)>& write) {
+           const image::Rect& region, const Sink& write) {
     const Renderer renderer(device, erosion_plan(map, erosion, seed, region));
     const auto width = static_cast<std::size_t>(map.width);
     MapRows rows(map);

@@ -37,6 +37,6 @@ Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t se
 /// `write`, with interleaved channels. A region has the same pixels as in the whole map. Throws RequestError
 /// for a map that is damaged or contains NaN or infinity.
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
-           const image::Rect& region, const std::function<void(std::span<const float>)>& write);
+           const image::Rect& region, const Sink& write);
 
 } // namespace gabor::render

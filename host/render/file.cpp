@@ -60,8 +60,7 @@ std::string software(const vulkan::Device& device) {
     return fmt::format("gabor {}, {}, {}", GABOR_VERSION, device.info().name, device.info().driver);
 }
 
-image::ExrWriter::Description exr_description(const Request& request, const image::Rect& region,
-                                              const std::string& software) {
+image::ExrHeader exr_header(const Request& request, const image::Rect& region, const std::string& software) {
     // The colour space is linear for materials and terrain and the photograph's for a fit; noise has none.
     const bool linear = has_material(request) || (request.colour && request.colour->linear);
     return {.picture = {0, 0, request.width, request.height},
@@ -74,23 +73,15 @@ image::ExrWriter::Description exr_description(const Request& request, const imag
                                              : ""};
 }
 
-FileTimes& FileTimes::operator+=(const FileTimes& other) {
-    rendering.waiting += other.rendering.waiting;
-    rendering.gpu += other.rendering.gpu;
-    writing += other.writing;
-    closing += other.closing;
-    return *this;
-}
-
-FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                      const Files& files, const std::function<void(std::uint64_t)>& advance) {
-    image::ExrWriter::Description description = exr_description(request, region, software(device));
-    description.compression = files.compression;
-    const std::size_t kept = description.channels.size();
+Times render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                  const Files& files, const image::Advance& advance) {
+    image::ExrHeader header = exr_header(request, region, software(device));
+    header.compression = files.compression;
+    const std::size_t kept = header.channels.size();
     const std::size_t channels = render::channels(request, files.normals).size();
     std::optional<image::ExrWriter> exr;
     if (files.exr)
-        exr.emplace(*files.exr, description);
+        exr.emplace(*files.exr, header);
     std::optional<image::PngWriter> png;
     if (files.png)
         png.emplace(*files.png, region.width, region.height, files.colours ? 3 : displayed_channels(request));
@@ -105,7 +96,7 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
                         unit / request.scale);
     }
 
-    FileTimes times;
+    double writing = 0;
     std::vector<float> shown;
     std::vector<float> without_normals;
     const auto write = [&](std::span<const float> values) {
@@ -128,9 +119,10 @@ FileTimes render_file(const vulkan::Device& device, const Request& request, cons
             to_display(request, values, shown);
             png->write_rows(shown);
         }
-        times.writing += seconds_since(before);
+        writing += seconds_since(before);
     };
-    times.rendering = render_region(device, request, region, write, files.normals);
+    Times times = render_region(device, request, region, write, files.normals);
+    times.writing = writing;
     advance(0);
     const Clock::time_point before = Clock::now();
     if (exr)

@@ -29,21 +29,11 @@ Request frame_of(Request request, int frame, int frames);
 /// Numbers the files of several frames: NAME.exr becomes NAME.0001.exr.
 std::filesystem::path frame_path(const std::filesystem::path& path, int frame, int frames);
 
-/// How long each part of rendering a file took, in seconds.
-struct FileTimes {
-    Times rendering;
-    double writing = 0;
-    double closing = 0; ///< flushing to disk
-
-    FileTimes& operator+=(const FileTimes& other);
-};
-
 /// Names version, device and driver for a file's header. If these agree, so do the pixels.
 std::string software(const vulkan::Device& device);
 
-/// Describes the EXR with a region of a picture. `software` is what made it.
-image::ExrWriter::Description exr_description(const Request& request, const image::Rect& region,
-                                              const std::string& software);
+/// Returns the header of the EXR with a region of a picture. `software` is what made it.
+image::ExrHeader exr_header(const Request& request, const image::Rect& region, const std::string& software);
 
 struct Files {
     std::optional<std::filesystem::path> exr;
@@ -56,9 +46,9 @@ struct Files {
     bool normals = false; ///< `colours` needs them: see Viewport
 };
 
-/// Renders `region` of a checked request to files. Calls `advance` with the number of pixels in each band
-/// before writing it; if `advance` throws, no file is left.
-FileTimes render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                      const Files& files, const std::function<void(std::uint64_t)>& advance);
+/// Renders `region` of a checked request to files. Calls `advance` before it writes a band; if `advance`
+/// throws, no file is left.
+Times render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                  const Files& files, const image::Advance& advance);
 
 } // namespace gabor::render

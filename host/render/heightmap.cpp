@@ -50,9 +50,14 @@ void HeightWriter::write_rows(std::span<const float> rows, std::size_t channels,
         levels_.push_back(
             static_cast<float>((rows[i] - elevation_.low) / (elevation_.high - elevation_.low)));
     if (png_)
-        png_->write_rows(levels_);
-    else
-        raw_->write_rows(levels_);
+        return png_->write_rows(levels_);
+    bytes_.clear();
+    for (const float height_level : levels_) {
+        const std::uint32_t level = image::quantize(height_level, 16);
+        bytes_.push_back(static_cast<std::byte>(level & 0xffu));
+        bytes_.push_back(static_cast<std::byte>(level >> 8));
+    }
+    raw_->write(bytes_);
 }
 
 void HeightWriter::commit() {

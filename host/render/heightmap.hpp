@@ -3,7 +3,6 @@
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
 #include "image/png.hpp"
-#include "image/raw16.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -38,8 +37,9 @@ class HeightWriter {
     Elevation elevation_;
     image::OutputFile scale_;
     std::optional<image::PngWriter> png_;
-    std::optional<image::Raw16Writer> raw_;
+    std::optional<image::OutputFile> raw_;
     std::vector<float> levels_;
+    std::vector<std::byte> bytes_;
 };
 
 } // namespace gabor::render

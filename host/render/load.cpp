@@ -67,12 +67,12 @@ Loaded load_request(const std::string& path) {
         const std::string text = read_text(path);
         return {with_prefix(fmt::format("'{}': ", path), [&] { return from_json(text); }), {}, text};
     }
-    const image::ExrReader file(path);
-    if (file.parameters().empty())
+    const image::ExrHeader file = image::ExrReader(path).header();
+    if (file.parameters.empty())
         throw RequestError(fmt::format(
             "'{}' has no 'gabor' attribute: expected an EXR that gabor rendered, or its JSON", path));
-    return {with_prefix(fmt::format("'{}': ", path), [&] { return from_json(file.parameters()); }),
-            file.window(), file.parameters()};
+    return {with_prefix(fmt::format("'{}': ", path), [&] { return from_json(file.parameters); }), file.window,
+            file.parameters};
 }
 
 std::vector<noise::Lobe> load_lobes(const std::string& path) {
@@ -106,14 +106,14 @@ Paint load_paint(const std::string& path) {
     if (has_only_directions(path))
         return load_directions(path);
     image::ExrReader file(path, {"frequency", "orientation"});
-    const image::Rect& window = file.window();
+    const image::Rect& window = file.header().window;
     check_paint_size(path, window.width, window.height);
     const std::span<const float> values = file.read_rows(window.height);
     Paint paint{window.width, window.height, {values.begin(), values.end()}};
     for (std::size_t i = 0; i < paint.samples.size(); ++i) {
         if (!std::isfinite(paint.samples[i]))
-            throw RequestError(
-                fmt::format("paint '{}': a value of channel {} is not finite", path, file.channels()[i % 2]));
+            throw RequestError(fmt::format("paint '{}': a value of channel {} is not finite", path,
+                                           file.header().channels[i % 2]));
         if (i % 2 == 1)
             paint.samples[i] = static_cast<float>(noise::radians(double{paint.samples[i]}));
     }

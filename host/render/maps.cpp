@@ -226,7 +226,7 @@ std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder
 }
 
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
-                 const MapFormat& format, const std::function<void(std::uint64_t)>& advance) {
+                 const MapFormat& format, const image::Advance& advance) {
     if (!has_maps(request))
         throw RequestError(
             "--maps requires a material in --view flat, as in --material wood, or --view terrain");
@@ -244,11 +244,11 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
         writers.emplace_back(png_path(folder, png), request.width, request.height,
                              static_cast<int>(png.channels.size()), png.bits);
     const image::Rect whole{0, 0, request.width, request.height};
-    image::ExrWriter::Description description = exr_description(request, whole, software(device));
-    description.channels = map_channels;
+    image::ExrHeader header = exr_header(request, whole, software(device));
+    header.channels = map_channels;
     if (format.texture)
-        description.texture = image::ExrWriter::Texture{format.half, tileable};
-    image::ExrWriter exr(folder / exr_name, description);
+        header.texture = image::ExrHeader::Texture{format.half, tileable};
+    image::ExrWriter exr(folder / exr_name, header);
     image::OutputFile materialx(folder / materialx_name);
     image::OutputFile scene(folder / gltf_name);
 

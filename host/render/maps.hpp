@@ -1,11 +1,11 @@
 #pragma once
 
+#include "image/exr.hpp"
 #include "render/request.hpp"
 #include "vulkan/device.hpp"
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +37,6 @@ std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder
 /// folder is created if there is none. Calls `advance` with the number of pixels in each band. Throws
 /// RequestError if the request has no maps or is too large.
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
-                 const MapFormat& format, const std::function<void(std::uint64_t)>& advance);
+                 const MapFormat& format, const image::Advance& advance);
 
 } // namespace gabor::render

@@ -230,16 +230,13 @@ std::vector<Parameter> make_table() {
          "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
          "in "
          "space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded mountains from "
-         "above "
-         "and `landscape` in perspective, with channels R, G, B, height, slope.x, slope.y, lit.R, lit.G, "
-         "lit.B, "
-         "ridge, erosion",
+         "above and `landscape` in perspective, with channels R, G, B, height, slope.x, slope.y, lit.R, "
+         "lit.G, lit.B, ridge, erosion",
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
          "Draw a material instead of the noise, on planes and bodies, with channels R, G, B (linear), "
-         "height, "
-         "roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. `gabor "
+         "height, roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. `gabor "
          "materials NAME` lists the options of one material, such as --wood.rings",
          [](const Request& r) { return Value(r.material); },
          [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
@@ -295,14 +292,12 @@ std::vector<Parameter> make_table() {
                     &Erosion::branching),
         flag("filter", "",
              "Antialias with a Gaussian filter of half a pixel. In the plane, adds a channel `removed`: the "
-             "share "
-             "of the variance that the filter removes",
+             "share of the variance that the filter removes",
              [](auto& r) { return &r.filter; }),
         row("paint", Kind::text, "", none, none, "",
             "A map stretched over the picture: a PNG, JPEG or TGA whose red and green, minus one half, point "
-            "right "
-            "and down along the waves, turned by the orientation; or an EXR with channels `frequency` and "
-            "`orientation` (degrees)",
+            "right and down along the waves, turned by the orientation; or an EXR with channels `frequency` "
+            "and `orientation` (degrees)",
             [](auto& r) { return &r.paint; }),
         flag("quadrature", "", "Add a channel `quadrature`: the noise with cosines instead of sines",
              [](auto& r) { return &r.quadrature; }),
@@ -724,19 +719,18 @@ void check(const Request& request) {
             "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
     if (const Terrain* terrain = std::get_if<Terrain>(&request.view);
         terrain && terrain->tileable && std::min(request.width, request.height) < 4 * request.scale)
-        throw RequestError(
-            fmt::format("a terrain tile of {} x {} pixels at scale {} is too small: each side must be at "
-                        "least four kernel radii, {} pixels",
-                        request.width, request.height, request.scale, std::ceil(4 * request.scale)));
+        throw RequestError(fmt::format("a terrain tile of {} x {} pixels at scale {} is too small: each side "
+                                       "must be at least four kernel radii, {} pixels",
+                                       request.width, request.height, request.scale,
+                                       std::ceil(4 * request.scale)));
     const Plane* plane = std::get_if<Plane>(&request.view);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::longest_radius).longest_radius();
     const double least = std::ceil(2 * radius * request.scale);
     if (plane && plane->tileable && !has_material(request) && std::min(request.width, request.height) < least)
-        throw RequestError(fmt::format(
-            "a tileable picture of {} x {} pixels at scale {} is too small: each side must be at least two "
-            "kernel radii{}, {} pixels",
-            request.width, request.height, request.scale,
-            request.lobes.size() > 1 ? " of its widest lobe" : "", least));
+        throw RequestError(fmt::format("a tileable picture of {} x {} pixels at scale {} is too small: each "
+                                       "side must be at least two kernel radii{}, {} pixels",
+                                       request.width, request.height, request.scale,
+                                       request.lobes.size() > 1 ? " of its widest lobe" : "", least));
 }
 
 } // namespace gabor::render

@@ -1,6 +1,5 @@
 #include "render/plan.hpp"
 
-#include "render/bake.hpp"
 #include "render/material.hpp"
 #include "render/plan_parts.hpp"
 
@@ -11,7 +10,6 @@
 #include "passes/terrain_interface.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
@@ -129,13 +127,13 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
             return in_perspective(request) ? static_cast<float>(cell_at(at, cells).second) : 0.0f;
         };
         passes::PixelsWave& made = result.emplace_back(passes::PixelsWave{
-            .nodes = {static_cast<float>(x.radius), static_cast<float>(y.radius)},
+            .nodes = vec2_of(x.radius, y.radius),
             .period = {x.period, y.period},
             .camera = {camera(viewport.camera.x, x.radius / radius_x),
                        camera(viewport.camera.y, y.radius / radius_y)},
             .frequency = static_cast<float>(wave.frequency / unit * radius_x),
             .orientation = static_cast<float>(wave.angle),
-            .radius = {static_cast<float>(radius_x), static_cast<float>(radius_y)},
+            .radius = vec2_of(wave.radius),
             .amplitude = static_cast<float>(std::sqrt(wave.share)),
             .seed = wave.seed,
             .table = static_cast<int>(std::ranges::find(tables, wave.radius) - tables.begin()),
@@ -213,10 +211,6 @@ double sphere_radius(const Request& request) {
     return 1 / (3 * pixel_side(std::min(request.width, request.height)) * request.scale);
 }
 
-passes::vec2 direction(double angle) {
-    return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
-}
-
 // Sets the push constants of passes/body.glsl.
 template <typename Push>
 void push_body(Push& push, const Request& request, const Viewport& viewport) {
@@ -228,14 +222,8 @@ void push_body(Push& push, const Request& request, const Viewport& viewport) {
     push.pitch = direction(noise::radians(body.pitch));
 }
 
-passes::vec2 light_of(const Request& request) {
-    const auto [right, down] = light_direction(request);
-    return {static_cast<float>(right), static_cast<float>(down)};
-}
-
 passes::vec2 half(const Viewport& viewport) {
-    return {static_cast<float>(viewport.width / 2.0 / viewport.stride),
-            static_cast<float>(viewport.height / 2.0 / viewport.stride)};
+    return vec2_of(viewport.width / 2.0 / viewport.stride, viewport.height / 2.0 / viewport.stride);
 }
 
 void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
@@ -295,7 +283,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     push.first_row = viewport.region.y;
     push.center = half(viewport);
     push.seed = request.seed;
-    push.lamp = light_of(request);
+    push.lamp = vec2_of(light_direction(request));
     const auto size = [&](int picture, int view) {
         return static_cast<float>((flat ? picture * camera.zoom : view) / viewport.stride);
     };
@@ -335,7 +323,7 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     push.first_column = viewport.region.x;
     push.first_row = viewport.region.y;
     push.seed = request.seed;
-    push.sun = light_of(request);
+    push.sun = vec2_of(light_direction(request));
     push.unit = static_cast<float>(terrain_unit(request));
     push.reach = static_cast<float>(erosion_reach(terrain.erosion));
     // In perspective the camera looks at the middle of the picture from above.
@@ -347,11 +335,10 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     };
     const Coordinate x = place(looked_at.x, viewport.width), y = place(looked_at.y, viewport.height);
     push.cell = {cell_at(x, 1).first, cell_at(y, 1).first};
-    push.corner = {static_cast<float>(x.part), static_cast<float>(y.part)};
+    push.corner = vec2_of(x.part, y.part);
     push.pixel = static_cast<float>(viewport.stride / (request.scale * camera.zoom));
     if (terrain.tileable)
-        push.period = {static_cast<float>(request.width / request.scale),
-                       static_cast<float>(request.height / request.scale)};
+        push.period = vec2_of(request.width / request.scale, request.height / request.scale);
     if (terrain.perspective) {
         const double side = std::max(viewport.width, viewport.height);
         push.center = half(viewport);
@@ -437,9 +424,8 @@ void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t
     if (!request.colour)
         return;
     std::ranges::transform(
-        request.colour->weights.at(lobe), weights, [](const noise::Colour::Weight& weight) {
-            return passes::vec2{static_cast<float>(weight.quadrature), static_cast<float>(weight.noise)};
-        });
+        request.colour->weights.at(lobe), weights,
+        [](const noise::Colour::Weight& weight) { return vec2_of(weight.quadrature, weight.noise); });
 }
 
 Viewport viewport_of(const Request& request, const image::Rect& region) {
@@ -490,22 +476,6 @@ std::vector<Band> bands(const Plan& plan, int most_rows) {
         bands.back().rows = end - bands.back().first_row;
     }
     return bands;
-}
-
-std::string to_string(const Plan& plan) {
-    std::string text =
-        fmt::format("{} x {} values of {}\n", plan.width, plan.height, fmt::join(plan.channels, ", "));
-    for (const Step& step : plan.steps) {
-        text += fmt::format("{}: {} across in groups of {} x {}, {} bytes pushed, constants", step.shader,
-                            step.across, step.group.columns, step.group.rows, step.push.size());
-        for (std::size_t id = 0; id < step.constants.size(); ++id)
-            if (step.constants[id] != 0)
-                text += fmt::format(" {}={:#x}", id, step.constants[id]);
-        text += '\n';
-    }
-    for (std::size_t i = 0; i < plan.tables.size(); ++i)
-        text += fmt::format("table {}: {} bytes\n", i + 1, plan.tables[i].size());
-    return text;
 }
 
 } // namespace gabor::render

@@ -107,9 +107,6 @@ Plan plan(const Request& request, const Viewport& viewport, const Paint& paint =
 /// few, of as few as it can.
 std::vector<Band> bands(const Plan& plan, int most_rows);
 
-/// Lists each step with its pass, work groups and non-zero constants, and the sizes of the tables.
-std::string to_string(const Plan& plan);
-
 /// The highest frequency that the paint of a request gives its lobe, in cycles per kernel radius.
 double highest_frequency(const Request& request, const Paint& paint);
 

@@ -6,9 +6,24 @@
 #include "render/plan.hpp"
 #include "vulkan/pass.hpp"
 
+#include "passes/bake_interface.h"
 #include "passes/colour.h"
 
+#include <cmath>
+
 namespace gabor::render {
+
+inline passes::vec2 vec2_of(double x, double y) {
+    return {static_cast<float>(x), static_cast<float>(y)};
+}
+inline passes::vec2 vec2_of(const std::array<double, 2>& v) {
+    return vec2_of(v[0], v[1]);
+}
+
+/// The unit vector at an angle in radians.
+inline passes::vec2 direction(double angle) {
+    return vec2_of(std::cos(angle), std::sin(angle));
+}
 
 /// The corner of the view along an axis: exactly 0 for the picture that gabor render draws.
 inline Coordinate corner_of(const Coordinate& middle, int pixels, const Request& request,
@@ -36,5 +51,17 @@ passes::PixelsColour colour_of(const Request& request);
 
 /// Sets a lobe's weights if the request has a colour.
 void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t lobe);
+
+/// Covers the pixels first, ..., first + count - 1 with runs of at most `longest` pixels. Pixel i is centred
+/// at origin + (i + 0.5) * cells_per_pixel cells and visits the cells within `radius`. The grid decides where
+/// runs start, so that all parts of a picture are cut alike; the first and last run may extend past the
+/// range.
+std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest,
+                                   double origin = 0);
+
+/// Plans passes/bake.comp, and passes/bake_colour.comp for colour. Noises of one kernel radius share a step,
+/// since they share their runs. `constants` are those that depend on the request.
+void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, DeviceKind device,
+               const Constants& constants);
 
 } // namespace gabor::render

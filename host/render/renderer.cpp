@@ -15,8 +15,6 @@ namespace {
 constexpr std::size_t band_bytes = std::size_t{16} << 20;
 constexpr std::size_t most_pipelines = 16; // lavapipe takes a megabyte for each
 
-using Fill = std::function<void(std::span<float>)>;
-
 // A band's memory on the device, and the job that fills it.
 class BandBuffer {
   public:
@@ -148,8 +146,18 @@ void Renderer::submit(vulkan::Job& job, const Band& band, int before,
     job.submit(dispatches, copy);
 }
 
+Times& Times::operator+=(const Times& later) {
+    if (first_dispatch == 0)
+        first_dispatch = later.first_dispatch;
+    waiting += later.waiting;
+    gpu += later.gpu;
+    writing += later.writing;
+    closing += later.closing;
+    return *this;
+}
+
 Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                    const std::function<void(std::span<const float>)>& sink, bool normals) {
+                    const Sink& sink, bool normals) {
     const Clock::time_point start = Clock::now();
     Viewport viewport = viewport_of(request, region);
     viewport.normals = normals;
@@ -160,8 +168,8 @@ Times render_region(const vulkan::Device& device, const Request& request, const 
     return times;
 }
 
-Times render_plan(const vulkan::Device& device, const Renderer& renderer,
-                  const std::function<void(std::span<const float>)>& sink, const Fill& fill) {
+Times render_plan(const vulkan::Device& device, const Renderer& renderer, const Sink& sink,
+                  const Fill& fill) {
     const Clock::time_point start = Clock::now();
     const Plan& plan = renderer.plan();
     const std::size_t row_values = std::max(static_cast<std::size_t>(plan.width) * plan.channels.size(),

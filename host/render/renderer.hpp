@@ -59,22 +59,30 @@ vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values
     return buffer;
 }
 
+/// How long each part of the work took, in seconds.
 struct Times {
-    double first_dispatch = 0; ///< seconds from the call to the first submission
-    double waiting = 0;        ///< seconds that the host waited for the device
-    double gpu = 0;            ///< seconds that the passes took on the device; NaN if it cannot tell
+    double first_dispatch = 0; ///< from the call to the first submission
+    double waiting = 0;        ///< the host waited for the device
+    double gpu = 0;            ///< the passes ran on the device; NaN if it cannot tell
+    double writing = 0;        ///< compressing and writing files
+    double closing = 0;        ///< flushing files to disk
+
+    /// Adds the times of later work. The first submission stays the first.
+    Times& operator+=(const Times& later);
 };
 
-/// Renders `region` of a checked request from top to bottom and passes whole rows to `sink`, band by band,
-/// while the device draws the next band. Memory does not grow with the height. `sink` may throw.
-/// `normals`: as in Viewport.
-Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                    const std::function<void(std::span<const float>)>& sink, bool normals = false);
+/// Takes whole rows of pixels, from top to bottom. It may throw.
+using Sink = std::function<void(std::span<const float>)>;
+/// Provides the next band's rows of a plan's source, including the halo.
+using Fill = std::function<void(std::span<float>)>;
 
-/// Does the same for a renderer's plan. `fill` provides the next band's rows of the plan's source, including
-/// the halo.
-Times render_plan(const vulkan::Device& device, const Renderer& renderer,
-                  const std::function<void(std::span<const float>)>& sink,
-                  const std::function<void(std::span<float>)>& fill = {});
+/// Renders `region` of a checked request and passes its rows to `sink`, band by band, while the device draws
+/// the next band. Memory does not grow with the height. `normals`: as in Viewport.
+Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                    const Sink& sink, bool normals = false);
+
+/// Does the same for a renderer's plan.
+Times render_plan(const vulkan::Device& device, const Renderer& renderer, const Sink& sink,
+                  const Fill& fill = {});
 
 } // namespace gabor::render

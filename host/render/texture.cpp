@@ -59,20 +59,18 @@ image::ExrWriter make_writer(const std::filesystem::path& path, const Request& r
                              const image::Rect& region, const TextureFormat& format,
                              const std::string& made_by) {
     const image::Rect whole{0, 0, region.width, region.height};
-    image::ExrWriter::Description description = exr_description(request, whole, made_by);
-    description.picture = whole;
-    description.compression = format.compression;
+    image::ExrHeader header = exr_header(request, whole, made_by);
+    header.picture = whole;
+    header.compression = format.compression;
     const bool tile = std::get<Plane>(request.view).tileable && region.width == request.width &&
                       region.height == request.height;
-    description.texture = image::ExrWriter::Texture{format.half, tile};
-    return {path, description};
+    header.texture = image::ExrHeader::Texture{format.half, tile};
+    return {path, header};
 }
 
-using Write = std::function<void(std::span<const float>)>;
-
 // Passes the rows of all levels to `write`. `draw` draws a level.
-void write_levels(const image::Rect& region, std::size_t channels, const Write& write,
-                  const std::function<void(int level, const Write&)>& draw) {
+void write_levels(const image::Rect& region, std::size_t channels, const Sink& write,
+                  const std::function<void(int level, const Sink&)>& draw) {
     int level = 0;
     for (; level + 1 < drawn_levels(region); ++level)
         draw(level, write);
@@ -94,13 +92,13 @@ void write_levels(const image::Rect& region, std::size_t channels, const Write& 
 
 } // namespace
 
-FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                         const std::filesystem::path& path, const TextureFormat& format,
-                         const std::function<void(std::uint64_t)>& advance) {
+Times render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                     const std::filesystem::path& path, const TextureFormat& format,
+                     const image::Advance& advance) {
     const std::size_t channels = render::channels(request).size();
     image::ExrWriter writer = make_writer(path, request, region, format, software(device));
 
-    FileTimes times;
+    Times times;
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / channels);
         const Clock::time_point before = Clock::now();
@@ -109,18 +107,16 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
     };
     const Paint paint = load_paint(request.paint);
     Renderer renderer(device);
-    write_levels(region, channels, write, [&](int level, const Write& take) {
+    write_levels(region, channels, write, [&](int level, const Sink& take) {
         const Request here = texture_level(request, level);
         const image::Rect window{region.x >> level, region.y >> level, region.width >> level,
                                  region.height >> level};
         const Clock::time_point before = Clock::now();
         renderer.set(plan(here, viewport_of(here, window), paint, kind_of(device)));
         const double ready = seconds_since(before);
-        const Times rendering = render_plan(device, renderer, take);
-        if (level == 0)
-            times.rendering.first_dispatch = ready + rendering.first_dispatch;
-        times.rendering.waiting += rendering.waiting;
-        times.rendering.gpu += rendering.gpu;
+        Times rendering = render_plan(device, renderer, take);
+        rendering.first_dispatch += ready;
+        times += rendering;
     });
     const Clock::time_point before = Clock::now();
     writer.commit();
@@ -129,49 +125,47 @@ FileTimes render_texture(const vulkan::Device& device, const Request& request, c
 }
 
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
-                         bool half, const std::function<void(std::uint64_t)>& advance) {
+                         bool half, const image::Advance& advance) {
     constexpr std::string_view accepted =
         "expected regions of one picture's levels, from gabor render --level";
     // The files of each level, largest level first.
     std::map<std::pair<int, int>, std::vector<std::filesystem::path>, std::greater<>> levels;
     for (const std::filesystem::path& path : regions) {
-        const image::Rect picture = image::ExrReader(path).picture();
+        const image::Rect picture = image::ExrReader(path).header().picture;
         levels[{picture.width, picture.height}].push_back(path);
     }
     const std::filesystem::path first = levels.begin()->second.front();
-    const image::ExrReader whole(first);
-    const Request request = from_json(whole.parameters());
+    const image::ExrHeader whole = image::ExrReader(first).header();
+    const Request request = from_json(whole.parameters);
     if (!request.filter)
         throw RequestError(fmt::format("cannot join: '{}' is not filtered; {}", first.string(), accepted));
-    check_texture(request, whole.picture());
+    check_texture(request, whole.picture);
     const std::vector<std::string> names = channels(request);
     image::ExrWriter writer =
-        make_writer(output, request, whole.picture(), {whole.compression(), half}, whole.software());
+        make_writer(output, request, whole.picture, {whole.compression, half}, whole.software);
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / names.size());
         writer.write_rows(values);
     };
-    write_levels(whole.picture(), names.size(), write, [&](int level, const Write& take) {
+    write_levels(whole.picture, names.size(), write, [&](int level, const Sink& take) {
         const Request here = texture_level(request, level);
         const auto found = levels.find({here.width, here.height});
         if (found == levels.end())
             throw RequestError(fmt::format("cannot join: there is no region of level {} ({} x {} pixels); {}",
                                            level, here.width, here.height, accepted));
         image::ExrReader reader(std::span(found->second), names);
-        if (reader.parameters() != to_json(here) || reader.software() != whole.software())
+        if (reader.header().parameters != to_json(here) || reader.header().software != whole.software)
             throw RequestError(fmt::format(
                 "cannot join: '{}' is not level {} of '{}', or was rendered by another version or driver; {}",
                 found->second.front().string(), level, first.string(), accepted));
-        const int rows = std::max(1, (1 << 20) / here.width);
-        for (auto band = reader.read_rows(rows); !band.empty(); band = reader.read_rows(rows))
-            take(band);
+        reader.read_bands(take);
         levels.erase(found);
     });
     if (!levels.empty())
         throw RequestError(fmt::format("cannot join: '{}' is not a level of '{}'; {}",
                                        levels.begin()->second.front().string(), first.string(), accepted));
     writer.commit();
-    return whole.picture();
+    return whole.picture;
 }
 
 } // namespace gabor::render

@@ -27,9 +27,9 @@ Request texture_level(Request request, int level);
 
 /// Renders `region` of a checked request as a mip-mapped texture. Each level is filtered for its own pixel
 /// size, not averaged from the previous level. `advance` is as for render_file.
-FileTimes render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                         const std::filesystem::path& path, const TextureFormat& format,
-                         const std::function<void(std::uint64_t)>& advance);
+Times render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                     const std::filesystem::path& path, const TextureFormat& format,
+                     const image::Advance& advance);
 
 /// The approximate number of pixels in all levels.
 constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {
@@ -40,6 +40,6 @@ constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {
 /// would have written. Keeps the regions' compression. Returns the picture. Throws RequestError if a file is
 /// not a level of the picture, or if a level is missing.
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
-                         bool half, const std::function<void(std::uint64_t)>& advance);
+                         bool half, const image::Advance& advance);
 
 } // namespace gabor::render

@@ -50,7 +50,7 @@ std::vector<float> read_all(const std::filesystem::path& path, const std::string
     return values;
 }
 
-void write(const std::filesystem::path& path, const ExrWriter::Description& description,
+void write(const std::filesystem::path& path, const gabor::image::ExrHeader& description,
            std::span<const float> pixels, std::vector<int> heights) {
     const auto row = static_cast<std::size_t>(description.window.width) * description.channels.size();
     ExrWriter writer(path, description);
@@ -107,12 +107,12 @@ TEST_CASE("A window may lie in the far corner of the largest picture", "[exr]") 
     write(path, {picture, window, {"a", "b"}, "zip", {}}, pixels, {3, 10});
 
     const ExrReader reader(path, {"a"});
-    CHECK(reader.picture().width == 65536);
-    CHECK(reader.picture().height == 65536);
-    CHECK(reader.window().x == window.x);
-    CHECK(reader.window().y == window.y);
-    CHECK(reader.window().width == window.width);
-    CHECK(reader.window().height == window.height);
+    CHECK(reader.header().picture.width == 65536);
+    CHECK(reader.header().picture.height == 65536);
+    CHECK(reader.header().window.x == window.x);
+    CHECK(reader.header().window.y == window.y);
+    CHECK(reader.header().window.width == window.width);
+    CHECK(reader.header().window.height == window.height);
     CHECK(same_bits(read_all(path, "b", 4), channel_of(pixels, 1, 2)));
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("The parameters are stored as text", "[exr]") {
     const std::string parameters =
         GENERATE(std::string(), std::string("{\"seed\": 1}\nσ = 2"), std::string(5000, 'x'));
     write(folder / "out.exr", {small, small, {"Y"}, "none", parameters}, pixels, {5});
-    CHECK(ExrReader(folder / "out.exr").parameters() == parameters);
+    CHECK(ExrReader(folder / "out.exr").header().parameters == parameters);
 }
 
 TEST_CASE("Joining regions reports every pixel once", "[exr]") {

@@ -1,6 +1,6 @@
 // Tests how requests become plans, which are plain values and need no device.
 
-#include "render/bake.hpp"
+#include "render/plan_parts.hpp"
 #include "render/erosion.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
@@ -319,11 +319,4 @@ TEST_CASE("bands cover a region once, and blocks are never cut") {
         }
         CHECK(row == 83);
     }
-}
-
-TEST_CASE("a plan prints its passes, constants and tables") {
-    const std::string text = to_string(whole(request_of({{"gradient", "true"}})));
-    CHECK_THAT(text, Catch::Contains("150 x 113 values of Y, gradient.x, gradient.y") &&
-                         Catch::Contains("bake@3: ") && Catch::Contains(" 11=0x1") &&
-                         Catch::Contains("table 4: "));
 }

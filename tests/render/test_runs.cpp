@@ -1,4 +1,4 @@
-#include "render/bake.hpp"
+#include "render/plan_parts.hpp"
 
 #include <catch2/catch.hpp>
 
