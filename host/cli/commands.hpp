@@ -1,7 +1,22 @@
 #pragma once
 
-namespace CLI {
-class App;
+// The subcommands of gabor, and what they share to add and read their options.
+
+#include "error.hpp"
+#include "render/parameters.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace gabor::image {
+struct Rect;
 }
 
 namespace gabor::cli {
@@ -15,5 +30,56 @@ void add_fit_command(CLI::App& app);
 void add_devices_command(CLI::App& app);
 void add_materials_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
+
+/// Adds an option whose value the help text calls `type`.
+template <typename Value>
+CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value, const std::string& type,
+                        const std::string& help) {
+    return command.add_option(name, value, help)->type_name(type);
+}
+
+/// Adds an option for a range of heights, LOW,HIGH.
+CLI::Option* add_elevation_option(CLI::App& command, std::vector<double>& elevation, const std::string& help);
+
+/// Options for rows of the table of parameters.
+using ParameterOptions = std::vector<std::pair<const render::Parameter*, const CLI::Option*>>;
+
+/// Returns the values of the options that are given. Throws RequestError, naming the option.
+render::Values given_values(const ParameterOptions& options);
+
+/// Throws RequestError, "OPTION 'TEXT': expected ACCEPTED".
+[[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted);
+
+/// Reads `count` whole numbers with separators, such as 1024x768 or 0,0,64,64.
+template <std::size_t count>
+std::array<int, count> parse_integers(std::string_view option, std::string_view text, char separator,
+                                      std::string_view accepted) {
+    std::array<int, count> values{};
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0 && (at == end || *at++ != separator))
+            refuse(option, text, accepted);
+        const auto [stop, error] = std::from_chars(at, end, values[i]);
+        if (error != std::errc())
+            refuse(option, text, accepted);
+        at = stop;
+    }
+    if (at != end)
+        refuse(option, text, accepted);
+    return values;
+}
+
+/// Reads a whole number from `low` to `high`; `where` explains the limits.
+int parse_integer(std::string_view option, std::string_view text, int low, int high,
+                  std::string_view where = "");
+
+/// Reads X,Y,WIDTH,HEIGHT.
+image::Rect parse_region(std::string_view text);
+
+/// Throws RequestError, which says `whose` region it is, unless `region` lies within the `whole` of `width` x
+/// `height` pixels.
+void check_within(const image::Rect& region, int width, int height, std::string_view whose,
+                  std::string_view whole);
 
 } // namespace gabor::cli

@@ -1,5 +1,4 @@
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
@@ -9,7 +8,6 @@
 #include "render/load.hpp"
 #include "vulkan/device.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -18,8 +16,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 namespace gabor::cli {
 

@@ -1,18 +1,15 @@
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "fit/glsl.hpp"
 #include "fit/preset.hpp"
 #include "fit/warnings.hpp"
 #include "image/output_file.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace gabor::cli {
 

@@ -1,15 +1,10 @@
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
 #include "render/texture.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace gabor::cli {
 

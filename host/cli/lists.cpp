@@ -1,13 +1,11 @@
 // Lists devices, recipes, and the parameters of materials.
 
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
 #include "noise/recipe.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
 #include "vulkan/device.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 

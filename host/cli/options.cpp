@@ -1,4 +1,4 @@
-#include "cli/options.hpp"
+#include "cli/commands.hpp"
 
 #include "image/exr.hpp"
 #include "render/load.hpp"

@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <exception>
 #include <fcntl.h>
-#include <initializer_list>
 #include <memory>
 #include <numeric>
 #include <string>

@@ -1,5 +1,4 @@
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "render/file.hpp"
@@ -9,17 +8,13 @@
 #include "seconds.hpp"
 #include "vulkan/device.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace gabor::cli {
 

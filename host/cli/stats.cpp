@@ -1,5 +1,4 @@
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
@@ -7,17 +6,13 @@
 #include "render/variance.hpp"
 #include "statistics/picture.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace gabor::cli {
 

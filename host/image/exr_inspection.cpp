@@ -60,13 +60,6 @@ class ExrContext {
     exr_context_t context_ = nullptr;
 };
 
-std::uint64_t row_of_tiles(const ExrContext& file, std::int64_t width) {
-    std::uint32_t across = 0;
-    std::uint32_t down = 0;
-    file.require(exr_get_tile_descriptor(file, 0, &across, &down, nullptr, nullptr));
-    return static_cast<std::uint64_t>(width) * down * sizeof(float);
-}
-
 void check_scanlines(const ExrContext& file, std::int32_t first, std::int32_t last) {
     std::int32_t step = 0;
     file.require(exr_get_scanlines_per_chunk(file, 0, &step));
@@ -102,8 +95,12 @@ std::uint64_t inspect(const ExrContext& file) {
 
     std::uint64_t block = 0;
     file.require(exr_get_chunk_unpacked_size(file, 0, &block));
-    if (storage == EXR_STORAGE_TILED)
-        block = std::max(block, row_of_tiles(file, width));
+    if (storage == EXR_STORAGE_TILED) {
+        std::uint32_t across = 0;
+        std::uint32_t down = 0;
+        file.require(exr_get_tile_descriptor(file, 0, &across, &down, nullptr, nullptr));
+        block = std::max(block, static_cast<std::uint64_t>(width) * down * sizeof(float)); // a row of tiles
+    }
     if (block > largest_block)
         refuse_exr(file.path(),
                    fmt::format("one block or row of tiles takes {} MiB; at most {} MiB are supported",

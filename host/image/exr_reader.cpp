@@ -112,7 +112,10 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
 
 // Checks that each pixel of the picture is in exactly one region.
 void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture) {
+    // The first pixel of a gap is at the upper or left edge of the picture, or right below or beside a
+    // region.
     std::set<int> rows{picture.min.y};
+    std::set<int> columns{picture.min.x};
     for (std::size_t i = 0; i < regions.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j)
             if (regions[i].window.intersects(regions[j].window))
@@ -120,20 +123,17 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
                                         described(regions[j].path, regions[j].window),
                                         described(regions[i].path, regions[i].window)));
         rows.insert(regions[i].window.max.y + 1);
+        columns.insert(regions[i].window.max.x + 1);
     }
-    // A gap begins at the top, or below a region. In a row without gaps, regions touch from left to right.
-    for (auto y = rows.begin(); y != rows.end() && *y <= picture.max.y; ++y) {
-        std::map<int, int> ends; // right ends of the regions in this row by their left ends
-        for (const ExrRegion& region : regions)
-            if (region.window.min.y <= *y && *y <= region.window.max.y)
-                ends[region.window.min.x] = region.window.max.x + 1;
-        int x = picture.min.x;
-        while (ends.contains(x))
-            x = ends[x];
-        if (x <= picture.max.x)
-            refuse_join(fmt::format(
-                "no region contains the pixel {},{}; together, the regions must cover the picture", x, *y));
-    }
+    for (const int y : rows)
+        for (const int x : columns)
+            if (const Imath::V2i pixel(x, y);
+                picture.intersects(pixel) && std::ranges::none_of(regions, [&](const ExrRegion& region) {
+                    return region.window.intersects(pixel);
+                }))
+                refuse_join(fmt::format(
+                    "no region contains the pixel {},{}; together, the regions must cover the picture", x,
+                    y));
 }
 
 // ---- Channels ----

@@ -1,7 +1,6 @@
 #include "noise/variance.hpp"
 #include "render/plan_parts.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -3,7 +3,6 @@
 #include "image/exr.hpp"
 #include "render/request.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <span>
 

@@ -4,16 +4,15 @@
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
 #include "image/png.hpp"
-#include "render/file.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
+#include "render/texture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 namespace gabor::render {
@@ -104,30 +103,11 @@ std::vector<float> maps_from(std::span<const float> averaged) {
     return maps;
 }
 
-// Returns the level with half the sides.
-std::vector<float> halved(std::span<const float> level, int width, int height) {
-    const auto channels = map_channels.size();
-    const int x_step = width > 1 ? 2 : 1;
-    const int y_step = height > 1 ? 2 : 1;
-    std::vector<float> half;
-    half.reserve(level.size() / static_cast<std::size_t>(x_step * y_step));
-    for (int y = 0; y < height; y += y_step)
-        for (int x = 0; x < width; x += x_step)
-            for (std::size_t c = 0; c < channels; ++c) {
-                float sum = 0;
-                for (int j = 0; j < y_step; ++j)
-                    for (int i = 0; i < x_step; ++i)
-                        sum += level[static_cast<std::size_t>((y + j) * width + x + i) * channels + c];
-                half.push_back(sum / static_cast<float>(x_step * y_step));
-            }
-    return half;
-}
-
 // Writes the levels after the first.
 void write_levels(image::ExrWriter& writer, std::span<const float> maps, int width, int height) {
     std::vector<float> level = averaged_from(maps);
     while (width > 1 || height > 1) {
-        level = halved(level, width, height);
+        level = halved(level, width, height, map_channels.size());
         width = std::max(width / 2, 1);
         height = std::max(height / 2, 1);
         writer.write_rows(maps_from(level));

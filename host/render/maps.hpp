@@ -4,7 +4,6 @@
 #include "render/request.hpp"
 #include "vulkan/device.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <string_view>
 #include <vector>

@@ -13,9 +13,6 @@ constexpr std::array<std::string_view, 12> materials{"wood",  "fabric",  "leathe
                                                      "sand",  "ripples", "brushed-metal", "scratches",
                                                      "zebra", "bark",    "carbon-fibre",  "strata"};
 
-/// Stands for no material: the noise itself.
-constexpr std::string_view no_material = "none";
-
 /// The parameters of the request's material, laid out like its struct in a std430 buffer.
 std::vector<float> material_parameters(const Request& request);
 

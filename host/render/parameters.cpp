@@ -10,7 +10,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace gabor::render {
 
@@ -128,26 +127,56 @@ Parameter erosion_row(std::string_view name, Range range, Range slider, std::str
     });
 }
 
-constexpr LobeParameter lobe_row(std::string_view name, Kind kind, std::string_view unit, Range range,
-                                 Range slider, std::string_view help, double Lobe::*member) {
-    return {name, kind, unit, range, slider, help, member};
-}
-
 constexpr std::array of_lobe{
-    lobe_row("frequency", Kind::number, "cycles per kernel radius", {0.001, 1024}, {0.05, 64},
-             "Frequency of the waves", &Lobe::frequency),
-    lobe_row("orientation", Kind::angle, "degrees", {-36000, 36000}, {-180, 180},
-             "Direction across the waves: 0 points right, 90 down", &Lobe::orientation),
-    lobe_row("frequency_spread", Kind::number, "fraction of the frequency", {0, 1}, {0, 1},
-             "Half-width of the range of frequencies", &Lobe::frequency_spread),
-    lobe_row("orientation_spread", Kind::angle, "degrees", {0, 90}, {0, 90},
-             "Half-width of the range of directions; 90 gives all directions", &Lobe::orientation_spread),
-    lobe_row("power", Kind::number, "relative to other lobes", {0, 1e9}, {0, 1}, "Share of the variance",
-             &Lobe::power),
-    lobe_row("radius", Kind::number, "kernel radii", {0.01, 100}, {0.1, 10},
-             "Radius of the kernels; a larger radius makes the lobe narrower", &Lobe::radius),
-    lobe_row("stretch", Kind::number, "", {0.01, 100}, {0.1, 10},
-             "Radius of the kernels along y, divided by their radius along x", &Lobe::stretch),
+    LobeParameter{"frequency",
+                  Kind::number,
+                  "cycles per kernel radius",
+                  {0.001, 1024},
+                  {0.05, 64},
+                  "Frequency of the waves",
+                  &Lobe::frequency},
+    LobeParameter{"orientation",
+                  Kind::angle,
+                  "degrees",
+                  {-36000, 36000},
+                  {-180, 180},
+                  "Direction across the waves: 0 points right, 90 down",
+                  &Lobe::orientation},
+    LobeParameter{"frequency_spread",
+                  Kind::number,
+                  "fraction of the frequency",
+                  {0, 1},
+                  {0, 1},
+                  "Half-width of the range of frequencies",
+                  &Lobe::frequency_spread},
+    LobeParameter{"orientation_spread",
+                  Kind::angle,
+                  "degrees",
+                  {0, 90},
+                  {0, 90},
+                  "Half-width of the range of directions; 90 gives all directions",
+                  &Lobe::orientation_spread},
+    LobeParameter{"power",
+                  Kind::number,
+                  "relative to other lobes",
+                  {0, 1e9},
+                  {0, 1},
+                  "Share of the variance",
+                  &Lobe::power},
+    LobeParameter{"radius",
+                  Kind::number,
+                  "kernel radii",
+                  {0.01, 100},
+                  {0.1, 10},
+                  "Radius of the kernels; a larger radius makes the lobe narrower",
+                  &Lobe::radius},
+    LobeParameter{"stretch",
+                  Kind::number,
+                  "",
+                  {0.01, 100},
+                  {0.1, 10},
+                  "Radius of the kernels along y, divided by their radius along x",
+                  &Lobe::stretch},
 };
 
 Parameter single_lobe_row(const LobeParameter& p) {
@@ -619,11 +648,6 @@ void set(Request& request, const Values& values) {
 
 void set(Request& request, std::string_view name, const Value& value) {
     set(request, Values{{&parameter(name), value}});
-}
-
-void set_text(Request& request, std::string_view name, std::string_view text) {
-    const Parameter& p = parameter(name);
-    set(request, name, with_prefix(prefix(p), [&] { return read(p, text); }));
 }
 
 bool is_set(const Request& request, std::string_view name) {

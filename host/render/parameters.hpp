@@ -81,9 +81,6 @@ using Values = std::vector<std::pair<const Parameter*, Value>>;
 void set(Request& request, const Values& values);
 void set(Request& request, std::string_view name, const Value& value);
 
-/// Sets a parameter from text.
-void set_text(Request& request, std::string_view name, std::string_view text);
-
 /// Tells whether the request has that parameter with a value other than the default.
 bool is_set(const Request& request, std::string_view name);
 

@@ -6,7 +6,6 @@
 
 #include "passes/constants.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

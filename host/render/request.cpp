@@ -13,36 +13,10 @@ bool is_flat(const View& view) {
            (terrain && !terrain->perspective);
 }
 
-bool is_tiled(const Request& request) {
-    const Plane* plane = std::get_if<Plane>(&request.view);
-    return plane && plane->tileable;
-}
-
-bool in_perspective(const Request& request) {
-    return std::holds_alternative<Horizon>(request.view);
-}
-
-bool along_surface(const Request& request) {
-    const Body* body = std::get_if<Body>(&request.view);
-    return body && !body->solid;
-}
-
-bool in_space(const Request& request) {
-    return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
-}
-
 std::array<double, 2> light_direction(const Request& request) {
     const double azimuth = noise::radians(std::remainder(request.light_azimuth, 360.0));
     const double along = std::cos(noise::radians(request.light_elevation));
     return {along * std::cos(azimuth), along * std::sin(azimuth)};
-}
-
-bool has_material(const Request& request) {
-    return request.material != no_material || has_terrain(request);
-}
-
-bool has_terrain(const Request& request) {
-    return std::holds_alternative<Terrain>(request.view);
 }
 
 Request from_above(Request request) {
@@ -61,18 +35,6 @@ double erosion_reach(const Erosion& erosion) {
     for (int i = 0; i < erosion.octaves; ++i, depth *= erosion.gain)
         reach += depth;
     return reach;
-}
-
-noise::Recipe drawing_recipe(const Request& request) {
-    return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
-}
-
-bool can_filter(const Request& request) {
-    return in_space(request) || request.recipe == noise::find_recipe("lattice");
-}
-
-bool is_isotropic(const noise::Lobe& lobe) {
-    return lobe.orientation_spread == 90;
 }
 
 std::vector<std::string> channels(const Request& request, bool normals) {

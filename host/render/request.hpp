@@ -77,6 +77,9 @@ struct Terrain {
 
 using View = std::variant<Plane, Horizon, Slice, Body, Terrain>;
 
+/// Stands for no material: the noise itself.
+constexpr std::string_view no_material = "none";
+
 /// Everything that decides the pixels of a picture. render/parameters.hpp has the table of names, units,
 /// ranges and help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency 4. Above
 /// that, the error grows with the frequency; with the sine kernels of `paper`, it also grows with the inverse
@@ -90,7 +93,7 @@ struct Request {
     std::uint32_t seed = 0;
     double time = 0; ///< time in periods of the animation
     View view = Plane();
-    std::string material = "none"; ///< drawn in place of the noise; see render/material.hpp
+    std::string material{no_material}; ///< drawn in place of the noise; see render/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of materials that are not
                                                                  ///< default, by their names in the table
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
@@ -115,19 +118,37 @@ struct Request {
 bool is_flat(const View& view);
 
 /// Tells whether the picture is a plane whose opposite edges match.
-bool is_tiled(const Request& request);
+inline bool is_tiled(const Request& request) {
+    const Plane* plane = std::get_if<Plane>(&request.view);
+    return plane && plane->tileable;
+}
 
 /// Tells whether the view is a horizon.
-bool in_perspective(const Request& request);
+inline bool in_perspective(const Request& request) {
+    return std::holds_alternative<Horizon>(request.view);
+}
 
 /// Tells whether the waves run along a body's surface instead of through it.
-bool along_surface(const Request& request);
+inline bool along_surface(const Request& request) {
+    const Body* body = std::get_if<Body>(&request.view);
+    return body && !body->solid;
+}
 
 /// Tells whether the view shows noise in space: a slice or a body.
-bool in_space(const Request& request);
+inline bool in_space(const Request& request) {
+    return std::holds_alternative<Slice>(request.view) || std::holds_alternative<Body>(request.view);
+}
 
 /// Tells whether terrain is drawn in place of the noise.
-bool has_terrain(const Request& request);
+inline bool has_terrain(const Request& request) {
+    return std::holds_alternative<Terrain>(request.view);
+}
+
+/// Tells whether a material or terrain is drawn in place of the noise.
+inline bool has_material(const Request& request) {
+    return request.material != no_material || has_terrain(request);
+}
+
 /// Returns the same terrain from above instead of in perspective, or any other request unchanged.
 Request from_above(Request request);
 
@@ -143,17 +164,20 @@ inline constexpr double hill_reach = 2;
 /// The components, to the right and down, of the unit vector towards the lamp or the sun.
 std::array<double, 2> light_direction(const Request& request);
 
-/// Tells whether a material or terrain is drawn in place of the noise.
-bool has_material(const Request& request);
-
 /// The recipe that draws the request; in space, always `lattice`.
-noise::Recipe drawing_recipe(const Request& request);
+inline noise::Recipe drawing_recipe(const Request& request) {
+    return in_space(request) ? noise::find_recipe("lattice") : request.recipe;
+}
 
 /// Tells whether pixels can be filtered: in the plane, only with the `lattice` recipe.
-bool can_filter(const Request& request);
+inline bool can_filter(const Request& request) {
+    return drawing_recipe(request) == noise::find_recipe("lattice");
+}
 
 /// Tells whether the waves of a lobe have all orientations.
-bool is_isotropic(const noise::Lobe& lobe);
+constexpr bool is_isotropic(const noise::Lobe& lobe) {
+    return lobe.orientation_spread == 90;
+}
 
 /// The channels of a picture's pixels, in order, as EXR names them: `Y` is the noise; in space, the last
 /// channel, `A`, is the covered share of the pixel. `normals`: a body has normal.x, normal.y, normal.z and

@@ -8,6 +8,44 @@
 #include <algorithm>
 #include <array>
 
+// nlohmann-json finds these conversions by their names.
+namespace gabor::noise {
+
+template <typename Json>
+void to_json(Json& entry, const Lobe& lobe) {
+    for (const render::LobeParameter& p : render::lobe_parameters())
+        entry[std::string(p.name)] = lobe.*p.member;
+}
+
+void from_json(const nlohmann::json& entry, Lobe& lobe) {
+    if (!entry.is_object())
+        throw RequestError("a lobe must be an object such as {\"frequency\": 4, \"orientation\": 45}");
+    const auto rows = render::lobe_parameters();
+    for (const auto& [name, value] : entry.items()) {
+        const auto found = std::ranges::find(rows, name, &render::LobeParameter::name);
+        if (found == rows.end()) {
+            std::vector<std::string_view> names;
+            std::ranges::transform(rows, std::back_inserter(names), &render::LobeParameter::name);
+            throw RequestError(
+                fmt::format("unknown '{}' in a lobe: a lobe has {}", name, fmt::join(names, ", ")));
+        }
+        if (!value.is_number())
+            throw RequestError(fmt::format("{} of a lobe must be a number", name));
+        lobe.*found->member = value;
+    }
+}
+
+template <typename Json>
+void to_json(Json& pair, const Colour::Weight& weight) {
+    pair = {weight.quadrature, weight.noise};
+}
+
+void from_json(const nlohmann::json& pair, Colour::Weight& weight) {
+    weight = {.quadrature = pair.at(0), .noise = pair.at(1)};
+}
+
+} // namespace gabor::noise
+
 namespace gabor::render {
 
 namespace {
@@ -23,41 +61,10 @@ std::string dumped(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Lobe lobe_of(const json& entry) {
-    if (!entry.is_object())
-        throw RequestError("a lobe must be an object such as {\"frequency\": 4, \"orientation\": 45}");
-    Lobe lobe;
-    for (const auto& [name, value] : entry.items()) {
-        const auto found = std::ranges::find(lobe_parameters(), name, &LobeParameter::name);
-        if (found == lobe_parameters().end()) {
-            std::vector<std::string_view> names;
-            std::ranges::transform(lobe_parameters(), std::back_inserter(names), &LobeParameter::name);
-            throw RequestError(
-                fmt::format("unknown '{}' in a lobe: a lobe has {}", name, fmt::join(names, ", ")));
-        }
-        if (!value.is_number())
-            throw RequestError(fmt::format("{} of a lobe must be a number", name));
-        lobe.*found->member = value.get<double>();
-    }
-    return lobe;
-}
-
 std::vector<Lobe> lobes_of(const json& list) {
     if (!list.is_array())
         throw RequestError("'lobes' must be a list");
-    std::vector<Lobe> lobes;
-    std::ranges::transform(list, std::back_inserter(lobes), lobe_of);
-    return lobes;
-}
-
-ordered_json json_of(const std::vector<Lobe>& lobes) {
-    ordered_json list = ordered_json::array();
-    for (const Lobe& lobe : lobes) {
-        ordered_json& entry = list.emplace_back();
-        for (const LobeParameter& p : lobe_parameters())
-            entry[std::string(p.name)] = lobe.*p.member;
-    }
-    return list;
+    return list.get<std::vector<Lobe>>();
 }
 
 Value value_of(const Parameter& p, const json& value) {
@@ -93,72 +100,41 @@ Value value_of(const Parameter& p, const json& value) {
 ordered_json json_of(const Parameter& p, const Value& value) {
     if (p.kind == Kind::integer)
         return static_cast<std::int64_t>(std::get<double>(value));
-    if (const auto* lobes = std::get_if<std::vector<Lobe>>(&value))
-        return json_of(*lobes);
-    if (const auto* text = std::get_if<std::string>(&value))
-        return *text;
-    if (const auto* number = std::get_if<double>(&value))
-        return *number;
-    if (const auto* colour = std::get_if<std::array<double, 3>>(&value))
-        return *colour;
-    return std::get<bool>(value);
+    return std::visit([](const auto& held) { return ordered_json(held); }, value);
 }
 
-// Reads nested lists with the lengths of the array.
-template <typename T, std::size_t count>
-void read_numbers(std::array<T, count>& values, const json& list, std::string_view name) {
-    if (!list.is_array() || list.size() != count)
-        throw RequestError(fmt::format("{} of a colour must be a list of {}", name, count));
-    for (std::size_t i = 0; i < count; ++i) {
-        if constexpr (std::is_same_v<T, double>) {
-            if (!list[i].is_number())
-                throw RequestError(fmt::format("{} of a colour must consist of numbers", name));
-            values[i] = list[i].get<double>();
-        } else {
-            read_numbers(values[i], list[i], name);
-        }
+// Reads a member of a colour: nested lists of numbers, described by `accepted`.
+template <typename Lists>
+void read_lists(Lists& lists, const json& colour, const char* name, std::string_view accepted) {
+    if (!colour.contains(name))
+        throw RequestError(fmt::format("the colour has no '{}'", name));
+    try {
+        colour[name].get_to(lists);
+        if (json(lists) == colour[name]) // it has no other members
+            return;
+    } catch (const json::exception&) {
     }
+    throw RequestError(fmt::format("{} of a colour must be {}", name, accepted));
 }
-
-using Weights = std::array<std::array<double, 2>, 3>; // (quadrature, noise)
 
 noise::Colour colour_of(const json& object) {
     if (!object.is_object())
         throw RequestError("the colour must be an object");
-    for (const char* name : {"weights", "histogram", "mean", "mixing"})
-        if (!object.contains(name))
-            throw RequestError(fmt::format("the colour has no '{}'", name));
+    noise::Colour colour;
+    read_lists(colour.weights, object, "weights", "a list with three pairs of numbers for each lobe");
+    read_lists(colour.histogram, object, "histogram", "three lists of six numbers");
+    read_lists(colour.mean, object, "mean", "three numbers");
+    read_lists(colour.mixing, object, "mixing", "three lists of three numbers");
     const json linear = object.value("linear", json(false));
-    if (object.size() != (object.contains("linear") ? 5 : 4) || !object["weights"].is_array() ||
-        !linear.is_boolean())
+    if (object.size() != (object.contains("linear") ? 5 : 4) || !linear.is_boolean())
         throw RequestError(
             "a colour has weights (one set per lobe), histogram, mean, mixing and, optionally, linear");
-    noise::Colour colour;
     colour.linear = linear;
-    for (const json& entry : object["weights"]) {
-        Weights weights{};
-        read_numbers(weights, entry, "weights");
-        auto& to = colour.weights.emplace_back();
-        std::ranges::transform(weights, to.begin(), [](const auto& w) {
-            return noise::Colour::Weight{.quadrature = w[0], .noise = w[1]};
-        });
-    }
-    read_numbers(colour.histogram, object["histogram"], "histogram");
-    read_numbers(colour.mean, object["mean"], "mean");
-    read_numbers(colour.mixing, object["mixing"], "mixing");
     return colour;
 }
 
 ordered_json json_of(const noise::Colour& colour) {
-    ordered_json list = ordered_json::array();
-    for (const auto& weights : colour.weights) {
-        Weights numbers{};
-        std::ranges::transform(weights, numbers.begin(), [](const noise::Colour::Weight& w) {
-            return std::array{w.quadrature, w.noise};
-        });
-        list.push_back(numbers);
-    }
-    ordered_json object{{"weights", std::move(list)},
+    ordered_json object{{"weights", colour.weights},
                         {"histogram", colour.histogram},
                         {"mean", colour.mean},
                         {"mixing", colour.mixing}};
@@ -231,7 +207,7 @@ std::vector<Lobe> lobes_from_json(std::string_view text) {
 }
 
 std::string lobes_to_json(const std::vector<Lobe>& lobes) {
-    return dumped(json_of(lobes));
+    return dumped(ordered_json(lobes));
 }
 
 } // namespace gabor::render

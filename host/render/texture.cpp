@@ -53,6 +53,23 @@ Request texture_level(Request request, int level) {
     return request;
 }
 
+std::vector<float> halved(std::span<const float> level, int width, int height, std::size_t channels) {
+    const int x_step = width > 1 ? 2 : 1;
+    const int y_step = height > 1 ? 2 : 1;
+    std::vector<float> half;
+    half.reserve(level.size() / static_cast<std::size_t>(x_step * y_step));
+    for (int y = 0; y < height; y += y_step)
+        for (int x = 0; x < width; x += x_step)
+            for (std::size_t c = 0; c < channels; ++c) {
+                float sum = 0;
+                for (int j = 0; j < y_step; ++j)
+                    for (int i = 0; i < x_step; ++i)
+                        sum += level[static_cast<std::size_t>((y + j) * width + x + i) * channels + c];
+                half.push_back(sum / static_cast<float>(x_step * y_step));
+            }
+    return half;
+}
+
 namespace {
 
 image::ExrWriter make_writer(const std::filesystem::path& path, const Request& request,
@@ -81,11 +98,7 @@ void write_levels(const image::Rect& region, std::size_t channels, const Sink& w
         line.insert(line.end(), values.begin(), values.end());
     });
     while (line.size() > channels) {
-        for (std::size_t i = 0; i < line.size() / 2; ++i) {
-            const std::size_t first = 2 * (i / channels) * channels + i % channels;
-            line[i] = (line[first] + line[first + channels]) / 2;
-        }
-        line.resize(line.size() / 2);
+        line = halved(line, static_cast<int>(line.size() / channels), 1, channels);
         write(line);
     }
 }

@@ -3,7 +3,6 @@
 #include "render/file.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string_view>
 
@@ -24,6 +23,9 @@ int drawn_levels(const image::Rect& region);
 
 /// The request that draws a level of a texture.
 Request texture_level(Request request, int level);
+
+/// Returns the mip level after `level`, with half the sides down to 1: means of pixels.
+std::vector<float> halved(std::span<const float> level, int width, int height, std::size_t channels);
 
 /// Renders `region` of a checked request as a mip-mapped texture. Each level is filtered for its own pixel
 /// size, not averaged from the previous level. `advance` is as for render_file.

@@ -6,7 +6,10 @@
 namespace gabor::statistics {
 
 void Moments::add(double value) {
-    merge(Moments({1, value, 0, 0, 0, value, value}));
+    Moments one;
+    one.count_ = 1;
+    one.mean_ = one.minimum_ = one.maximum_ = value;
+    merge(one);
 }
 
 void Moments::add(std::span<const float> values) {
@@ -16,53 +19,52 @@ void Moments::add(std::span<const float> values) {
         const auto run = values.first(std::min(run_length, values.size()));
         values = values.subspan(run.size());
 
-        State part;
-        part.count = run.size();
+        Moments part;
+        part.count_ = run.size();
         double sum = 0;
         for (const double value : run) {
             sum += value;
-            part.minimum = std::min(part.minimum, value);
-            part.maximum = std::max(part.maximum, value);
+            part.minimum_ = std::min(part.minimum_, value);
+            part.maximum_ = std::max(part.maximum_, value);
         }
-        part.mean = sum / static_cast<double>(run.size());
+        part.mean_ = sum / static_cast<double>(run.size());
         for (const float value : run) {
-            const double d = value - part.mean;
+            const double d = value - part.mean_;
             const double d2 = d * d;
-            part.m2 += d2;
-            part.m3 += d2 * d;
-            part.m4 += d2 * d2;
+            part.m2_ += d2;
+            part.m3_ += d2 * d;
+            part.m4_ += d2 * d2;
         }
-        merge(Moments(part));
+        merge(part);
     }
 }
 
-void Moments::merge(const Moments& other) {
-    const State a = state_;
-    const State& b = other.state_;
-    if (b.count == 0)
+void Moments::merge(const Moments& b) {
+    const Moments a = *this;
+    if (b.count_ == 0)
         return;
-    const double na = static_cast<double>(a.count);
-    const double nb = static_cast<double>(b.count);
+    const double na = static_cast<double>(a.count_);
+    const double nb = static_cast<double>(b.count_);
     const double n = na + nb;
-    const double d = (b.mean - a.mean) / n;
+    const double d = (b.mean_ - a.mean_) / n;
     const double d2 = d * d;
 
-    state_.count = a.count + b.count;
-    state_.mean = a.mean + nb * d;
-    state_.m2 = a.m2 + b.m2 + d2 * n * na * nb;
-    state_.m3 = a.m3 + b.m3 + d2 * d * n * na * nb * (na - nb) + 3 * d * (na * b.m2 - nb * a.m2);
-    state_.m4 = a.m4 + b.m4 + d2 * d2 * n * na * nb * (na * na - na * nb + nb * nb) +
-                6 * d2 * (na * na * b.m2 + nb * nb * a.m2) + 4 * d * (na * b.m3 - nb * a.m3);
-    state_.minimum = std::min(a.minimum, b.minimum);
-    state_.maximum = std::max(a.maximum, b.maximum);
+    count_ = a.count_ + b.count_;
+    mean_ = a.mean_ + nb * d;
+    m2_ = a.m2_ + b.m2_ + d2 * n * na * nb;
+    m3_ = a.m3_ + b.m3_ + d2 * d * n * na * nb * (na - nb) + 3 * d * (na * b.m2_ - nb * a.m2_);
+    m4_ = a.m4_ + b.m4_ + d2 * d2 * n * na * nb * (na * na - na * nb + nb * nb) +
+          6 * d2 * (na * na * b.m2_ + nb * nb * a.m2_) + 4 * d * (na * b.m3_ - nb * a.m3_);
+    minimum_ = std::min(a.minimum_, b.minimum_);
+    maximum_ = std::max(a.maximum_, b.maximum_);
 }
 
 double Moments::skewness() const {
-    return std::sqrt(static_cast<double>(state_.count)) * state_.m3 / std::pow(state_.m2, 1.5);
+    return std::sqrt(static_cast<double>(count_)) * m3_ / std::pow(m2_, 1.5);
 }
 
 double Moments::excess_kurtosis() const {
-    return static_cast<double>(state_.count) * state_.m4 / (state_.m2 * state_.m2) - 3;
+    return static_cast<double>(count_) * m4_ / (m2_ * m2_) - 3;
 }
 
 } // namespace gabor::statistics

@@ -30,28 +30,24 @@ std::uint64_t for_finite_runs(std::span<const float> pixels, Visit visit) {
 } // namespace
 
 PictureStatistics::PictureStatistics(int width, int height, const NormalDistribution& expected)
-    : width_(width), expected_(expected), blocks_(width, height, expected),
-      centred_(static_cast<std::size_t>(width)) {
-    if (segment_side(width, height))
-        spectrum_.emplace(width, height);
+    : expected_(expected), blocks_(width, height, expected), centred_(static_cast<std::size_t>(width)) {
+    if (const std::optional<int> side = segment_side(width, height))
+        spectrum_.emplace(width, height, *side);
 }
 
 void PictureStatistics::add_rows(std::span<const float> pixels) {
-    const auto width = static_cast<std::size_t>(width_);
-    for (; !pixels.empty(); pixels = pixels.subspan(width))
-        add_row(pixels.first(width));
-}
-
-void PictureStatistics::add_row(std::span<const float> row) {
-    std::fill(centred_.begin(), centred_.end(), 0.0f);
-    not_finite_ += for_finite_runs(row, [&](std::ptrdiff_t first, std::span<const float> run) {
-        blocks_.add(static_cast<int>(first), row_, run);
-        std::transform(run.begin(), run.end(), centred_.begin() + first,
-                       [&](float value) { return static_cast<float>(value - expected_.mean); });
-    });
-    if (spectrum_)
-        spectrum_->add_row(centred_);
-    ++row_;
+    for (; !pixels.empty(); pixels = pixels.subspan(centred_.size())) {
+        std::ranges::fill(centred_, 0.0f);
+        const auto row = pixels.first(centred_.size());
+        not_finite_ += for_finite_runs(row, [&](std::ptrdiff_t first, std::span<const float> run) {
+            blocks_.add(static_cast<int>(first), row_, run);
+            std::ranges::transform(run, centred_.begin() + first,
+                                   [&](float value) { return static_cast<float>(value - expected_.mean); });
+        });
+        if (spectrum_)
+            spectrum_->add_row(centred_);
+        ++row_;
+    }
 }
 
 PictureReport PictureStatistics::report() const {

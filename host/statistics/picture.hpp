@@ -33,9 +33,6 @@ class PictureStatistics {
     PictureReport report() const;
 
   private:
-    void add_row(std::span<const float> row);
-
-    int width_;
     NormalDistribution expected_;
     int row_ = 0;
     std::uint64_t not_finite_ = 0;

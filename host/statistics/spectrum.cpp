@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
 namespace gabor::statistics {
 
@@ -17,16 +16,7 @@ constexpr int longest_side = 512;
 constexpr int shortest_side = 8;
 constexpr std::int64_t most_values = std::int64_t(1) << 25; ///< size of the stored rows, in floats
 
-int required_side(int width, int height) {
-    const std::optional<int> side = segment_side(width, height);
-    if (!side)
-        throw std::invalid_argument("too few pixels for a spectrum");
-    return *side;
-}
-
 } // namespace
-
-Spectrum::Spectrum(int width, int height) : Spectrum(width, height, required_side(width, height)) {}
 
 Spectrum::Spectrum(int width, int height, int side)
     : segments_(width, height, 1, side, side / 2), transform_(side),

@@ -14,8 +14,8 @@ namespace gabor::statistics {
 /// read row by row; only as many rows as a segment has are kept in memory, at most 128 MiB.
 class Spectrum {
   public:
-    /// Throws std::invalid_argument for pictures without a `segment_side`.
-    Spectrum(int width, int height);
+    /// `side` is the segments', from `segment_side`.
+    Spectrum(int width, int height, int side);
 
     /// Adds the next row of `width` values. Subtract the mean first, or it counts as power at frequency 0.
     void add_row(std::span<const float> row);
@@ -27,8 +27,6 @@ class Spectrum {
     int side() const { return segments_.side(); }
 
   private:
-    Spectrum(int width, int height, int side);
-
     Segments segments_;
     Transform transform_;
     std::vector<float> segment_;

@@ -4,46 +4,31 @@
 #include <kiss_fftr.h>
 
 #include <new>
-#include <vector>
 
 namespace gabor::statistics {
 
 // Transforms rows, then columns, because kiss_fftndr_alloc of KISS FFT 131.1 refuses sides of 64 and more.
-struct Transform::State {
-    explicit State(int length)
-        : side(static_cast<std::size_t>(length)),
-          rows(kiss_fftr_alloc(length, 0, nullptr, nullptr), kiss_fft_free),
-          columns(kiss_fft_alloc(length, 0, nullptr, nullptr), kiss_fft_free), values(side * (side / 2 + 1)),
-          column(side) {
-        if (!rows || !columns)
-            throw std::bad_alloc();
-    }
-
-    std::size_t side;
-    std::unique_ptr<kiss_fftr_state, void (*)(void*)> rows;
-    std::unique_ptr<kiss_fft_state, void (*)(void*)> columns;
-    std::vector<std::complex<float>> values;
-    std::vector<std::complex<float>> column;
-};
-
-Transform::Transform(int side) : state_(std::make_unique<State>(side)) {}
-Transform::~Transform() = default;
-Transform::Transform(Transform&&) noexcept = default;
+Transform::Transform(int side)
+    : side_(static_cast<std::size_t>(side)), rows_(kiss_fftr_alloc(side, 0, nullptr, nullptr), kiss_fft_free),
+      columns_(kiss_fft_alloc(side, 0, nullptr, nullptr), kiss_fft_free), values_(side_ * (side_ / 2 + 1)),
+      column_(side_) {
+    if (!rows_ || !columns_)
+        throw std::bad_alloc();
+}
 
 std::span<const std::complex<float>> Transform::operator()(std::span<const float> values) {
     // Both types store the real part, then the imaginary part.
     const auto of_kiss = [](std::complex<float>* value) { return reinterpret_cast<kiss_fft_cpx*>(value); };
-    State& s = *state_;
-    const std::size_t width = s.side / 2 + 1;
-    for (std::size_t y = 0; y < s.side; ++y)
-        kiss_fftr(s.rows.get(), &values[y * s.side], of_kiss(&s.values[y * width]));
+    const std::size_t width = side_ / 2 + 1;
+    for (std::size_t y = 0; y < side_; ++y)
+        kiss_fftr(rows_.get(), &values[y * side_], of_kiss(&values_[y * width]));
     for (std::size_t x = 0; x < width; ++x) {
-        kiss_fft_stride(s.columns.get(), of_kiss(&s.values[x]), of_kiss(s.column.data()),
+        kiss_fft_stride(columns_.get(), of_kiss(&values_[x]), of_kiss(column_.data()),
                         static_cast<int>(width));
-        for (std::size_t y = 0; y < s.side; ++y)
-            s.values[y * width + x] = s.column[y];
+        for (std::size_t y = 0; y < side_; ++y)
+            values_[y * width + x] = column_[y];
     }
-    return s.values;
+    return values_;
 }
 
 } // namespace gabor::statistics

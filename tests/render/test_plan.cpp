@@ -1,9 +1,9 @@
 // Tests how requests become plans, which are plain values and need no device.
 
-#include "render/plan_parts.hpp"
 #include "render/erosion.hpp"
 #include "render/material.hpp"
-#include "render/parameters.hpp"
+#include "render/plan_parts.hpp"
+#include "set_text.hpp"
 
 #include "passes/bake_interface.h"
 #include "passes/erode_interface.h"

@@ -1,6 +1,7 @@
 #include "error.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
+#include "set_text.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -48,7 +49,7 @@ Value another(const Parameter& parameter, const Value& value) {
 
 Request of_view(std::string_view name) {
     Request request;
-    render::set_text(request, "view", name);
+    set_text(request, "view", name);
     return request;
 }
 
@@ -81,7 +82,7 @@ TEST_CASE("every parameter survives JSON and text exactly, and changes the reque
                 const std::string text = render::to_text(value);
                 CHECK(render::read(parameter, text) == value);
                 Request by_text = start;
-                render::set_text(by_text, parameter.name, text);
+                set_text(by_text, parameter.name, text);
                 CHECK(by_text == changed);
                 try {
                     render::check(changed);
@@ -247,15 +248,15 @@ TEST_CASE("a request has the parameters of its view and lobes", "[request]") {
             CHECK(has(of_view(body), name));
     Request request = of_view("flat");
     CHECK(has(request, "frequency"));
-    CHECK_THROWS_WITH(render::set_text(request, "depth", "1"), Catch::Contains("the slice view"));
-    render::set_text(request, "lobes", "[{}, {}]");
+    CHECK_THROWS_WITH(set_text(request, "depth", "1"), Catch::Contains("the slice view"));
+    set_text(request, "lobes", "[{}, {}]");
     CHECK(render::is_set(request, "lobes"));
-    CHECK_THROWS_WITH(render::set_text(request, "frequency", "3"), Catch::Contains("a single lobe, not 2"));
+    CHECK_THROWS_WITH(set_text(request, "frequency", "3"), Catch::Contains("a single lobe, not 2"));
 
     // A body keeps its pose when its shape changes.
     Request body = of_view("sphere");
-    render::set_text(body, "yaw", "30");
-    render::set_text(body, "view", "torus");
+    set_text(body, "yaw", "30");
+    set_text(body, "view", "torus");
     CHECK(std::get<render::Body>(body.view) == render::Body{.shape = render::Shape::torus, .yaw = 30});
 
     // The order of parameters does not matter.
@@ -277,10 +278,10 @@ TEST_CASE("conflicting parameters are refused, or dropped on request", "[request
                              Pair{of_view("flat"), "recipe", "pure", "view", "sphere"}}) {
         INFO(pair.first << ", " << pair.second);
         Request both = pair.start;
-        render::set_text(both, pair.first, pair.first_value);
+        set_text(both, pair.first, pair.first_value);
         render::check(both);
         CHECK(render::is_set(both, pair.first));
-        render::set_text(both, pair.second, pair.second_value);
+        set_text(both, pair.second, pair.second_value);
         CHECK_THROWS_WITH(render::check(both), Catch::Contains("conflicts with"));
         Request first = both;
         render::drop_conflicting(first, pair.first);
@@ -293,7 +294,7 @@ TEST_CASE("conflicting parameters are refused, or dropped on request", "[request
         CHECK(render::is_set(second, pair.second));
     }
     Request tile = of_view("flat");
-    render::set_text(tile, "tileable", "true");
-    render::set_text(tile, "width", "63");
+    set_text(tile, "tileable", "true");
+    set_text(tile, "width", "63");
     CHECK_THROWS_WITH(render::check(tile), Catch::Contains("two kernel radii"));
 }
