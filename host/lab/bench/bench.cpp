@@ -41,9 +41,14 @@ Measurement per_pixel(const vulkan::Device& device, const Subject& subject, cons
     Measurement measurement;
     measurement.row = {
         subject.name, subject.visited, setting.side, setting.scale, setting.frequency, {}, 0, {}};
-    const auto filling = timed(measurement.row.pipeline,
-                               [&] { return std::make_shared<Filling>(device, subject, setting, picture); });
-    measurement.run = [filling] { return filling->run(); };
+    const auto pass = timed(measurement.row.pipeline, [&] {
+        return std::make_shared<vulkan::Pass>(make_pass(device, subject, Use::picture));
+    });
+    const auto job = std::make_shared<vulkan::Job>(device, *pass, vulkan::Job::Buffers{picture});
+    measurement.run = [pass, job, setting] {
+        submit(*job, setting, 7);
+        return job->wait();
+    };
     return measurement;
 }
 

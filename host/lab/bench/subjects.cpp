@@ -49,50 +49,39 @@ Subject eroded(std::string name, std::span<const std::uint32_t> spirv, bool spla
     return subject;
 }
 
+// Adds functions of passes/bench/recipe.comp, in the order of their numbers. Sparse recipes have only the
+// first ones.
 void add_drop_in(std::vector<Subject>& all) {
+    static constexpr std::array names{"",      "_gradient", "_complex and phasor", "_tiled",    "_animated",
+                                      "_four", "_spread",   "_lobes, 3",           "_filtered", "_isotropic"};
+    constexpr std::uint32_t of_sparse = 5;
+    const auto add = [&all](const noise::Recipe& recipe, std::uint32_t number) {
+        all.push_back({fmt::format("gabor_noise{}, {}", names[number], recipe.name),
+                       static_cast<double>(noise::visited_impulses(recipe)),
+                       modules.of(recipe),
+                       &recipe,
+                       {number}});
+    };
     for (const noise::Recipe& recipe : noise::recipes()) {
-        all.push_back(drop_in(recipe, Function::noise));
+        add(recipe, 0);
         all.back().measure_cvm = true;
     }
-    for (const noise::Recipe* recipe : {&noise::recipes().front(), &noise::sparse_recipes().front()}) {
-        const Function last = recipe->is_lattice() ? Function::isotropic : Function::animated;
-        for (auto i = static_cast<std::uint32_t>(Function::gradient); i <= static_cast<std::uint32_t>(last);
-             ++i)
-            all.push_back(drop_in(*recipe, static_cast<Function>(i)));
-    }
+    for (std::uint32_t number = 1; number < names.size(); ++number)
+        add(noise::recipes().front(), number);
+    for (std::uint32_t number = 1; number < of_sparse; ++number)
+        add(noise::sparse_recipes().front(), number);
 }
 
+// Adds the functions of passes/bench/space.comp, numbered from 1. Each sums 3 x 3 x 3 nodes.
 void add_space(std::vector<Subject>& all) {
-    for (auto i = static_cast<std::uint32_t>(SpaceFunction::noise);
-         i <= static_cast<std::uint32_t>(SpaceFunction::filtered); ++i)
-        all.push_back(in_space(static_cast<SpaceFunction>(i)));
+    std::uint32_t number = 0;
+    for (const char* name :
+         {"gabor_noise_3d", "gabor_noise_3d_isotropic", "gabor_noise_3d_gradient", "gabor_noise_surface",
+          "gabor_noise_surface_isotropic", "gabor_noise_3d_filtered"})
+        all.push_back({name, 27, space_spirv, nullptr, {++number}});
 }
 
 } // namespace
-
-Subject drop_in(const noise::Recipe& recipe, Function function) {
-    constexpr std::array names{"",      "_gradient", "_complex and phasor", "_tiled",    "_animated",
-                               "_four", "_spread",   "_lobes, 3",           "_filtered", "_isotropic"};
-    const auto number = static_cast<std::uint32_t>(function);
-    return {fmt::format("gabor_noise{}, {}", names.at(number), recipe.name),
-            static_cast<double>(noise::visited_impulses(recipe)),
-            modules.of(recipe),
-            &recipe,
-            {number}};
-}
-
-// Every function in space sums 3 x 3 x 3 nodes.
-Subject in_space(SpaceFunction function) {
-    constexpr std::array names{"",
-                               "gabor_noise_3d",
-                               "gabor_noise_3d_isotropic",
-                               "gabor_noise_3d_gradient",
-                               "gabor_noise_surface",
-                               "gabor_noise_surface_isotropic",
-                               "gabor_noise_3d_filtered"};
-    const auto number = static_cast<std::uint32_t>(function);
-    return {names.at(number), 27, space_spirv, nullptr, {number}};
-}
 
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
@@ -112,15 +101,6 @@ vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use
     constants[passes::sampling_id] = use == Use::samples;
     std::ranges::copy(subject.options, constants.begin() + passes::option_id);
     return {device, subject.spirv, {1, sizeof(passes::BenchPush), use == Use::statistics}, constants};
-}
-
-Filling::Filling(const vulkan::Device& device, const Subject& subject, const Setting& setting,
-                 const vulkan::Buffer& picture)
-    : setting_(setting), pass_(make_pass(device, subject, Use::picture)), job_(device, pass_, {picture}) {}
-
-double Filling::run() {
-    submit(job_, setting_, 7);
-    return job_.wait();
 }
 
 void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed) {

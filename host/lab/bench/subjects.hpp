@@ -33,37 +33,6 @@ inline constexpr std::string_view seminal_yardstick = "the seminal noise, 270 ke
 /// All subjects, in the order of the report.
 std::vector<Subject> subjects();
 
-/// The functions of passes/bench/recipe.comp, with the same numbers. Sparse recipes have only those up to
-/// `animated`; those from `spread` on exist only for the lattice with 3 taps.
-enum class Function : std::uint32_t {
-    noise,
-    gradient,
-    complex_and_phasor,
-    tiled,
-    animated,
-    four,
-    spread,
-    three_lobes,
-    filtered,
-    isotropic
-};
-
-/// A function of a recipe's drop-in. The subject keeps a reference to the recipe.
-Subject drop_in(const noise::Recipe& recipe, Function function);
-
-/// The functions of passes/bench/space.comp, with the same numbers.
-enum class SpaceFunction : std::uint32_t {
-    noise = 1,
-    isotropic,
-    gradient,
-    surface,
-    surface_isotropic,
-    filtered
-};
-
-/// A function of gabor_lattice_3d.glsl.
-Subject in_space(SpaceFunction function);
-
 /// The size, scale and frequency of a timed picture.
 struct Setting {
     int side;         ///< pixels
@@ -81,22 +50,6 @@ enum class Use { picture, samples, statistics };
 
 /// Makes the pass of a subject.
 vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use);
-
-/// Fills a square picture with a subject repeatedly.
-class Filling {
-  public:
-    /// `picture` must hold all pixels as floats and outlive this object.
-    Filling(const vulkan::Device& device, const Subject& subject, const Setting& setting,
-            const vulkan::Buffer& picture);
-
-    /// Returns the time in seconds by the device's clock; NaN if it has none.
-    double run();
-
-  private:
-    Setting setting_;
-    vulkan::Pass pass_;
-    vulkan::Job job_;
-};
 
 /// Submits `job`, which runs a subject's pass to compute a picture or an equal number of samples.
 void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed);

@@ -56,19 +56,14 @@ std::span<const Study> studies() {
     return known;
 }
 
-const Study& find_study(std::string_view name) {
-    const auto found = std::ranges::find(known, name, &Study::name);
-    if (found != known.end())
-        return *found;
-    std::vector<std::string_view> names;
-    std::ranges::transform(known, std::back_inserter(names), &Study::name);
-    throw RequestError(fmt::format("unknown study '{}': expected {} or all", name, fmt::join(names, ", ")));
-}
-
 std::vector<Study> find_studies(std::string_view name) {
     if (name == "all")
         return {known.begin(), known.end()};
-    return {find_study(name)};
+    if (const auto found = std::ranges::find(known, name, &Study::name); found != known.end())
+        return {*found};
+    std::vector<std::string_view> names;
+    std::ranges::transform(known, std::back_inserter(names), &Study::name);
+    throw RequestError(fmt::format("unknown study '{}': expected {} or all", name, fmt::join(names, ", ")));
 }
 
 } // namespace gabor::study

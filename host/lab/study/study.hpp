@@ -40,9 +40,6 @@ struct Study {
 /// All studies, in reading order.
 std::span<const Study> studies();
 
-/// Returns the study with that name. Throws RequestError, with the known names, if there is none.
-const Study& find_study(std::string_view name);
-
 /// Returns the study with that name, or all studies for `all`. Throws RequestError, with the known names, if
 /// there is none.
 std::vector<Study> find_studies(std::string_view name);

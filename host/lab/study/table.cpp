@@ -26,11 +26,6 @@ std::filesystem::path path_of(const Table& table, const std::filesystem::path& f
     return folder / fmt::format("{}.{}", table.name, extension);
 }
 
-void commit(image::OutputFile& file, std::string_view text) {
-    file.write(std::as_bytes(std::span(text)));
-    file.commit();
-}
-
 } // namespace
 
 void write_table(const Table& table, const std::filesystem::path& folder, const std::string& conditions,
@@ -52,8 +47,10 @@ void write_table(const Table& table, const std::filesystem::path& folder, const 
     for (std::size_t i = 0; i < all.size(); ++i)
         text += fmt::format("{},{:.6g}\n", table.rows[i].key, fmt::join(all[i], ","));
     std::filesystem::remove(sidecar); // it described the previous table
-    commit(csv, text);
-    commit(json, conditions);
+    csv.write(text);
+    csv.commit();
+    json.write(conditions);
+    json.commit();
 }
 
 bool is_finished(const Table& table, const std::filesystem::path& folder, const std::string& conditions) {
