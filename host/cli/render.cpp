@@ -142,10 +142,10 @@ bool same_file(const std::string& a, const std::string& b) {
 
 void print_times(const render::Times& times, const vulkan::Device& device, double pixels, double device_ready,
                  double wall) {
-    const double gpu = times.gpu;
     fmt::print("  driver                  {}\n", device.info().driver);
     fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.first_dispatch);
-    fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", gpu, gpu / pixels * 1e9);
+    fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", times.gpu,
+               times.gpu / pixels * 1e9);
     fmt::print("  compression and writing {:8.3f} s, then {:.3f} s to reach the disk\n", times.writing,
                times.closing);
     fmt::print("  everything              {:8.3f} s\n", wall);
@@ -153,42 +153,38 @@ void print_times(const render::Times& times, const vulkan::Device& device, doubl
     fmt::print("  resident memory         {:8} MiB at most\n", peak_memory() >> 20);
 }
 
-// Tells whether a file is a PNG. Without an extension, it is an EXR.
-bool is_png(const std::string& path) {
-    return std::filesystem::path(path).extension() == ".png";
-}
-
-// The output files of -o and --png.
+// The output files of -o, --png and --heightmap.
 render::Files files_of(const RenderOptions& options) {
-    render::Files files{.exr = {}, .png = {}, .compression = options.compression};
-    if (options.heightmap) {
-        files.heightmap = *options.heightmap;
-        if (options.png && same_file(*options.png, *options.heightmap))
-            throw RequestError("--png and --heightmap name the same file");
-        if (!options.elevation.empty())
-            files.elevation = render::Elevation{options.elevation[0], options.elevation[1]};
-    }
+    using Output = std::pair<const char*, const std::optional<std::string>&>;
+    const std::array outputs{Output{"-o", options.output}, Output{"--png", options.png},
+                             Output{"--heightmap", options.heightmap}};
+    for (const auto& [name, path] : outputs)
+        for (const auto& [other_name, other] : outputs)
+            if (&path != &other && path && other && same_file(*path, *other))
+                throw RequestError(fmt::format("{} and {} both name '{}': give two different files", name,
+                                               other_name, *path));
     if (!options.elevation.empty() && !options.heightmap)
         throw RequestError("--elevation requires --heightmap");
-    if (!options.output) {
-        if (options.png)
-            files.png = *options.png;
-        return files;
+
+    render::Files files{.exr = {}, .png = {}, .compression = options.compression};
+    if (options.output) {
+        const std::string extension = std::filesystem::path(*options.output).extension();
+        if (*options.output == "-" || (!extension.empty() && extension != ".exr" && extension != ".png"))
+            refuse("-o", *options.output, "the name of a file that ends in .exr or .png");
+        (extension == ".png" ? files.png : files.exr) = *options.output;
     }
-    const std::string extension = std::filesystem::path(*options.output).extension();
-    if (*options.output == "-" || (!extension.empty() && extension != ".exr" && extension != ".png"))
-        refuse("-o", *options.output, "the name of a file that ends in .exr or .png");
-    (is_png(*options.output) ? files.png : files.exr) = *options.output;
     if (options.png) {
-        if (same_file(*options.png, *options.output))
-            throw RequestError(
-                fmt::format("--png and -o both name '{}': give two different files", *options.output));
         if (files.png)
             throw RequestError("-o and --png both name a PNG: give the EXR's name with -o");
-        if (const std::filesystem::path name = *options.png; !name.extension().empty() && !is_png(name))
+        const std::string extension = std::filesystem::path(*options.png).extension();
+        if (!extension.empty() && extension != ".png")
             refuse("--png", *options.png, "the name of a file that ends in .png");
         files.png = *options.png;
     }
+    if (options.heightmap)
+        files.heightmap = *options.heightmap;
+    if (!options.elevation.empty())
+        files.elevation = render::Elevation{options.elevation[0], options.elevation[1]};
     if (options.texture && options.level)
         throw RequestError("--texture and --level cannot be combined: a level is a picture");
     if (options.texture && (files.png || files.heightmap))
@@ -249,11 +245,9 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
             if (*path)
                 *path = render::frame_path(**path, frame, frames);
         const auto advance = [&](std::uint64_t done) { progress->advance(done); };
-        const render::Times times = options.texture
-                                        ? render::render_texture(device, request, region, *here.exr,
-                                                                 {options.compression, options.half}, advance)
-                                        : render::render_file(device, request, region, here, advance);
-        total += times;
+        total += options.texture ? render::render_texture(device, request, region, *here.exr,
+                                                          {options.compression, options.half}, advance)
+                                 : render::render_file(device, request, region, here, advance);
         if (frame + 1 == frames)
             progress.reset();
         fmt::print("{}: {} x {} pixels, {}, on {}\n",

@@ -3,7 +3,6 @@
 #include "image/exr.hpp"
 #include "image/output_file.hpp"
 #include "render/parameters.hpp"
-#include "render/variance.hpp"
 #include "statistics/picture.hpp"
 
 #include <nlohmann/json.hpp>

@@ -85,14 +85,11 @@ void check_region(const fs::path& path, const Imf::Header& header) {
 void check_same(const fs::path& path, const Imf::Header& header, const fs::path& first_path,
                 const std::map<std::string, std::string>& first) {
     const auto own = common_attributes(header);
-    if (own == first)
+    const auto [mine, others] = std::ranges::mismatch(own, first);
+    if (mine == own.end() && others == first.end())
         return;
-    std::string name;
-    for (const auto& attributes : {own, first})
-        for (const auto& [candidate, value] : attributes)
-            if (name.empty() && (!own.contains(candidate) || !first.contains(candidate) ||
-                                 own.at(candidate) != first.at(candidate)))
-                name = candidate;
+    const bool missing = mine == own.end() || (others != first.end() && others->first < mine->first);
+    const std::string& name = (missing ? others : mine)->first;
     const auto text = [&](const auto& attributes) {
         const auto found = attributes.find(name);
         return found == attributes.end() ? std::string("nothing") : found->second;
@@ -112,8 +109,7 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
 
 // Checks that each pixel of the picture is in exactly one region.
 void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture) {
-    // The first pixel of a gap is at the upper or left edge of the picture, or right below or beside a
-    // region.
+    // A gap's first pixel lies at an edge of the picture or below a region, and at an edge or beside one.
     std::set<int> rows{picture.min.y};
     std::set<int> columns{picture.min.x};
     for (std::size_t i = 0; i < regions.size(); ++i) {

@@ -103,8 +103,7 @@ std::vector<Macro> macros(const Recipe& recipe) {
     if (recipe.phases != standard.phases)
         macros.push_back({"GABOR_PHASES", fmt::format("{}", recipe.phases)});
     if (recipe.window != standard.window)
-        macros.push_back({"GABOR_WINDOW", fmt::format("vec3({}, {}, {})", literal(recipe.window[0]),
-                                                      literal(recipe.window[1]), literal(recipe.window[2]))});
+        macros.push_back({"GABOR_WINDOW", vec3(recipe.window[0], recipe.window[1], recipe.window[2])});
     return macros;
 }
 

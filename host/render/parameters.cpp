@@ -414,13 +414,10 @@ bool is_colourless(const Request& request) {
 
 // ---- Values ----
 
-std::string range_text(const Range& range) {
-    return fmt::format("{:.10g} to {:.10g}", range.low, range.high);
-}
-
 std::string accepted_number(Kind kind, const Range& range, std::string_view unit) {
     std::string text =
-        fmt::format("{} from {}", kind == Kind::integer ? "a whole number" : "a number", range_text(range));
+        fmt::format("{} from {:.10g} to {:.10g}", kind == Kind::integer ? "a whole number" : "a number",
+                    range.low, range.high);
     if (!unit.empty())
         text += fmt::format(" ({}{})", unit, kind == Kind::angle ? ", or radians as in 0.7854rad" : "");
     return text;

@@ -184,4 +184,8 @@ constexpr bool is_isotropic(const noise::Lobe& lobe) {
 /// gradient.z before `A`; x is right in the picture, y down, z towards the eye.
 std::vector<std::string> channels(const Request& request, bool normals = false);
 
+/// The theoretical variance of a channel that is normally distributed around 0. Nothing if it is not normal,
+/// varies from pixel to pixel, or has no closed form here.
+std::optional<double> known_variance(const Request& request, std::string_view channel);
+
 } // namespace gabor::render

@@ -1,5 +1,3 @@
-#include "render/variance.hpp"
-
 #include "noise/spectrum.hpp"
 #include "noise/variance.hpp"
 #include "render/camera.hpp"

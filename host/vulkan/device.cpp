@@ -7,13 +7,91 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace gabor::vulkan {
 
 namespace {
+
+// ---- The instance ----
+
+std::atomic<int> messages = 0;
+
+VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                      const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+    ++messages;
+    fmt::print(stderr, "validation: {}\n", data->pMessage);
+    return VK_FALSE;
+}
+
+std::string_view validation() {
+    const char* value = std::getenv("GABOR_VALIDATION");
+    return value && std::string_view(value) != "0" ? value : "";
+}
+
+bool validating() {
+    return !validation().empty();
+}
+
+// Throws RequestError if there is no Vulkan loader.
+vk::raii::Context load_vulkan() {
+    try {
+        return {};
+    } catch (const std::runtime_error&) {
+        throw RequestError("no Vulkan loader found: install libvulkan1 and a driver (mesa-vulkan-drivers has "
+                           "one that needs no GPU)");
+    }
+}
+
+// Loads the validation layers if GABOR_VALIDATION requests them. Throws RequestError without a driver.
+vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation) {
+    const vk::ApplicationInfo application("gabor", 1, nullptr, 0, VK_API_VERSION_1_1);
+    vk::StructureChain<vk::InstanceCreateInfo, vk::ValidationFeaturesEXT> chain;
+    chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
+    const std::array layers{"VK_LAYER_KHRONOS_validation"};
+    std::vector<const char*> extensions = presentation.instance_extensions;
+    // GPU-assisted validation makes shaders take many times as long, and these other checks must not see its
+    // buffers.
+    using Check = vk::ValidationFeatureEnableEXT;
+    const std::vector<Check> features =
+        validation() == "gpu" ? std::vector{Check::eGpuAssisted}
+        : presentation.can_present // Dear ImGui's backend allocates against best practices
+            ? std::vector{Check::eSynchronizationValidation}
+            : std::vector{Check::eSynchronizationValidation, Check::eBestPractices};
+    if (validating()) {
+        extensions.insert(extensions.end(),
+                          {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
+        chain.get<vk::InstanceCreateInfo>().setPEnabledLayerNames(layers);
+        chain.get<vk::ValidationFeaturesEXT>().setEnabledValidationFeatures(features);
+    } else {
+        chain.unlink<vk::ValidationFeaturesEXT>();
+    }
+    chain.get<vk::InstanceCreateInfo>().setPEnabledExtensionNames(extensions);
+    try {
+        return {context, chain.get<vk::InstanceCreateInfo>()};
+    } catch (const vk::IncompatibleDriverError&) {
+        throw RequestError(
+            "no Vulkan driver found: install one (mesa-vulkan-drivers has one that needs no GPU)");
+    }
+}
+
+// Returns a messenger that counts and prints messages of the validation layers; null without them.
+vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance) {
+    if (!validating())
+        return nullptr;
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    return {instance, vk::DebugUtilsMessengerCreateInfoEXT(
+                          {}, Severity::eError | Severity::eWarning,
+                          Type::eGeneral | Type::eValidation | Type::ePerformance, report)};
+}
+
+// ---- The device ----
 
 // Kinds of devices, best first.
 using Type = vk::PhysicalDeviceType;
@@ -33,6 +111,7 @@ struct Candidate {
     std::size_t rank;
     std::uint32_t family;
     std::uint32_t timestamp_bits;
+    bool executable_properties;
 };
 
 // Before Vulkan 1.2, a device may report only the driver's number.
@@ -91,8 +170,11 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
         info.group_invocations = properties.limits.maxComputeWorkGroupInvocations;
         info.subgroup = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
         info.timestamps = family->timestampValidBits != 0 && properties.limits.timestampPeriod > 0;
+        const bool executable_properties =
+            has_extension(physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
         found.push_back({std::move(physical), std::move(info), device_rank,
-                         static_cast<std::uint32_t>(family - families.begin()), family->timestampValidBits});
+                         static_cast<std::uint32_t>(family - families.begin()), family->timestampValidBits,
+                         executable_properties});
     }
     if (found.empty())
         throw RequestError(
@@ -134,7 +216,7 @@ vk::raii::Device make_device(const Candidate& candidate, const Presentation& pre
     std::vector<const char*> extensions;
     if (presentation.can_present)
         extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
-    if (has_extension(candidate.physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME)) {
+    if (candidate.executable_properties) {
         extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
         chain.get<vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>().pipelineExecutableInfo =
             VK_TRUE;
@@ -150,8 +232,6 @@ std::unique_ptr<Device::State> make_state(std::string_view selector, const Prese
     vk::raii::Instance instance = make_instance(context, presentation);
     vk::raii::DebugUtilsMessengerEXT messenger = make_messenger(instance);
     Candidate chosen = choose(candidates(instance, presentation), selector);
-    const bool executable_properties =
-        has_extension(chosen.physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
     vk::raii::Device device = make_device(chosen, presentation);
     vk::raii::Queue queue(device, chosen.family, 0);
     const double tick = double{chosen.physical.getProperties().limits.timestampPeriod} * 1e-9;
@@ -167,10 +247,14 @@ std::unique_ptr<Device::State> make_state(std::string_view selector, const Prese
     return std::unique_ptr<Device::State>(
         new Device::State{std::move(context), std::move(instance), std::move(messenger),
                           std::move(chosen.physical), chosen.info, chosen.family, std::move(device),
-                          std::move(queue), tick, mask, unified, executable_properties});
+                          std::move(queue), tick, mask, unified, chosen.executable_properties});
 }
 
 } // namespace
+
+int validation_messages() {
+    return messages;
+}
 
 std::vector<DeviceInfo> devices() {
     const vk::raii::Context context = load_vulkan();

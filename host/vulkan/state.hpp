@@ -10,15 +10,6 @@
 
 namespace gabor::vulkan {
 
-/// Throws RequestError if there is no Vulkan loader.
-vk::raii::Context load_vulkan();
-
-/// Loads the validation layers if GABOR_VALIDATION requests them. Throws RequestError without a driver.
-vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation);
-
-/// Returns a messenger that counts and prints messages of the validation layers; null without them.
-vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance);
-
 /// Requirements for buffers that the host reads or writes.
 inline constexpr vk::MemoryPropertyFlags coherent =
     vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;

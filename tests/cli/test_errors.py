@@ -123,7 +123,8 @@ class Outputs(ErrorTest):
     def test_extensions_decide(self):
         for output in ("out.jpg", "out.exr.4", "-"):
             self.assert_refused([f"-o '{output}'", ".exr or .png"], "render", "-o", output)
-        self.assert_refused(["--png 'out.jpg'", ".png"], "render", "-o", "out.exr", "--png", "out.jpg")
+        for output in ([], ["-o", "out.exr"]):
+            self.assert_refused(["--png 'out.jpg'", ".png"], "render", *output, "--png", "out.jpg")
         self.assert_refused(["-o and --png"], "render", "-o", "a.png", "--png", "b.png")
         self.succeed("render", "-o", "both.exr", "--png", "both.png", "--size=20x10")
         self.succeed("render", "-o", "alone.png", "--size=20x10")

@@ -93,7 +93,8 @@ class Terrain(ProgramTest):
     def test_wrong_requests(self):
         for options, words in (([], ["--output is missing", "-o"]), (["-o", "a.tif"], ["a.tif", ".exr"]),
                                (["--heightmap", "a.exr"], ["a.exr", ".png or .r16"]),
-                               (["--png", "a.png", "--heightmap", "a.png"], ["same file"]),
+                               (["--png", "a.png", "--heightmap", "a.png"], ["--png and --heightmap both name 'a.png'"]),
+                               (["-o", "a.png", "--heightmap", "./a.png"], ["-o and --heightmap both name 'a.png'"]),
                                (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=-1"], ["--extent"]),
                                (["-o", "a.exr", "--tileable", "--scale=32"], ["tile", "128"]),
                                (["-o", "a.exr", "--frequency=2"], ["frequency", "view terrain"]),

@@ -160,7 +160,8 @@ class Refused(TextureTest):
             "conflicts with": ["--size=64x64", "--recipe=paper"],
         }.items():
             self.assert_refused([words], "render", "--texture", *options, "-o", "new.exr")
-        self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", "-o", "new.png")
+        for output in ("-o", "--png"):
+            self.assert_refused(["a texture is an EXR"], "render", "--texture", "--size=64x64", output, "new.png")
         self.assert_refused(["--texture"], "render", "--half", "--size=64x64", "-o", "new.exr")
 
     def test_a_full_disk(self):
