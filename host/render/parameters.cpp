@@ -290,6 +290,18 @@ std::vector<Parameter> make_table() {
             "Direction that the light comes from: 0 is right, 90 below", if_lit(&Request::light_azimuth)),
         row("light_elevation", Kind::angle, "degrees", {0, 90}, {0, 90}, lit_views,
             "Angle of the light above the surface", if_lit(&Request::light_elevation)),
+        {"environment", Kind::choice, "", none, none, "a material",
+         "What surrounds a material besides its lamp: a room with a window, an overcast sky, or nothing",
+         [](const Request& r) {
+             return has_material(r) && !has_terrain(r)
+                        ? std::optional<Value>(
+                              std::string(environments.at(static_cast<std::size_t>(r.environment))))
+                        : std::nullopt;
+         },
+         [](Request& r, const Value& v) {
+             r.environment = static_cast<int>(std::ranges::find(environments, std::get<std::string>(v)) -
+                                              environments.begin());
+         }},
         row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, terrains,
             "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
             in_view(&Terrain::extent)),
@@ -384,8 +396,9 @@ const std::array exclusions{
 
 // The parameters that materials and terrain use besides their own.
 constexpr std::array of_material{
-    "width"sv,    "height"sv, "scale"sv, "recipe"sv, "seed"sv,     "view"sv,          "filter"sv,
-    "material"sv, "yaw"sv,    "pitch"sv, "zoom"sv,   "tileable"sv, "light_azimuth"sv, "light_elevation"sv};
+    "width"sv,         "height"sv,          "scale"sv,      "recipe"sv, "seed"sv, "view"sv,
+    "filter"sv,        "material"sv,        "yaw"sv,        "pitch"sv,  "zoom"sv, "tileable"sv,
+    "light_azimuth"sv, "light_elevation"sv, "environment"sv};
 constexpr std::array of_terrain{"width"sv, "height"sv, "scale"sv,   "recipe"sv,
                                 "seed"sv,  "view"sv,   "material"sv};
 
@@ -547,6 +560,8 @@ std::vector<std::string_view> choices(const Parameter& p) {
     if (p.name == "material") {
         names.push_back(no_material);
         names.insert(names.end(), materials.begin(), materials.end());
+    } else if (p.name == "environment") {
+        names.assign(environments.begin(), environments.end());
     } else if (p.kind == Kind::choice) {
         std::ranges::transform(named_views, std::back_inserter(names), &NamedView::name);
     } else {
@@ -629,7 +644,7 @@ void set(Request& request, const Values& values) {
         for (const auto& named : values) { // clang's lambdas cannot capture structured bindings
             const Parameter* p = named.first;
             const Value& value = named.second;
-            if (deciding != (p->kind == Kind::choice || p->kind == Kind::lobes))
+            if (deciding != (p->applies_to.empty() && (p->kind == Kind::choice || p->kind == Kind::lobes)))
                 continue;
             with_prefix(prefix(*p), [&] { check_value(*p, value); });
             if (!p->get(request))

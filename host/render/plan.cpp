@@ -306,6 +306,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     constants[passes::filter_id] = request.filter;
     constants[passes::view_id] = view_constant(request.view);
     constants[passes::tiled_id] = is_tiled(request);
+    constants[passes::environment_id] = vulkan::constant(request.environment);
     plan.tables = {bytes_of(material_parameters(request))};
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');

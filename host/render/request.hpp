@@ -75,6 +75,9 @@ struct Terrain {
     bool operator==(const Terrain&) const = default;
 };
 
+/// What can surround a lit surface, as in shaders/passes/light.glsl.
+inline constexpr std::array<std::string_view, 3> environments{"room", "overcast", "dark"};
+
 using View = std::variant<Plane, Horizon, Slice, Body, Terrain>;
 
 /// Stands for no material: the noise itself.
@@ -98,6 +101,7 @@ struct Request {
                                                                  ///< default, by their names in the table
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
+    int environment = 0;    ///< what surrounds a material besides its lamp: a number of `environments`
     bool filter = false;    ///< antialias with a Gaussian filter of half a pixel
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
                             ///< load_paint; empty for none

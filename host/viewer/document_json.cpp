@@ -91,6 +91,7 @@ void read_view(json view, Document& document) {
     choice("normals", normal_maps, document.directx_normals);
     choice("colours", colour_names, document.colours);
     choice("profile", profile_names, document.profile);
+    choice("environment", render::environments, document.request.environment);
     if (view.contains("ramp"))
         document.ramp = ramp_of(view["ramp"]);
     if (view.contains("contrast"))
@@ -116,8 +117,11 @@ std::string to_json(const Document& document) {
                         {"camera", json_of(document.camera)}};
     if (document.ramp != Document().ramp)
         object["viewer"]["ramp"] = json_of(document.ramp);
-    if (!render::has_material(document.request)) // with a material, the request has it
+    if (!render::has_material(document.request)) { // with a material, the request has them
         object["viewer"]["light"] = {document.request.light_azimuth, document.request.light_elevation};
+        object["viewer"]["environment"] =
+            render::environments.at(static_cast<std::size_t>(document.request.environment));
+    }
     return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -126,6 +126,9 @@ constexpr const char* look_tips[]{"Lit by a lamp",
                                   "Roughness: dark is smooth",
                                   "Metalness: white where reflections have the base colour"};
 
+constexpr const char* environment_tips[]{"A room with a window", "An overcast sky, as bright from all sides",
+                                         "Nothing but the lamp"};
+
 // A slider that a double click sets back.
 void resettable(const char* label, float& value, float low, float high, const char* format,
                 float by_default) {
@@ -257,6 +260,8 @@ void view_panel(Session& session) {
 
 void light_panel(Session& session) {
     render::Request& request = session.document().request;
+    if (!render::has_terrain(request))
+        choose("environment", request.environment, render::environments, environment_tips);
     for (auto [name, angle] : {std::pair("light_azimuth", &render::Request::light_azimuth),
                                std::pair("light_elevation", &render::Request::light_elevation)}) {
         const render::Parameter& parameter = render::parameter(name);

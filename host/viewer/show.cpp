@@ -66,11 +66,12 @@ ShowConstants show_constants(const Document& document, std::span<const std::stri
             coarse,
             tiles,
             document.profile,
-            unlit};
+            unlit,
+            document.request.environment};
 }
 
 ShowConstants colours_constants() {
-    return {coloured, 0, 3, 0, -1, -1, 1, 0, 0, 0};
+    return {coloured, 0, 3, 0, -1, -1, 1, 0, 0, 0, 0};
 }
 
 passes::ShowPush show_push(const Document& document, double stride, double zoom) {

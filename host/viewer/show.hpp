@@ -14,7 +14,7 @@
 namespace gabor::viewer {
 
 /// The specialization constants of shaders/viewer/show.glsl.
-using ShowConstants = std::array<std::int32_t, 10>;
+using ShowConstants = std::array<std::int32_t, 11>;
 
 /// `channels`: of the values, as in render::channels. If the output's channels are missing, the value is
 /// shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two. `unlit`:

@@ -312,6 +312,12 @@ std::string axes_of(const render::Request& request, const Push& push) {
                        vec3(sin_yaw * cos_pitch, -cos_yaw * cos_pitch, sin_pitch));
 }
 
+// Where the sky is: above bodies in the picture, and in front of planes.
+std::string up_of(const render::Request& request) {
+    return std::holds_alternative<render::Body>(request.view) ? "vec3(0.0, -1.0, 0.0)"
+                                                              : "vec3(0.0, 0.0, 1.0)";
+}
+
 // Where a point of a body is in the picture: from its middle, in units of its longer side.
 std::string place_of(const render::Request& request, const passes::SolidPush& push, Extent extent) {
     const double longer = std::max(extent.width, extent.height);
@@ -349,6 +355,11 @@ std::string_view embedded(std::string_view path) {
     return std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path)->text;
 }
 
+std::string lighting(const render::Request& request) {
+    return fmt::format("const int environment = {};\n\n{}\n", request.environment,
+                       embedded("passes/light.glsl"));
+}
+
 // The colours that the window shows.
 std::string of_colours(const Document& document, const Quantity& of, Extent extent) {
     const render::Request& request = document.request;
@@ -370,7 +381,7 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
     if (own)
         text += own_colours(document.ramp) + "\n";
     if (lit)
-        text += fmt::format("{}\n", embedded("passes/light.glsl"));
+        text += lighting(request);
     if (lit_stripes)
         text += fmt::format("float stripes_of_{0})\n{{\n    return {1};\n}}\n\n",
                             space ? "body(vec3 p, vec3 normal" : "view(vec2 pixel",
@@ -413,10 +424,10 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
             text += "    normal = normalize(normal * axes);\n";
         return text + fmt::format(R"(    normal = normalize(normal - (slope - dot(slope, normal) * normal));
     vec3 linear = pow(colour, vec3(2.2));
-    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, {})));
+    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, {}), {}));
 }}
 )",
-                                  vec2(right, below));
+                                  vec2(right, below), up_of(request));
     }
     std::string shown;
     switch (document.output) {
@@ -488,8 +499,8 @@ std::string material_colour(const Document& document) {
     switch (document.look) {
     case Look::lit:
         return fmt::format("srgb(lit(Surface(m.colour, m.roughness, m.metalness), "
-                           "bumped_normal(normal, slope), eye, lamp_above(place, {})))",
-                           vec2(right, below));
+                           "bumped_normal(normal, slope), eye, lamp_above(place, {}), {}))",
+                           vec2(right, below), up_of(document.request));
     case Look::colour:
         return "srgb(m.colour)";
     case Look::height:
@@ -516,7 +527,7 @@ std::string material_snippet(const Document& document, Extent extent) {
 {}{}
 {}
 )",
-        material_function(request), embedded("passes/relief.glsl"), embedded("passes/light.glsl"));
+        material_function(request), embedded("passes/relief.glsl"), lighting(request));
     const double wide = double{push.size.x};
     const std::string pixel = literal(double{push.pixel});
     const std::string corner = vec2(double{push.corner.x}, double{push.corner.y});

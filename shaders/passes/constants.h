@@ -47,7 +47,10 @@ const uint few_waves_id = 25;
 const uint narrow_waves_id = 26;
 const uint wide_waves_id = 27;
 
-const uint constant_count = 28;
+// passes/material.comp: what surrounds the material
+const uint environment_id = 28;
+
+const uint constant_count = 29;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

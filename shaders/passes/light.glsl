@@ -1,6 +1,7 @@
-// Lights a material with a lamp, in a room with a window. The surface is the plane z = 0; y points down the picture. Surfaces
-// reflect light as in glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for
-// refraction through rough surfaces", 2007). The exported maps look the same in other renderers; see docs/gallery.md.
+// Lights a material with a lamp and its surroundings, `environment`: 0 a room with a window, 1 an overcast sky, 2 darkness. The
+// surface is the plane z = 0; y points down the picture. Surfaces reflect light as in glTF 2.0: Lambert's diffuse reflection and
+// GGX microfacets (Walter et al., "Microfacet models for refraction through rough surfaces", 2007). The exported maps look the
+// same in other renderers; see docs/gallery.md.
 
 // The room's light from direction `d`: dark walls and a window, blurred by the roughness of the surface that reflects
 // it.
@@ -14,6 +15,20 @@ vec3 room(vec3 d, float roughness) {
 // The mean of the room's light over a hemisphere, weighted by the cosine; within 0.02 of the integral.
 vec3 diffuse_room(vec3 n) {
     return walls + window * (0.304 - dot(vec2(0.085, 0.177), n.xy) - dot(vec3(0.182, 0.08, -0.087), vec3(n.xy * n.xy, n.x * n.y)));
+}
+
+// The standard overcast sky of the CIE, over ground that reflects a fifth of its light. `up` is the cosine of the angle to the
+// zenith. The mean over a hemisphere is exact (Moon and Spencer, 1942); the blur is within 0.03 of the integral over facets.
+const vec3 zenith = vec3(0.56, 0.6, 0.65);
+const float ground = 0.155556; // relative to the zenith
+vec3 diffuse_overcast(float up) {
+    up = clamp(up, -1.0, 1.0);
+    return zenith * ((1.0 + up) / 6.0 + 0.141471 * (sqrt(1.0 - up * up) + acos(-up) * up) + 0.5 * ground * (1.0 - up));
+}
+vec3 overcast(float up, float roughness) {
+    float soft = 2.0 * roughness * roughness + 0.001;
+    float sharp = mix(ground, (1.0 + 2.0 * max(up, 0.0)) / 3.0, smoothstep(-soft, soft, up));
+    return mix(zenith * sharp, diffuse_overcast(up), smoothstep(0.1, 1.0, roughness));
 }
 
 // The direction to the eye, which is above the middle of the picture. Places run from -0.5 to 0.5 along the picture's longer
@@ -32,7 +47,9 @@ const vec3 backdrop = vec3(0.016, 0.017, 0.019); // the colour behind a body
 
 // The sky, from the horizon at 0 to the picture's edge at 1.
 vec3 sky_colour(float up) {
-    return mix(vec3(0.62, 0.69, 0.76), vec3(0.27, 0.42, 0.62), up);
+    return environment == 0   ? mix(vec3(0.62, 0.69, 0.76), vec3(0.27, 0.42, 0.62), up)
+           : environment == 1 ? overcast(0.25 * up + 0.001, 0.0)
+                              : backdrop;
 }
 
 // A surface that reflects light, with the members of GaborMaterial.
@@ -53,9 +70,9 @@ vec3 reflected(vec3 mirror, float roughness, float seen) {
 }
 
 // The light towards the eye, linear.
-//   normal     unit normal of the surface, with z pointing out of the picture
-//   eye, lamp  unit vectors towards them
-vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp) {
+//   normal         unit normal of the surface, with z pointing out of the picture
+//   eye, lamp, up  unit vectors towards them
+vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp, vec3 up) {
     const vec3 lamp_light = 0.7 * vec3(1.0, 0.96, 0.9); // irradiance / pi
     vec3 between = normalize(eye + lamp);
     float facing = max(dot(normal, lamp), 0.0);
@@ -72,8 +89,16 @@ vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp) {
 
     vec3 share = reflected(mirror, material.roughness, seen);
     vec3 diffuse = (1.0 - share) * (1.0 - material.metalness) * material.colour;
-    return diffuse * (diffuse_room(normal) + facing * lamp_light)
-           + share * room(reflect(-eye, normal), material.roughness)
+    vec3 around = vec3(0.0), reflection = vec3(0.0);
+    if (environment == 0) {
+        around = diffuse_room(normal);
+        reflection = room(reflect(-eye, normal), material.roughness);
+    } else if (environment == 1) {
+        around = diffuse_overcast(dot(normal, up));
+        reflection = overcast(dot(reflect(-eye, normal), up), material.roughness);
+    }
+    return diffuse * (around + facing * lamp_light)
+           + share * reflection
            + facing * facets * shadow * fresnel * lamp_light;
 }
 

@@ -8,16 +8,17 @@
 #include "gabor_lattice.glsl"
 #include "gabor_spectrum.glsl"
 #include "gabor_materials.glsl"
-#include "light.glsl"
 
 layout(constant_id = filter_id) const bool filtered = false;
 layout(constant_id = tiled_id) const bool tiled = false;
 layout(constant_id = view_id) const uint view = view_flat;
+layout(constant_id = environment_id) const int environment = 0;
 const bool body = view == view_sphere || view == view_torus;
 const int channels = body ? 10 : 11;
 const int rays = 4;
 
 #include "body.glsl"
+#include "light.glsl"
 
 layout(local_size_x = material_group, local_size_y = material_group) in;
 
@@ -91,7 +92,8 @@ void main() {
     vec3 bumped = bumped_normal(normal, slope);
     if (body)
         bumped = in_picture(bumped, axes);
-    vec3 light = lit(Surface(m.colour, m.roughness, m.metalness), bumped, eye, lamp_above(seen_from, lamp));
+    vec3 light = lit(Surface(m.colour, m.roughness, m.metalness), bumped, eye, lamp_above(seen_from, lamp),
+                     body ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0));
     if (body)
         light = mix(backdrop, light, coverage);
 

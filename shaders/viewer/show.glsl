@@ -2,7 +2,6 @@
 
 #include "viewer/show_interface.h"
 #include "viewer/colours.glsl"
-#include "passes/light.glsl"
 
 // These are specialization constants because CPUs run every branch. Outputs: 0 value, 1 gradient, 2 phase, 3 intensity, 4
 // variance, 5 stripes, 6 a lit height, 7 lit stripes, 8 colours; for materials: 9 lit, 10 colour, 11 height, 12 normal, 13
@@ -17,6 +16,9 @@ layout(constant_id = 6) const bool coarse = false;  // whether the grid is coars
 layout(constant_id = 7) const bool tiles = false;   // whether to repeat the canvas two by two
 layout(constant_id = 8) const int profile = 0;      // profile of stripes
 layout(constant_id = 9) const bool unlit = false;   // whether to show normals instead of light
+layout(constant_id = 10) const int environment = 0; // what surrounds a lit surface
+
+#include "passes/light.glsl"
 
 // A channel at a pixel.
 float value_at(vec2 pixel, int channel);
@@ -53,7 +55,8 @@ vec3 lit_surface(vec2 pixel, vec3 colour, vec3 slope) {
     vec2 whole = tiles ? 2.0 * size : size;
     vec2 place = (pixel - 0.5 * whole) / max(whole.x, whole.y);
     vec3 linear = pow(colour, vec3(2.2));
-    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, lamp)));
+    vec3 up = normal_at >= 0 ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, lamp), up));
 }
 
 float stripes(vec2 pixel) {

@@ -29,7 +29,7 @@ class Help(ProgramTest):
                               "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
                               "--zoom", "--material", "--terrain", "--heightmap", "--elevation", "--extent", *GULLIES,
-                              "--maps", "--directx", "--light-azimuth", "--light-elevation"),
+                              "--maps", "--directx", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),

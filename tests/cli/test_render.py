@@ -18,7 +18,7 @@ DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "s
             "material": "none"}
 # Parameters that only some views have, and lists of lobes.
 OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1, "light_azimuth": -135,
-           "light_elevation": 38}
+           "light_elevation": 38, "environment": "room"}
 
 
 class Materials(RenderTest):
@@ -145,7 +145,7 @@ class Like(RenderTest):
         every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
                  ["--frequency-spread=0.25", "--orientation-spread=30", "--values=3"], ["--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--preset=figure6"],
-                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50"]]
+                 ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark"]]
         unlike = set()
         for flags in every:
             options = [f"--{name}={value}" for name, value in SMALL.items()]

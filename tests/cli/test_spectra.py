@@ -163,6 +163,23 @@ class Spectra(SpectraTest):
                     self.assertGreater(sign * alike, 0.3, (options, azimuth))
         self.assert_refused(["light_azimuth", "a material or terrain"], "render", "-o", "out.exr", "--light-azimuth=30")
 
+    def test_an_overcast_sky_lights_as_its_integral_says(self):
+        """Against a sum over the hemisphere above each pixel's normal; the lamp's light is that of darkness."""
+        rough = {"material": "fabric", "fabric.roughness": 1, "size": "24x24", "scale": 24}
+        sky, dark = (self.render(environment=each, **rough).channels for each in ("overcast", "dark"))
+        cosine, turn = np.meshgrid((np.arange(400) + 0.5) / 400, 2 * np.pi * (np.arange(200) + 0.5) / 200)
+        sine = np.sqrt(1 - cosine ** 2)
+        for y, x in np.ndindex(24, 24):
+            normal = np.array([-sky["slope.x"][y, x], -sky["slope.y"][y, x], 1])
+            normal /= np.linalg.norm(normal)
+            up = cosine * normal[2] + sine * np.cos(turn) * np.hypot(*normal[:2])
+            mean = 2 * (cosine * np.where(up > 0, (1 + 2 * up) / 3, 0.2 * 7 / 9)).mean()
+            share = 0.0113 # which a rough surface reflects without its colour
+            colour = (1 - share) * sky["G"][y, x] + share
+            self.assertAlmostEqual(sky["lit.G"][y, x] - dark["lit.G"][y, x], 0.6 * mean * colour, delta=0.015 * mean)
+        self.assertEqual(self.render("--like=out.exr", output="again.exr").parameters["environment"], "dark")
+        self.assert_refused(["environment", "a material"], "render", "-o", "out.exr", "--environment=dark")
+
     def test_a_body_has_all_of_a_material_on_every_side(self):
         metal = self.render(material="brushed-metal", view="sphere", size="80x60", scale=20).channels
         np.testing.assert_allclose(metal["metalness"][metal["A"] == 1], 1, atol=0.02)  # a blend of up to three planes

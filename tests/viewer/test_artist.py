@@ -164,6 +164,35 @@ class Artist(EventsTest):
         self.assertGreater(np.abs(self.screen(0, 100, 352, 300) - lit).mean(), 3)
         self.close()
 
+    def test_the_surroundings_are_chosen_saved_and_exported(self):
+        def view():
+            self.wait_for(lambda state: state["fine"])
+            self.frames(3)
+            return self.screen(0, 100, 352, 300)
+
+        for name, parameters, combo in (("leather", {"material": "leather"}, 311), ("relief", {"viewer": {"output": "lit"}}, 283)):
+            (self.folder / f"{name}.json").write_text(json.dumps({"width": 352, "height": 480, "scale": 60, **parameters}))
+            self.open(*WINDOW, f"{name}.json")
+            room = view()
+            self.point(400, 300)
+            self.xdotool("click", "--repeat", 30, "--delay", 1, 5) # to the end of the panel
+            self.frames(3)
+            self.click(420, combo)
+            self.frames(3)
+            self.click(420, combo + 50) # the second choice
+            overcast = view()
+            self.assertGreater(np.abs(overcast - room).mean(), 3)
+            saved = self.saved(f"{name}.json")
+            self.assertEqual((saved if name == "leather" else saved["viewer"])["environment"], "overcast")
+            self.keys("ctrl+z")
+            self.assertLess(np.abs(view() - room).mean(), 0.5)
+            if name == "leather":
+                self.gabor("render", "--like", "leather.json", "-o", "leather.exr", "--png", "leather.png")
+            else:
+                self.play("open relief.json\nexport relief.exr\nexported\nquit", *WINDOW)
+            self.assertLess(np.abs(read_colour_png(self.folder / f"{name}.png")[100:400].astype(int) - overcast).mean(), 1)
+            self.close()
+
     def test_files_are_chosen_in_a_dialog(self):
         (self.folder / "folder").mkdir()
         (self.folder / "folder/mine.json").write_text('{"frequency": 3, "width": 64, "height": 64}')

@@ -41,10 +41,15 @@ class Bodies(OutputsTest):
             "a tile of metal": ({**metal, "tileable": True, "viewer": {"look": "normal", "normals": "DirectX"}}, 1.5),
             "leather's height": ({"material": "leather", "viewer": {"look": "height", "contrast": 3}}, 1.5),
             "a horizon of wood": ({"material": "wood", "filter": True, "view": "horizon"}, 1.5),
+            "wood under the sky": ({"material": "wood", "filter": True, "view": "horizon", "environment": "overcast"}, 1.5),
+            "metal under the sky": ({**metal, "view": "torus", "environment": "overcast"}, 3),
+            "noise under the sky": ({"viewer": {"output": "lit", "environment": "overcast"}}, 1.5),
+            "a sphere under the sky": ({**sphere, "viewer": {"output": "lit", "environment": "overcast"}}, 1.5),
+            "leather in the dark": ({"material": "leather", "environment": "dark"}, 1.5),
         }
         script = []
         for number, (parameters, _) in enumerate(cases.values()):
-            shown = {"look": "lit", "contrast": 2, "normals": "OpenGL", **parameters.get("viewer", {})}
+            shown = {"look": "lit", "contrast": 2, "normals": "OpenGL", "environment": "room", **parameters.get("viewer", {})}
             text = json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters, "viewer": shown})
             (self.folder / f"{number}.json").write_text(text)
             script += [f"open {number}.json", "key ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png"]
