@@ -259,12 +259,12 @@ std::vector<Parameter> make_table() {
          "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
          "in "
          "space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded mountains from "
-         "above and `landscape` in perspective, with channels R, G, B, height, slope.x, slope.y, lit.R, "
+         "above and `landscape` in perspective. Terrain has channels R, G, B, height, slope.x, slope.y, lit.R, "
          "lit.G, lit.B, ridge, erosion",
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
-         "Draw a material instead of the noise, on planes and bodies, with channels R, G, B (linear), "
+         "Draw a material instead of the noise, on planes and bodies. It has channels R, G, B (linear), "
          "height, roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. `gabor "
          "materials NAME` lists the options of one material, such as --wood.rings",
          [](const Request& r) { return Value(r.material); },

@@ -100,7 +100,7 @@ void App::restore(const Options& options) {
             if (restored)
                 restore_document(false);
         };
-        session_.question = Question{"gabor-viewer ended before its changes were saved.",
+        session_.question = Question{"The last session ended before its changes were saved.",
                                      {{"Restore them", [=] { answered(true); }, 'R'},
                                       {"Discard them", [=] { answered(false); }, 'D'}}};
     }

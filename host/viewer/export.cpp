@@ -31,17 +31,19 @@ struct NoiseMap {
     int bits = 8;
 };
 
-std::array<NoiseMap, 3> noise_maps(const Document& document) {
+// The noise of a photograph has a colour, but no height.
+std::vector<NoiseMap> noise_maps(const Document& document, bool coloured) {
     const bool stripes = document.output == Output::phasor || document.output == Output::lit_phasor;
-    std::array<NoiseMap, 3> maps{NoiseMap{"base_color.png", document},
-                                 {"normal.png", document, true},
-                                 {"height.png", document, false, 1, 16}};
-    auto& [colour, normal, height] = maps;
-    if (is_lit(document) || shows_normals(document))
-        colour.shown.output = stripes ? Output::phasor : Output::value;
-    normal.shown.output = stripes ? Output::lit_phasor : Output::lit;
-    height.shown.output = stripes ? Output::phasor : Output::value;
-    height.shown.colours = 0;
+    std::vector<NoiseMap> maps{{"base_color.png", document}};
+    if (coloured || is_lit(document) || shows_normals(document))
+        maps[0].shown.output = stripes && !coloured ? Output::phasor : Output::value;
+    if (coloured)
+        return maps;
+    maps.push_back({"normal.png", document, true});
+    maps.push_back({"height.png", document, false, 1, 16});
+    maps[1].shown.output = stripes ? Output::lit_phasor : Output::lit;
+    maps[2].shown.output = stripes ? Output::phasor : Output::value;
+    maps[2].shown.colours = 0;
     return maps;
 }
 
@@ -61,12 +63,13 @@ struct NewFolder {
 
 bool can_export_maps(const render::Request& request) {
     return render::has_maps(render::from_above(request)) ||
-           (std::holds_alternative<render::Plane>(request.view) && !request.colour);
+           std::holds_alternative<render::Plane>(request.view);
 }
 
 ExportTarget ExportTarget::of(const render::Request& request) const {
     ExportTarget target = *this;
     target.of_noise = !render::has_material(request);
+    target.coloured = request.colour.has_value();
     target.as = chosen.value_or(target.of_noise ? ExportAs::picture : ExportAs::maps);
     if (target.as == ExportAs::maps && !can_export_maps(request))
         target.as = ExportAs::picture;
@@ -93,7 +96,7 @@ std::vector<std::filesystem::path> paths_of(const ExportTarget& target) {
     if (target.as == ExportAs::maps && !target.of_noise)
         return render::map_paths(target.folder, {.directx = target.directx});
     if (target.as == ExportAs::maps) {
-        for (const NoiseMap& map : noise_maps({}))
+        for (const NoiseMap& map : noise_maps({}, target.coloured))
             paths.push_back(std::filesystem::path(target.folder) / map.name);
         return paths;
     }
@@ -129,14 +132,14 @@ std::string Exporter::result() const {
     if (!work_.was_cancelled())
         return failed() ? work_.error() : result_;
     return written_.empty() ? "cancelled; no file was written"
-                            : fmt::format("cancelled after {} files", written_.size());
+                            : fmt::format("cancelled; {} files stay", written_.size());
 }
 
 void Exporter::write_noise_maps(const vulkan::Device& device, const Document& document,
                                 const std::filesystem::path& folder,
                                 const std::function<void(std::uint64_t)>& advance) const {
     const NewFolder made(folder);
-    const auto maps = noise_maps(document);
+    const auto maps = noise_maps(document, document.request.colour.has_value());
     std::vector<image::PngWriter> writers; // open before the work begins, to fail early
     for (const NoiseMap& map : maps)
         writers.emplace_back(folder / map.name, document.request.width, document.request.height, map.channels,
@@ -167,7 +170,7 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
         static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
     const std::uint64_t total = target.as == ExportAs::texture ? render::texture_pixels(picture)
                                 : target.as == ExportAs::maps && target.of_noise
-                                    ? picture * noise_maps(document).size()
+                                    ? picture * noise_maps(document, target.coloured).size()
                                     : picture * all.size();
     std::uint64_t done = 0;
     const auto advance = [&](std::uint64_t pixels) {
@@ -203,11 +206,11 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
     const std::string size =
         fmt::format("{} x {} pixels in {:.2f} s", request.width, request.height, seconds_since(start));
     if (target.as == ExportAs::maps)
-        result_ = fmt::format("maps in the folder {}: {}", target.folder, size);
+        result_ = fmt::format("wrote maps to the folder {}: {}", target.folder, size);
     else if (target.as == ExportAs::texture)
-        result_ = fmt::format("{}: a texture of {}", target.path, size);
+        result_ = fmt::format("wrote the texture {}: {}", target.path, size);
     else
-        result_ = fmt::format("{}{}: {}", all.front().exr->string(),
+        result_ = fmt::format("wrote {}{}: {}", all.front().exr->string(),
                               frames > 1 ? " to " + all.back().exr->string() : "", size);
 }
 

@@ -24,6 +24,7 @@ struct ExportTarget {
     std::optional<ExportAs> chosen; ///< by default a material's maps, or a picture
     ExportAs as = ExportAs::picture;
     bool of_noise = false; ///< the maps
+    bool coloured = false; ///< whether the noise has the colours of a photograph
     bool png = true;       ///< write a PNG beside each EXR, except for a texture
     int frames = 24;
     bool half = false;           ///< 16-bit floats in a texture

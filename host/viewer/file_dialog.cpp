@@ -21,6 +21,7 @@ void ask(Session& session, FileDialog dialog, const std::filesystem::path& besid
         dialog.folder = std::filesystem::current_path(unknown);
     if (session.desktop_dialog.is_open())
         return;
+    session.message = {};
     if (session.desktop_dialog.open(dialog))
         session.asked = std::move(dialog);
     else
@@ -92,7 +93,7 @@ void ask_for_photograph(Session& session) {
 
 void ask_for_paint(Session& session) {
     ask(session,
-        {.title = "Directions: a picture whose red and green point along the waves, or an EXR",
+        {.title = "A map of directions: red and green point along the waves",
          .action = "Open",
          .endings = {".png", ".jpg", ".jpeg", ".tga", ".exr"},
          .take =

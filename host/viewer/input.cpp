@@ -119,23 +119,23 @@ constexpr std::array shortcuts{
     Shortcut{"right drag", "move the light of a lit view"},
     Shortcut{"wheel", "zoom the view about the pointer; the picture keeps its scale"},
     Shortcut{"arrows, + and -", "move and zoom from the keyboard"},
-    Shortcut{"double click, Home", "the view that gabor render shows", GLFW_KEY_HOME, reset_camera},
-    Shortcut{"1 to 8", "what is shown: value to lit stripes, or the looks of a material"},
-    Shortcut{"V", "the next view", GLFW_KEY_V, [](Session& s) { next_choice(s, "view"); }},
-    Shortcut{"F", "filter on and off", GLFW_KEY_F,
+    Shortcut{"double click, Home", "return to the view that gabor render draws", GLFW_KEY_HOME, reset_camera},
+    Shortcut{"1 to 8", "choose what is shown: value to lit stripes, or the looks of a material"},
+    Shortcut{"V", "choose the next view", GLFW_KEY_V, [](Session& s) { next_choice(s, "view"); }},
+    Shortcut{"F", "turn the filter on or off", GLFW_KEY_F,
              [](Session& s) { set_parameter(s.document(), "filter", !s.document().request.filter); },
-             "filter", "There is nothing to filter here"},
-    Shortcut{"C", "the next colour map", GLFW_KEY_C,
+             "filter", "Nothing can be filtered here"},
+    Shortcut{"C", "choose the next colour map", GLFW_KEY_C,
              [](Session& s) {
                  s.document().colours = (s.document().colours + 1) % static_cast<int>(colour_names.size());
              },
-             "colours", "What is shown has its own colours"},
-    Shortcut{"N", "the next seed", GLFW_KEY_N, [](Session& s) { ++s.document().request.seed; }},
-    Shortcut{"Tab", "the photograph beside its noise, or the noise alone", GLFW_KEY_TAB,
+             "colours", "This view has its own colours"},
+    Shortcut{"N", "choose the next seed", GLFW_KEY_N, [](Session& s) { ++s.document().request.seed; }},
+    Shortcut{"Tab", "show the photograph beside its noise, or the noise alone", GLFW_KEY_TAB,
              [](Session& s) { s.photograph_beside ^= s.fitter.photograph() != nullptr; }},
-    Shortcut{"T", "a tileable picture two by two, to look for seams", GLFW_KEY_T,
-             [](Session& s) { s.tiles = !s.tiles; }, "tiles", "Tiles need a tileable picture"},
-    Shortcut{"P", "the presets as pictures", GLFW_KEY_P, [](Session& s) { s.gallery = !s.gallery; }},
+    Shortcut{"T", "show a tileable picture two by two, to look for seams", GLFW_KEY_T,
+             [](Session& s) { s.tiles = !s.tiles; }, "tiles", "Make the picture tileable first"},
+    Shortcut{"P", "show the presets as pictures", GLFW_KEY_P, [](Session& s) { s.gallery = !s.gallery; }},
     Shortcut{"Space", "play time in a loop", GLFW_KEY_SPACE, [](Session& s) { s.playing = !s.playing; },
              "time", "Nothing here changes with time"},
     Shortcut{"Ctrl Z", "undo", ctrl + GLFW_KEY_Z,
@@ -143,11 +143,11 @@ constexpr std::array shortcuts{
     Shortcut{"Ctrl Y, Ctrl Shift Z", "redo", ctrl + GLFW_KEY_Y, [](Session& s) { s.history.redo(); }},
     Shortcut{"Ctrl O", "open a preset, or fit a noise to a photograph", ctrl + GLFW_KEY_O, ask_for_file},
     Shortcut{"Ctrl S", "save the preset", ctrl + GLFW_KEY_S, save_preset},
-    Shortcut{"Ctrl C", "copy the GLSL of this view", ctrl + GLFW_KEY_C, copy_glsl},
-    Shortcut{"Ctrl E", "export EXR and PNG", ctrl + GLFW_KEY_E, start_export},
-    Shortcut{"H", "hide and show the panels", GLFW_KEY_H, [](Session& s) { s.panels = !s.panels; }},
-    Shortcut{"F11", "full screen"},
-    Shortcut{"F1", "this page"},
+    Shortcut{"Ctrl C", "copy GLSL that draws this view", ctrl + GLFW_KEY_C, copy_glsl},
+    Shortcut{"Ctrl E", "export", ctrl + GLFW_KEY_E, start_export},
+    Shortcut{"H", "hide or show the panels", GLFW_KEY_H, [](Session& s) { s.panels = !s.panels; }},
+    Shortcut{"F11", "fill the screen"},
+    Shortcut{"F1", "show this page"},
     Shortcut{"Ctrl Q", "quit", ctrl + GLFW_KEY_Q, [](Session& s) { s.closing = Closing::asked; }},
 };
 
@@ -275,9 +275,9 @@ void help_window(Session& session) {
         }
         ImGui::Separator();
         ImGui::TextUnformatted(
-            "Ctrl-click a slider to type a number; double-click to set it back. Hold the pointer over "
-            "anything\n"
-            "to read what it is. In the frequency plane, click a lobe to select it, drag to move it,\n"
+            "Ctrl-click a slider to type a number; double-click it to reset it. Rest the pointer on a "
+            "control to\n"
+            "read what it does. In the frequency plane, click a lobe to select it, drag it to move it,\n"
             "double-click to add one, and press Delete to remove the selected one.");
     }
     ImGui::End();

@@ -20,9 +20,10 @@ namespace gabor::viewer {
 
 namespace {
 
+// What follows the first sentence is about files.
 std::string help_of(const render::Parameter& parameter) {
-    return parameter.unit.empty() ? std::string(parameter.help)
-                                  : fmt::format("{} ({})", parameter.help, parameter.unit);
+    const std::string_view help = parameter.help.substr(0, parameter.help.find(". "));
+    return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
 }
 
 // The default of a parameter in a view like this one.
@@ -112,7 +113,7 @@ void control(Session& session, std::string_view name) {
 
 constexpr const char* output_tips[]{
     "The noise itself, of mean 0 and variance 1",
-    "Its analytic gradient, as a normal map",
+    "The gradient of the noise, as a normal map",
     "The phase of the complex noise, for patterns of even contrast",
     "The magnitude of the complex noise",
     "The share of the variance that the filter leaves; all of it without a filter",
@@ -143,9 +144,11 @@ constexpr std::string_view exports[]{"a picture", "an animation", "a texture", "
 constexpr const char* export_tips[]{
     "An EXR of 32-bit floats with its parameters in the header",
     "NAME.0001.exr and so on: the frames of one period, which loops",
-    "A mip-mapped, tiled EXR for renderers, with each level filtered. Sides must be powers of two.",
+    "A tiled EXR for renderers, with filtered mip-map levels. Its sides must be powers of two.",
     "A folder of images for other programs: base colour, normal and height; for a material, also roughness, "
-    "metalness, occlusion, an EXR with all of them, a MaterialX document and a glTF scene"};
+    "metalness, occlusion, an EXR with all of them, a MaterialX document and a glTF scene; for the noise of "
+    "a "
+    "photograph, only the base colour"};
 
 } // namespace
 
@@ -224,7 +227,7 @@ void animation_panel(Session& session) {
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX());
     control(session, "time");
     resettable("period", session.period, 1, 60, "%.1f s", Session::default_period);
-    tooltip("Seconds for one period of the animation");
+    tooltip("Length of one period, which loops");
 }
 
 void view_panel(Session& session) {
@@ -235,7 +238,7 @@ void view_panel(Session& session) {
         choose("show", document.output, output_names, output_tips);
     if (shows_normals(document)) {
         ImGui::Checkbox("DirectX normals", &document.directx_normals);
-        tooltip("Green points down in normal maps; in OpenGL's it points up");
+        tooltip("Let green point down, as DirectX does; in OpenGL it points up");
     }
     if (has_effect(document, "profile"))
         choose("profile", document.profile, profile_names);
@@ -246,7 +249,7 @@ void view_panel(Session& session) {
     }
     if (has_effect(document, "contrast")) {
         resettable("contrast", document.contrast, least_contrast, most_contrast, "%.2f", Document().contrast);
-        tooltip("Standard deviations from the mean to the ends of the colour map; gabor render uses 2");
+        tooltip("Standard deviations from the mean to either end of the colour map; gabor render uses 2");
     }
     for (const char* name : {"view", "tileable"})
         control(session, name);
@@ -283,7 +286,7 @@ void file_panel(Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("Save", {third, 0}))
         save_preset(session);
-    tooltip("Ctrl S");
+    tooltip("Ctrl S: save the preset");
     ImGui::SameLine();
     if (ImGui::Button("Save as...", {third, 0}))
         ask_where_to_save(session);
@@ -325,17 +328,17 @@ void export_panel(Session& session) {
         tooltip("Also write normal_directx.png, whose green points down");
     } else if (as != ExportAs::maps) {
         choose("compression", target.compression, image::compression_names());
-        tooltip("Compression of the EXR: zip and the others are lossless, and take longer");
+        tooltip("Compression of the EXR, without loss; smaller files take longer");
     }
     if (as == ExportAs::texture)
         ImGui::Checkbox("16-bit floats", &target.half);
     if (as == ExportAs::picture || as == ExportAs::frames) {
-        ImGui::Checkbox("PNG beside it", &target.png);
-        tooltip("Also write what the window shows");
+        ImGui::Checkbox("PNG too", &target.png);
+        tooltip("Also write a PNG that looks like the window");
     }
     if (as == ExportAs::maps) {
         ImGui::InputText("folder", &target.folder);
-        tooltip("The folder that gets the maps");
+        tooltip("The folder to write the maps to");
     } else {
         ImGui::InputText("file", &target.path);
         tooltip("The EXR to write; an animation numbers its frames: NAME.0001.exr");
@@ -348,7 +351,7 @@ void export_panel(Session& session) {
     } else {
         if (ImGui::Button("Export now", {half, 0}))
             start_export(session);
-        tooltip("Ctrl E: render in the background, as gabor render does");
+        tooltip("Ctrl E: render in the background, with the pixels of gabor render");
         ImGui::SameLine();
         if (ImGui::Button("Export to...", {half, 0}))
             ask_where_to_export(session);
@@ -376,7 +379,7 @@ void start_buttons(Session& session) {
     ImGui::SameLine();
     if (ImGui::Button("Copy code", {other, 0}))
         copy_glsl(session);
-    tooltip("Ctrl C: copy a GLSL function that draws this view");
+    tooltip("Ctrl C: copy GLSL that draws this view");
     ImGui::SameLine();
     session.exporting_asked = ImGui::Button("Export", {other, 0});
     tooltip("Pictures, animations, textures, and sets of maps");
@@ -461,12 +464,10 @@ void view_overlay(const Session& session) {
 void reading_overlay(const Session& session, float width) {
     if (session.reading.empty())
         return;
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float margin = style.WindowPadding.x;
-    const float wrap = width - 2 * (margin + style.FramePadding.x);
-    const float wide = ImGui::CalcTextSize(session.reading.c_str(), nullptr, false, wrap).x;
-    label(*ImGui::GetBackgroundDrawList(), {width - margin - wide - 2 * style.FramePadding.x, margin},
-          session.reading, ImGui::GetColorU32(ImGuiCol_Text), wrap);
+    const float margin = ImGui::GetStyle().WindowPadding.x; // below the label of a photograph's noise
+    label(*ImGui::GetBackgroundDrawList(),
+          {width - 9.5f * ImGui::GetFontSize(), 2 * margin + ImGui::GetFontSize()}, session.reading,
+          ImGui::GetColorU32(ImGuiCol_Text));
 }
 
 void message_overlay(const Session& session, float width, float height) {

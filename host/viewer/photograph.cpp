@@ -106,14 +106,14 @@ void photograph_panel(Session& session) {
     if (ImGui::SliderInt("lobes", &lobes, 1, Fitter::most_lobes, "%d", ImGuiSliderFlags_AlwaysClamp))
         fitter.set_lobes(lobes);
     tooltip(
-        "The most lobes that the noise may have. Each costs as much as a plain noise. It has fewer if more "
-        "would only fit chance.");
-    ImGui::Checkbox("beside it", &session.photograph_beside);
-    tooltip("Tab: show the photograph beside its noise");
+        "The most lobes that the noise may have; each costs as much as a plain noise. The fit uses fewer if "
+        "more would only imitate chance.");
+    ImGui::Checkbox("side by side", &session.photograph_beside);
+    tooltip("Tab: show the photograph beside its noise, or the noise alone");
     ImGui::SameLine();
     if (ImGui::Button("Close"))
         fitter.close();
-    tooltip("Close the photograph and keep the noise");
+    tooltip("Close the photograph, and keep the noise");
     if (fitter.running())
         ImGui::ProgressBar(static_cast<float>(fitter.progress()), {width, 0});
     else if (session.fitted)

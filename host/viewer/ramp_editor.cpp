@@ -52,7 +52,7 @@ void ramp_editor(Session& session) {
         const float high = selected + 1 < ramp.size() ? ramp[selected + 1].at : 1;
         ramp[selected].at = std::clamp(pointed, low, high);
     }
-    tooltip("Drag a colour to move it, double-click between two to add one");
+    tooltip("Drag a colour to move it; double-click between two to add one");
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const float bottom = corner.y + size.y - 2 * reach;

@@ -48,8 +48,9 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
         foreign.resize(most_named - 1);
         foreign.push_back(fmt::format("{} more", count - foreign.size()));
     }
-    session.question = {fmt::format("Overwrite {}, not from this document?", fmt::join(foreign, " and ")),
-                        {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
+    session.question = {
+        fmt::format("Overwrite {}, which this document did not write?", fmt::join(foreign, " and ")),
+        {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
 }
 
 } // namespace
@@ -196,7 +197,7 @@ void start_export(Session& session) {
         return;
     const ExportTarget target = session.export_target.of(session.document().request);
     if (target.as != ExportAs::maps && lower_extension(target.path) != ".exr")
-        return notify(session, "an export needs a name that ends in .exr", true);
+        return notify(session, "the name of an export must end in .exr", true);
     for (const auto& [path, stamp] : session.exporter.written())
         session.written[path] = stamp;
     const bool same = session.exported_from == session.document().path;
@@ -216,7 +217,7 @@ void poll_exporter(Session& session) {
 void copy_glsl(Session& session) {
     const std::string code = fitted_glsl(session).value_or(snippet(session.document(), session.view));
     ImGui::SetClipboardText(code.c_str());
-    notify(session, "copied the GLSL of this view");
+    notify(session, "copied GLSL that draws this view");
 }
 
 std::vector<std::string_view> file_names(const Session& session) {

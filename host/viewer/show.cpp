@@ -134,7 +134,7 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
     std::size_t i = 0;
     if (channels.front() == "R") {
         const bool linear = render::has_material(request);
-        text += "  #";
+        text += text.empty() ? "#" : "\n#";
         for (; i < 3; ++i)
             text += fmt::format(
                 "{:02x}",
@@ -142,7 +142,8 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
     }
     for (; i < channels.size(); ++i)
         if (channels[i].find('.') == std::string::npos && channels[i] != "A") // no vectors
-            text += fmt::format("  {} {:.3g}", channels[i] == "Y" ? "value" : channels[i], values[i]);
+            text += fmt::format("{}{} {:.3g}", text.empty() ? "" : "\n",
+                                channels[i] == "Y" ? "value" : channels[i], values[i]);
     return text;
 }
 

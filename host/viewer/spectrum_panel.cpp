@@ -204,7 +204,7 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
     bool changed = false;
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < lobes.size(); ++i) {
-        const std::string text = fmt::format("{:.3g} at {:.0f}##{}", lobes[i].frequency,
+        const std::string text = fmt::format("{:.3g} at {:.0f}°##{}", lobes[i].frequency,
                                              std::round(lobes[i].orientation) + 0.0, i);
         if (ImGui::Selectable(text.c_str(), i == session.selected_lobe))
             session.selected_lobe = i;
@@ -215,11 +215,11 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
         add_lobe(session, lobes, lobe);
         changed = true;
     }
-    tooltip("Add a lobe: another noise, which costs as much");
+    tooltip("Add a lobe; it costs as much as another noise");
     if (lobes.size() > 1 && session.selected_lobe < lobes.size()) {
         if (ImGui::SmallButton("remove"))
             changed |= remove_lobe(session, lobes);
-        tooltip("Delete");
+        tooltip("Delete: remove the selected lobe");
     }
     ImGui::EndGroup();
     return changed;

@@ -10,6 +10,7 @@ import numpy as np
 from events import EventsTest  # noqa: I001 (it finds the next two)
 from outputs import COLOURED, GRADIENT, HEIGHT, INTENSITY, LOBES, NAMES, PHASE, VALUE, WIDTH, OutputsTest, padded
 from png import read_colour_png
+from viewer import SHADERS
 
 BODIES = {
     "sphere": ({"view": "sphere", "filter": False, "orientation": 30, "frequency": 2, "yaw": 20}, GRADIENT, 0, 2),
@@ -47,6 +48,14 @@ class Bodies(OutputsTest):
             "a sphere under the sky": ({**sphere, "viewer": {"output": "lit", "environment": "overcast"}}, 1.5),
             "leather in the dark": ({"material": "leather", "environment": "dark"}, 1.5),
         }
+        self.compare(cases)
+
+    def test_copied_code_draws_the_presets_of_materials(self):
+        presets = {path.stem: json.loads(path.read_text()) for path in (SHADERS.parent / "host/render/presets").glob("*.json")}
+        self.compare({name: ({**made, "width": WIDTH, "height": HEIGHT}, 1.5) for name, made in presets.items() if "material" in made})
+
+    def compare(self, cases):
+        """Compares pictures of copied code with the window's. Cases are parameters and a tolerance in 255ths."""
         script = []
         for number, (parameters, _) in enumerate(cases.values()):
             shown = {"look": "lit", "contrast": 2, "normals": "OpenGL", "environment": "room", **parameters.get("viewer", {})}

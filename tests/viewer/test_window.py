@@ -175,7 +175,7 @@ class Window(ViewerTest):
             set orientation 60
             screenshot turned.png
             key t
-            expect message tileable picture
+            expect message tileable first
             set view flat
             set output 1
             screenshot normals.png

@@ -6,7 +6,8 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next two)
+from events import EventsTest  # noqa: I001 (it finds the next three)
+from outputs import COLOURED
 from png import read_colour_png
 from test_maps import read_deep_png
 
@@ -104,7 +105,7 @@ class Workshop(EventsTest):
             self.click(1020, 51)
             self.frames(3)
             self.click(820, 671) # Export now
-            self.wait_for(lambda state: "maps in the folder maps" in state["message"])
+            self.wait_for(lambda state: "wrote maps to the folder maps" in state["message"])
             from_above = ["--view=terrain"] if name == "valley" else []
             self.gabor("render", "--like", preset, *from_above, "--maps", "expected")
             names = sorted(path.name for path in (self.folder / "expected").iterdir())
@@ -138,6 +139,21 @@ class Workshop(EventsTest):
         self.assertIn("maps", self.state["question"])
         self.keys("Escape")
         self.assertEqual(self.read("maps/base_color.png"), steel)
+        self.close()
+
+    def test_the_noise_of_a_photograph_has_a_map(self):
+        preset = self.preset("cloth.json", width=96, height=64, scale=32, seed=2, **COLOURED, viewer={"output": "value"})
+        self.open(*WINDOW, preset)
+        self.click(1020, 51)
+        self.frames(3)
+        self.click(900, 503) # what to export as
+        self.click(900, 533 + 20 * MAPS)
+        self.keys("ctrl+e")
+        self.exported()
+        self.gabor("render", "--like", preset, "-o", "expected.exr", "--png", "expected.png")
+        self.assertEqual([path.name for path in (self.folder / "maps").iterdir()], ["base_color.png"])
+        off = read_colour_png(self.folder / "maps/base_color.png").astype(int) - read_colour_png(self.folder / "expected.png")
+        self.assertLessEqual(np.abs(off).max(), 1)
         self.close()
 
     def test_stripes_have_maps(self):
