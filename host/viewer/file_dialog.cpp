@@ -188,7 +188,7 @@ void dialog_window(Session& session) {
     if (dialog.listed != dialog.folder)
         list(session, dialog);
     ImGui::TextUnformatted(dialog.folder.string().c_str());
-    ImGui::BeginChild("contents", {0, -2.0f * ImGui::GetFrameHeightWithSpacing()}, true);
+    ImGui::BeginChild("contents", {0, -ImGui::GetFrameHeightWithSpacing()}, true);
     const bool twice = contents(dialog);
     ImGui::EndChild();
     if (ImGui::IsWindowAppearing())

@@ -173,8 +173,8 @@ class Artist(EventsTest):
         for name, parameters, combo in (("leather", {"material": "leather"}, 311), ("relief", {"viewer": {"output": "lit"}}, 283)):
             (self.folder / f"{name}.json").write_text(json.dumps({"width": 352, "height": 480, "scale": 60, **parameters}))
             self.open(*WINDOW, f"{name}.json")
-            room = view()
             self.point(400, 300)
+            room = view()
             self.xdotool("click", "--repeat", 30, "--delay", 1, 5) # to the end of the panel
             self.frames(3)
             self.click(420, combo)
