@@ -13,6 +13,7 @@
 #include "render/material.hpp"
 #include "render/parameters.hpp"
 #include "render/renderer.hpp"
+#include "statistics/estimate.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -129,110 +130,55 @@ std::vector<float> drawn(const Material& material, const std::vector<float>& num
     return pixels;
 }
 
-// Blurs one channel with a normal filter of half a pixel, for pixels `block` times as large.
-class Blurred {
-  public:
-    Blurred(const std::vector<float>& picture, int side, int block, std::size_t channel)
-        : side_(side), block_(block), reach_(2 * block), rows_(picture.size() / channels) {
-        std::vector<double> values(rows_.size());
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = static_cast<double>(picture[i * channels + channel]);
-        for (int y = 0; y < side; ++y)
-            for (int x = reach_; x < side - reach_; ++x)
-                rows_[at(x, y)] = weighted([&](int i) { return values[at(x + i, y)]; });
-    }
-
-    // The value at the middle of large pixel (x, y).
-    double operator()(int x, int y) const {
-        const auto column = [&](int i) {
-            return weighted([&](int j) { return rows_[at(i, y * block_ + block_ / 2 + j)]; });
-        };
-        return (column(x * block_ + block_ / 2 - 1) + column(x * block_ + block_ / 2)) / 2;
-    }
-
-  private:
-    std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * side_ + x); }
-
-    template <typename Value>
-    double weighted(Value value) const {
-        double sum = 0;
-        double weights = 0;
-        for (int i = -reach_; i <= reach_; ++i) {
-            const double weight = std::exp(-0.5 * std::pow(2.0 * i / block_, 2));
-            sum += weight * value(i);
-            weights += weight;
-        }
-        return sum / weights;
-    }
-
-    int side_, block_, reach_;
-    std::vector<double> rows_;
-};
-
-double mean_of(const std::vector<float>& picture, std::size_t channel) {
-    double sum = 0;
-    for (std::size_t i = channel; i < picture.size(); i += channels)
-        sum += static_cast<double>(picture[i]);
-    return sum * static_cast<double>(channels) / static_cast<double>(picture.size());
+bool is_in_range(const std::array<float, channels>& values) {
+    for (std::size_t c = 0; c < channels; ++c)
+        if (!std::isfinite(values[c]) || (c != height_channel && (values[c] < 0 || values[c] > 1)))
+            return false;
+    return true;
 }
 
-double deviation_of(const std::vector<float>& picture, std::size_t channel) {
-    const double mean = mean_of(picture, channel);
-    double sum = 0;
-    for (std::size_t i = channel; i < picture.size(); i += channels)
-        sum += std::pow(static_cast<double>(picture[i]) - mean, 2);
-    return std::sqrt(sum * static_cast<double>(channels) / static_cast<double>(picture.size()));
-}
-
-constexpr std::array compared_channels{std::size_t{0}, std::size_t{1}, std::size_t{2}, height_channel};
-
-void check_range(const std::vector<float>& picture) {
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < picture.size(); ++i)
-        wrong += !(std::isfinite(picture[i]) &&
-                   (i % channels == height_channel || (picture[i] >= 0 && picture[i] <= 1)));
-    CHECK(wrong == 0);
-}
-
-// Compares pixels of 1/64 unit with 16 x 16 samples each. The error is the root mean square over eight seeds,
-// because one seed says little if the picture has few features.
+// Compares filtered pixels of 1/64 unit at random places with the mean of sharp samples under a normal
+// density that deviates by half a pixel.
 void compare(const Material& material, const std::vector<float>& numbers) {
     INFO(material.name);
-    constexpr int side = 256;
-    constexpr int block = 16;
-    constexpr int large = side / block;
-    constexpr int seeds = 8;
-    std::array<double, compared_channels.size()> square{}, variance{};
-    for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-        const std::vector<float> sharp = drawn(material, numbers, false, false, side, 0.25, seed);
-        const std::vector<float> filtered = drawn(material, numbers, true, false, large, 0.25, seed);
-        check_range(sharp);
-        check_range(filtered);
-        // This square has many features; a quarter of a unit may have none.
-        const std::vector<float> wide = drawn(material, numbers, false, false, side / 2, 15.7, seed);
-        for (std::size_t k = 0; k < compared_channels.size(); ++k) {
-            const std::size_t channel = compared_channels[k];
-            const Blurred brute(sharp, side, block, channel);
-            for (int y = 2; y < large - 2; ++y)
-                for (int x = 2; x < large - 2; ++x)
-                    square[k] +=
-                        std::pow(static_cast<double>(
-                                     filtered[static_cast<std::size_t>(y * large + x) * channels + channel]) -
-                                     brute(x, y),
-                                 2) /
-                        ((large - 4) * (large - 4) * seeds);
-            variance[k] += std::pow(deviation_of(wide, channel), 2) / seeds;
+    constexpr int places = 1000, strata = 12, samples = strata * strata;
+    constexpr float side = 1 / 64.0f;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> place(0, 30);
+    std::uniform_real_distribution<double> unit(1e-9, 1);
+    const auto offset = [&](int stratum) {
+        return side / 2 * static_cast<float>(statistics::normal_quantile((stratum + unit(random)) / strata));
+    };
+    std::array<double, channels> sum{}, square{}, error{};
+    int wrong = 0;
+    for (int i = 0; i < places; ++i) {
+        const gabor_vec2 p(place(random), place(random));
+        const auto seed = static_cast<std::uint32_t>(random());
+        std::array<double, channels> mean{};
+        for (int k = 0; k < samples; ++k) {
+            const gabor_vec2 at(p.x + offset(k % strata), p.y + offset(k / strata));
+            const auto sharp = values_of(material.at(gabor_pixel(at), numbers, seed));
+            wrong += !is_in_range(sharp);
+            for (std::size_t c = 0; c < channels; ++c) {
+                const double value = static_cast<double>(sharp[c]);
+                mean[c] += value / samples;
+                sum[c] += value / (places * samples);
+                square[c] += value * value / (places * samples);
+            }
         }
+        const GaborPixel pixel = gabor_pixel_filtered(p, gabor_vec2(side, 0), gabor_vec2(0, side));
+        const auto filtered = values_of(material.at(pixel, numbers, seed));
+        wrong += !is_in_range(filtered);
+        for (std::size_t c = 0; c < channels; ++c)
+            error[c] += std::pow(static_cast<double>(filtered[c]) - mean[c], 2) / places;
     }
-    for (std::size_t k = 0; k < compared_channels.size(); ++k) {
-        if (variance[k] == 0)
-            continue;
-        const double error = std::sqrt(square[k]);
-        const double share = std::sqrt(square[k] / variance[k]);
+    CHECK(wrong == 0);
+    for (std::size_t c = 0; c <= height_channel; ++c) {
+        const double contrast = std::sqrt(square[c] - sum[c] * sum[c]), rms = std::sqrt(error[c]);
         fmt::print("  {:<14} {:<7} contrast {:.4f}, error {:.4f}, {:.3f} of the contrast\n", material.name,
-                   render::material_channels[compared_channels[k]], std::sqrt(variance[k]), error, share);
-        CHECK(share < 0.35);
-        CHECK((compared_channels[k] == height_channel || error < 0.036));
+                   render::material_channels[c], contrast, rms, rms / contrast);
+        CHECK(rms < 0.38 * contrast);
+        CHECK((c == height_channel || rms < 0.038));
     }
 }
 
@@ -367,36 +313,36 @@ TEST_CASE("a picture of a material is its function at each pixel", "[material]")
     const vulkan::Device device;
     constexpr int side = 48;
     std::mt19937 random(3);
-    for (const Material& material : materials)
-        for (const bool filter : {false, true}) {
-            Request request{.width = side,
-                            .height = side,
-                            .scale = 12,
-                            .seed = 7,
-                            .view = render::Plane{.tileable = filter},
-                            .material = std::string(material.name),
-                            .filter = filter};
-            CHECK(numbers_of(request).size() == material.by_default().size());
-            for (std::size_t i = 0; i < material.by_default().size(); ++i)
-                CHECK(numbers_of(request)[i] == Approx(material.by_default()[i]).epsilon(1e-6));
-            randomize(request, random);
-            render::check(request);
-            CHECK(render::from_json(render::to_json(request)) == request);
-            std::vector<float> pixels;
-            render::render_region(device, request, {0, 0, side, side}, [&](std::span<const float> rows) {
-                pixels.insert(pixels.end(), rows.begin(), rows.end());
-            });
-            const std::vector<float> expected = drawn(material, numbers_of(request), filter, filter, side,
-                                                      side / request.scale, request.seed);
-            constexpr std::size_t all = render::material_channels.size();
-            REQUIRE(pixels.size() / all == expected.size() / channels);
-            test::Largest largest;
-            for (std::size_t i = 0; i < expected.size(); ++i)
-                largest.see(pixels[i / channels * all + i % channels], expected[i], 1e-4, [&] {
-                    return fmt::format("channel {} of pixel {}", i % channels, i / channels);
-                });
-            largest.check(fmt::format("{}{}", filter ? "filtered, tiled " : "", material.name));
-        }
+    bool filter = false; // every other material is filtered and tiled; compiling each pass takes a while
+    for (const Material& material : materials) {
+        filter = !filter;
+        Request request{.width = side,
+                        .height = side,
+                        .scale = 12,
+                        .seed = 7,
+                        .view = render::Plane{.tileable = filter},
+                        .material = std::string(material.name),
+                        .filter = filter};
+        CHECK(numbers_of(request).size() == material.by_default().size());
+        for (std::size_t i = 0; i < material.by_default().size(); ++i)
+            CHECK(numbers_of(request)[i] == Approx(material.by_default()[i]).epsilon(1e-6));
+        randomize(request, random);
+        render::check(request);
+        CHECK(render::from_json(render::to_json(request)) == request);
+        std::vector<float> pixels;
+        render::render_region(device, request, {0, 0, side, side}, [&](std::span<const float> rows) {
+            pixels.insert(pixels.end(), rows.begin(), rows.end());
+        });
+        const std::vector<float> expected =
+            drawn(material, numbers_of(request), filter, filter, side, side / request.scale, request.seed);
+        constexpr std::size_t all = render::material_channels.size();
+        REQUIRE(pixels.size() / all == expected.size() / channels);
+        test::Largest largest;
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            largest.see(pixels[i / channels * all + i % channels], expected[i], 1e-4,
+                        [&] { return fmt::format("channel {} of pixel {}", i % channels, i / channels); });
+        largest.check(fmt::format("{}{}", filter ? "filtered, tiled " : "", material.name));
+    }
 }
 
 TEST_CASE("each material has at least three presets, one of them named after it with the default look",
