@@ -3,7 +3,9 @@
 // Helps tests of functions to draw arguments and to compare results with the double-precision reference.
 
 #include "largest.hpp"
-#include "reference/field.hpp"
+#include "reference/lattice.hpp"
+
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -54,6 +56,12 @@ class Draw {
     std::mt19937 random_;
 };
 
+template <std::size_t N>
+std::string to_string(const noise::Place<N>& p) {
+    return fmt::format("cell {} + {}, radius {}, period {}, time {}", p.cell, p.local, p.radius, p.period,
+                       p.animated ? p.time : 0);
+}
+
 // ---- Comparisons of a drop-in's vectors, whose types differ from class to class
 
 /// Compares a complex number, given as (real part, noise).
@@ -66,20 +74,20 @@ void see(Largest& largest, const auto& value, std::complex<double> expected, dou
 
 /// Compares a GaborField.
 template <typename Place>
-void see(Largest& values, Largest& slopes, const auto& field, const noise::Field& expected, double tolerance,
-         double slope_tolerance, const Place& place) {
+void see(Largest& values, Largest& slopes, const auto& field, const noise::Field<2>& expected,
+         double tolerance, double slope_tolerance, const Place& place) {
     see(values, field.value, expected.value, tolerance, place);
-    see(slopes, field.slope_x, expected.slope_x, slope_tolerance, place);
-    see(slopes, field.slope_y, expected.slope_y, slope_tolerance, place);
+    see(slopes, field.slope_x, expected.slope[0], slope_tolerance, place);
+    see(slopes, field.slope_y, expected.slope[1], slope_tolerance, place);
 }
 
 /// Compares (noise, d/dx, d/dy).
 template <typename Place>
-void see_gradient(Largest& values, Largest& slopes, const auto& gradient, const noise::Field& expected,
+void see_gradient(Largest& values, Largest& slopes, const auto& gradient, const noise::Field<2>& expected,
                   double tolerance, double slope_tolerance, const Place& place) {
     values.see(gradient.x, expected.value.imag(), tolerance, place);
-    slopes.see(gradient.y, expected.slope_x.imag(), slope_tolerance, place);
-    slopes.see(gradient.z, expected.slope_y.imag(), slope_tolerance, place);
+    slopes.see(gradient.y, expected.slope[0].imag(), slope_tolerance, place);
+    slopes.see(gradient.z, expected.slope[1].imag(), slope_tolerance, place);
 }
 
 /// Compares the numbers of a vector.

@@ -53,63 +53,70 @@ struct Lattice3 {
 
 } // namespace
 
-/// Converts a place to the drop-in's type.
-template <typename Functions>
-auto place_of(Functions&, const noise::LatticePlace& place) {
-    return typename Functions::GaborPlace{
-        {place.cell_x, place.cell_y},
-        {static_cast<float>(place.local_x), static_cast<float>(place.local_y)},
-        {static_cast<float>(place.radius_x), static_cast<float>(place.radius_y)},
-        {place.period_x, place.period_y},
-        place.animated,
-        static_cast<float>(place.time)};
+inline noise::Vector<2> wide(gabor_vec2 v) {
+    return {v.x, v.y};
+}
+inline noise::Vector<3> wide(gabor_vec3 v) {
+    return {v.x, v.y, v.z};
+}
+inline gabor_vec2 narrow(const noise::Vector<2>& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1])};
+}
+inline gabor_vec3 narrow(const noise::Vector<3>& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
-/// A place without a period.
-inline noise::LatticePlace lattice_place(int taps, double local_x, double local_y, std::int32_t cell_x = 0,
-                                         std::int32_t cell_y = 0) {
-    return {cell_x, cell_y, local_x, local_y, 0.5 * taps, 0.5 * taps};
+/// Converts a place to the drop-in's type.
+template <typename Functions>
+auto place_of(Functions&, const noise::Place<2>& place) {
+    const auto& [cell, local, radius, period, animated, time] = place;
+    return typename Functions::GaborPlace{{cell[0], cell[1]},     narrow(local), narrow(radius),
+                                          {period[0], period[1]}, animated,      static_cast<float>(time)};
+}
+
+/// The place that functions of a position compute from it in single precision.
+template <typename Vector>
+auto lattice_place(int taps, const Vector& p) {
+    noise::Place<sizeof(Vector) / sizeof(float)> place;
+    for (std::size_t axis = 0; axis < place.local.size(); ++axis) {
+        place.local[axis] = p[static_cast<int>(axis)] * (0.5f * static_cast<float>(taps));
+        place.radius[axis] = 0.5 * taps;
+    }
+    return place;
 }
 
 /// The place of p, in kernel radii, in noise that repeats after `tile`.
-inline noise::LatticePlace lattice_tile(int taps, gabor_vec2 p, gabor_vec2 tile) {
-    noise::LatticePlace place;
-    const auto along = [&](double at, double period, double& local, double& radius, std::int32_t& nodes) {
-        nodes = std::max(static_cast<std::int32_t>(std::floor(period * 0.5 * taps + 0.5)), taps);
-        radius = nodes / period;
-        local = (at / period - std::floor(at / period)) * nodes;
-    };
-    along(p.x, tile.x, place.local_x, place.radius_x, place.period_x);
-    along(p.y, tile.y, place.local_y, place.radius_y, place.period_y);
+template <typename Vector>
+auto lattice_tile(int taps, const Vector& p, const Vector& tile) {
+    auto place = lattice_place(taps, p);
+    for (std::size_t axis = 0; axis < place.local.size(); ++axis) {
+        const double period = tile[static_cast<int>(axis)], turns = p[static_cast<int>(axis)] / period;
+        const int nodes = std::max(static_cast<int>(std::floor(period * 0.5 * taps + 0.5)), taps);
+        place.period[axis] = nodes;
+        place.radius[axis] = nodes / period;
+        place.local[axis] = (turns - std::floor(turns)) * nodes;
+    }
     return place;
 }
 
 /// Draws a place near the origin or in any cell, with or without a period, at rest or at any time. One
 /// coordinate in four is on or next to a cell border, where a window ends.
-inline noise::LatticePlace any_lattice_place(Draw& draw, int taps) {
-    noise::LatticePlace place;
-    const auto along = [&](std::int32_t& cell, double& local, double& radius, std::int32_t& period) {
-        cell = draw.word() % 2 ? draw.cell() : static_cast<std::int32_t>(draw.uniform(-5, 5));
+inline noise::Place<2> any_lattice_place(Draw& draw, int taps) {
+    noise::Place<2> place;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        place.cell[axis] = draw.word() % 2 ? draw.cell() : static_cast<std::int32_t>(draw.uniform(-5, 5));
         float at = draw.uniform(-2, 3);
         if (draw.one_in(4))
             at = 0.5f * std::round(2 * at);
         if (draw.one_in(4))
             at = draw.edge(at, 0.5f);
-        local = at;
-        radius = 0.5f * static_cast<float>(taps) * draw.uniform(0.8, 1.3);
-        period = draw.word() % 2 ? taps + static_cast<std::int32_t>(draw.word() % 50) : 0;
-    };
-    along(place.cell_x, place.local_x, place.radius_x, place.period_x);
-    along(place.cell_y, place.local_y, place.radius_y, place.period_y);
+        place.local[axis] = at;
+        place.radius[axis] = 0.5f * static_cast<float>(taps) * draw.uniform(0.8, 1.3);
+        place.period[axis] = draw.word() % 2 ? taps + static_cast<std::int32_t>(draw.word() % 50) : 0;
+    }
     place.animated = draw.word() % 2;
     place.time = draw.uniform(-2, 2);
     return place;
-}
-
-inline std::string to_string(const noise::LatticePlace& p) {
-    return fmt::format("cell ({}, {}) + ({}, {}), radius ({}, {}), period ({}, {}), time {}", p.cell_x,
-                       p.cell_y, p.local_x, p.local_y, p.radius_x, p.radius_y, p.period_x, p.period_y,
-                       p.animated ? p.time : 0);
 }
 
 /// A pixel's steps in the plane, in kernel radii.

@@ -12,7 +12,7 @@ namespace {
 test::Lattice3 n;
 
 struct Sample {
-    noise::LatticePlace place;
+    noise::Place<2> place;
     gabor_vec2 p, tile;
     std::uint32_t seed;
     float sharpness;
@@ -23,44 +23,42 @@ std::string to_string(const Sample& s) {
                        s.p.x, s.p.y, s.tile.x, s.tile.y, s.seed, s.sharpness);
 }
 
-double wrapped(double index, double period) {
-    return period > 0 ? index - std::floor(index / period) * period : index;
-}
+using Vectors = std::array<noise::Vector<2>, 9>;
 
 // The positions of the nine nodes around a place, row by row.
-noise::Lattice::Waves nodes_around(const noise::LatticePlace& place) {
-    noise::Lattice::Waves nodes{};
+Vectors nodes_around(const noise::Place<2>& place) {
+    Vectors nodes{};
     for (int k = 0; k < 9; ++k) {
-        const double i = place.cell_x + std::floor(place.local_x + 0.5) + k % 3 - 1;
-        const double j = place.cell_y + std::floor(place.local_y + 0.5) + k / 3 - 1;
-        nodes.at(static_cast<std::size_t>(k)) = {wrapped(i, place.period_x) / place.radius_x,
-                                                 wrapped(j, place.period_y) / place.radius_y};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double offset = axis == 0 ? k % 3 - 1 : k / 3 - 1, period = place.period[axis];
+            double index = place.cell[axis] + std::floor(place.local[axis] + 0.5) + offset;
+            if (period > 0)
+                index -= std::floor(index / period) * period;
+            nodes.at(static_cast<std::size_t>(k))[axis] = index / place.radius[axis];
+        }
     }
     return nodes;
 }
 
 // Lattice3::map_at in double precision.
-std::array<double, 2> map_at(double x, double y) {
-    return x + y > 1 ? std::array<double, 2>{1.5, 0.25 * y} : std::array<double, 2>{-0.5 * x, 2};
+noise::Vector<2> map_at(const noise::Vector<2>& p) {
+    return p[0] + p[1] > 1 ? noise::Vector<2>{1.5, 0.25 * p[1]} : noise::Vector<2>{-0.5 * p[0], 2};
 }
 
-noise::Field along_map(const noise::LatticePlace& place, std::uint32_t seed) {
-    noise::Lattice::Waves waves = nodes_around(place);
-    for (auto& wave : waves)
-        wave = map_at(wave[0], wave[1]);
-    return noise::Lattice::field(place, waves, seed);
+noise::Field<2> along_map(const noise::Place<2>& place, std::uint32_t seed) {
+    Vectors waves = nodes_around(place);
+    std::ranges::transform(waves, waves.begin(), map_at);
+    return noise::map_noise(waves, seed).field(place);
 }
 
 // Whether rounding can select other nodes around the place.
-bool is_between_nodes(const noise::LatticePlace& place) {
-    const auto near_edge = [](double local) {
-        return std::abs(local + 0.5 - std::round(local + 0.5)) < 1e-4;
-    };
-    return near_edge(place.local_x) || near_edge(place.local_y);
+bool is_between_nodes(const noise::Place<2>& place) {
+    return std::ranges::any_of(
+        place.local, [](double local) { return std::abs(local + 0.5 - std::round(local + 0.5)) < 1e-4; });
 }
 
 // Whether rounding can select other nodes, or the other side of the map's jump at a node.
-bool is_ambiguous(const noise::LatticePlace& place) {
+bool is_ambiguous(const noise::Place<2>& place) {
     return is_between_nodes(place) || std::ranges::any_of(nodes_around(place), [](const auto& node) {
                return std::abs(node[0] + node[1] - 1) < 1e-4;
            });
@@ -79,29 +77,29 @@ TEST_CASE("noise along a map agrees with the reference in any cell, with any per
     for (int i = 0; i < count; ++i) {
         Sample s{test::any_lattice_place(draw, 3), draw.uniform<gabor_vec2>(-8, 8),
                  draw.uniform<gabor_vec2>(1.5, 9), draw.word(), draw.uniform(0, 4)};
-        const auto see_stripes = [&](const char* name, gabor_vec3 stripes, const noise::Field& expected) {
+        const auto see_stripes = [&](const char* name, gabor_vec3 stripes, const noise::Field<2>& expected) {
             see(of[name], stripes, noise::lattice_stripes(expected.value, s.sharpness),
                 tight * std::max(1.0f, s.sharpness), s);
         };
         test::Lattice3::GaborWaves given;
-        noise::Lattice::Waves waves;
+        Vectors waves;
         const auto around = nodes_around(s.place);
         for (std::size_t k = 0; k < 9; ++k) {
             const int index = static_cast<int>(k);
             given.wave[index] = draw.uniform<gabor_vec2>(-4, 4);
             if (draw.one_in(8))
                 given.wave[index].x = 0;
-            waves.at(k) = {given.wave[index].x, given.wave[index].y};
+            waves.at(k) = test::wide(given.wave[index]);
             const gabor_vec2 node = n.gabor_node_position(place_of(n, s.place), index);
-            if (!is_between_nodes(s.place) && s.place.period_x && s.place.period_y)
+            if (!is_between_nodes(s.place) && s.place.period[0] && s.place.period[1])
                 see(of["gabor_node_position"], node, around.at(k), 1e-5, s);
         }
         if (!is_between_nodes(s.place))
             see(of["gabor_field_waves"], of["gabor_field_waves, slopes"],
                 n.gabor_field_waves(place_of(n, s.place), given, s.seed),
-                noise::Lattice::field(s.place, waves, s.seed), 2e-5, 6e-4, s);
+                noise::map_noise(waves, s.seed).field(s.place), 2e-5, 6e-4, s);
 
-        s.place.cell_x = s.place.cell_y = 0; // the map is bounded only near the origin
+        s.place.cell = {}; // the map is bounded only near the origin
         if (is_ambiguous(s.place))
             ++left_out;
         else {
@@ -112,7 +110,7 @@ TEST_CASE("noise along a map agrees with the reference in any cell, with any per
                         n.gabor_stripes_direction_at(place_of(n, s.place), s.sharpness, s.seed), expected);
         }
 
-        const noise::LatticePlace here = test::lattice_place(3, s.p.x * 1.5f, s.p.y * 1.5f);
+        const noise::Place<2> here = test::lattice_place(3, s.p);
         if (is_ambiguous(here))
             ++left_out;
         else {
@@ -127,7 +125,7 @@ TEST_CASE("noise along a map agrees with the reference in any cell, with any per
                         expected);
         }
 
-        const noise::LatticePlace tile = test::lattice_tile(3, s.p, s.tile);
+        const noise::Place<2> tile = test::lattice_tile(3, s.p, s.tile);
         if (is_ambiguous(tile))
             ++left_out;
         else {

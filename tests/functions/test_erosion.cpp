@@ -276,7 +276,7 @@ void compare(Terrains<Functions> terrains) {
     test::Differences of;
     for (int i = 0; i < 1 << 15; ++i) {
         const Sample s = drawn(draw);
-        const noise::Vector dx{s.dx.x, s.dx.y}, dy{s.dy.x, s.dy.y};
+        const noise::Vector<2> dx{s.dx.x, s.dx.y}, dy{s.dy.x, s.dy.y};
         const Terrain hills = terrains.hills(s), wanted = noise::terrain(s.ground(), dx, dy, s.seed);
         of["gabor_terrain_at"].see(hills.height, wanted.height, 5e-7, s);
         of["gabor_terrain_at"].see(hills.ridge, wanted.ridge, 1e-6, s);

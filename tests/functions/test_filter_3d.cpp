@@ -6,8 +6,8 @@
 #include <vector>
 
 using namespace gabor;
-using noise::Isotropic3d;
-using noise::Lattice3d;
+using noise::cross;
+using noise::scaled;
 using std::numbers::pi;
 using test::Differences;
 using test::Largest;
@@ -15,21 +15,16 @@ using test::narrow;
 using test::place_of;
 using test::random_unit;
 using test::Sample3d;
-using test::scaled;
-using Vector = Lattice3d::Vector;
+using Vector = noise::Vector<3>;
 
 namespace {
 
 test::Lattice3 n;
 
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // Turns v around a unit axis by Rodrigues' formula.
 Vector rotated(const Vector& v, const Vector& axis, double angle) {
     const Vector aside = cross(axis, v);
-    const double along = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
+    const double along = noise::dot(axis, v);
     Vector result;
     for (std::size_t i = 0; i < 3; ++i)
         result[i] =
@@ -40,7 +35,8 @@ Vector rotated(const Vector& v, const Vector& axis, double angle) {
 // Sets a pixel that faces `normal`, turned around it by an angle, with the given deviation along one side and
 // `ratio` times that along the other side.
 void set_pixel(Sample3d& sample, const Vector& normal, double angle, double deviation, double ratio) {
-    const Vector u = test::unit(cross(normal, std::abs(normal[0]) < 0.5 ? Vector{1, 0, 0} : Vector{0, 1, 0}));
+    const Vector u =
+        noise::unit(cross(normal, std::abs(normal[0]) < 0.5 ? Vector{1, 0, 0} : Vector{0, 1, 0}));
     sample.dx = narrow(scaled(2 * deviation, rotated(u, normal, angle)));
     sample.dy = narrow(scaled(2 * deviation * ratio, rotated(cross(normal, u), normal, angle)));
 }
@@ -58,25 +54,30 @@ Sample3d somewhere(test::Draw& draw, double frequency, const Vector& direction) 
 }
 
 test::Lattice3::GaborField3d filtered_field(const Sample3d& s) {
-    return n.gabor_field_3d(place_of(n, s, false, true), s.frequency, s.direction, s.seed);
+    return n.gabor_field_3d(place_of(n, s, true), s.frequency, s.direction, s.seed);
 }
 test::Lattice3::GaborField3d filtered_isotropic(const Sample3d& s) {
-    return n.gabor_isotropic_3d(place_of(n, s, false, true), s.frequency, s.seed);
+    return n.gabor_isotropic_3d(place_of(n, s, true), s.frequency, s.seed);
 }
 test::Lattice3::GaborField3d filtered_surface_isotropic(const Sample3d& s) {
-    return n.gabor_surface_isotropic_3d(place_of(n, s, false, true), s.normal, s.frequency, s.seed);
+    return n.gabor_surface_isotropic_3d(place_of(n, s, true), s.normal, s.frequency, s.seed);
 }
 
-Lattice3d wave_of(const Sample3d& s) {
-    return Lattice3d(scaled(s.frequency, test::unit(s.direction)), s.seed);
+noise::Sum<3> wave_of(const Sample3d& s) {
+    return noise::wave_noise(3, scaled(s.frequency, noise::unit(test::wide(s.direction))), s.seed);
+}
+noise::Sum<3> isotropic_of(const Sample3d& s) {
+    return noise::isotropic_noise_3d(s.frequency, s.seed);
+}
+noise::Sum<3> surface_isotropic_of(const Sample3d& s) {
+    return noise::isotropic_surface_noise(noise::unit(test::wide(s.normal)), s.frequency, s.seed);
 }
 
 // Errors relative to the deviations of the unfiltered noise and gradient.
 class Error {
   public:
-    template <typename Reference>
-    void see(const test::Lattice3::GaborField3d& found, const Sample3d& s, const Reference& reference) {
-        const Lattice3d::Field exact = reference.filtered(s.place, test::wide(s.dx), test::wide(s.dy));
+    void see(const test::Lattice3::GaborField3d& found, const Sample3d& s, const noise::Sum<3>& reference) {
+        const noise::Field<3> exact = reference.filtered(s.place, test::wide(s.dx), test::wide(s.dy));
         const auto square = [](float real, float imaginary, std::complex<double> value) {
             return std::norm(std::complex<double>(real, imaginary) - value) / 2;
         };
@@ -116,32 +117,6 @@ class Error {
     Largest removed_;
 };
 
-// A sum of independent noises.
-struct Terms {
-    std::vector<noise::WeightedIsotropic> terms;
-
-    explicit Terms(const Sample3d& s)
-        : terms(noise::surface_isotropic(test::unit(s.normal), s.frequency, s.seed)) {}
-
-    Lattice3d::Field filtered(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const {
-        Lattice3d::Field sum{};
-        for (const auto& [weight, noise] : terms) {
-            const Lattice3d::Field one = noise.filtered(place, dx, dy);
-            sum.value += weight * one.value;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                sum.slope[axis] += weight * one.slope[axis];
-        }
-        return sum;
-    }
-
-    double removed(const Lattice3d::Place& place, const Vector& dx, const Vector& dy) const {
-        double sum = 0;
-        for (const auto& [weight, noise] : terms)
-            sum += weight * weight * noise.removed(place, dx, dy);
-        return sum;
-    }
-};
-
 } // namespace
 
 TEST_CASE("the filter in space errs by at most 1 % up to a third of a radius, and 2 % up to a radius",
@@ -151,7 +126,7 @@ TEST_CASE("the filter in space errs by at most 1 % up to a third of a radius, an
     for (const double deviation : {0.08, 1.0 / 6, 0.354, 0.5}) {
         for (const double ratio : {0.0, 0.4, 1.0}) {
             for (const Vector& normal :
-                 {Vector{0, 0, 1}, test::unit(Vector{1, 1, 0}), test::unit(Vector{1, 2, 3})}) {
+                 {Vector{0, 0, 1}, noise::unit(Vector{1, 1, 0}), noise::unit(Vector{1, 2, 3})}) {
                 for (const double frequency : {0.0, 0.5, 1.0, 2.0}) {
                     Error error;
                     for (int i = 0; i < 32; ++i) {
@@ -196,7 +171,7 @@ TEST_CASE("functions of a position are filtered like fields, and surface noise l
     for (int i = 0; i < 200; ++i) {
         Sample3d s;
         s.p = draw.uniform<gabor_vec3>(-9, 9);
-        s.place = test::lattice_place(s.p);
+        s.place = test::lattice_place(3, s.p);
         s.frequency = draw.uniform(0, 2);
         s.direction = narrow(random_unit(draw));
         s.normal = narrow(random_unit(draw));
@@ -212,8 +187,9 @@ TEST_CASE("functions of a position are filtered like fields, and surface noise l
         see("gabor_noise_3d_isotropic_filtered",
             n.gabor_noise_3d_isotropic_filtered(s.p, s.dx, s.dy, s.frequency, s.seed), filtered_isotropic(s));
         std::array<double, 4> sum{}; // noise, quadrature, a slope, the removed variance
-        for (const noise::WeightedWave& wave :
-             noise::surface_waves(test::unit(s.normal), s.frequency, test::unit(s.direction), s.seed)) {
+        for (const noise::SurfaceWave& wave :
+             noise::surface_waves(noise::unit(test::wide(s.normal)), s.frequency,
+                                  noise::unit(test::wide(s.direction)), s.seed)) {
             Sample3d term = s;
             term.direction = narrow(wave.wave);
             term.seed = wave.seed;
@@ -224,7 +200,7 @@ TEST_CASE("functions of a position are filtered like fields, and surface noise l
             sum[3] += wave.weight * wave.weight * field.removed;
         }
         const auto surface =
-            n.gabor_surface_3d(place_of(n, s, false, true), s.normal, s.frequency, s.direction, s.seed);
+            n.gabor_surface_3d(place_of(n, s, true), s.normal, s.frequency, s.direction, s.seed);
         of["surface"].see(surface.noise, sum[0], 1e-4, s);
         of["surface"].see(surface.quadrature, sum[1], 1e-4, s);
         of["surface"].see(surface.gradient.x + surface.quadrature_gradient.z, sum[2], 2e-3, s);
@@ -250,9 +226,9 @@ TEST_CASE("isotropic noise in space and on surfaces is filtered within 2 % up to
                         s.normal = narrow(normal);
                         set_pixel(s, normal, draw.uniform(-3, 3), deviation, ratio);
                         if (on_surface)
-                            error.see(filtered_surface_isotropic(s), s, Terms(s));
+                            error.see(filtered_surface_isotropic(s), s, surface_isotropic_of(s));
                         else
-                            error.see(filtered_isotropic(s), s, Isotropic3d(s.frequency, s.seed));
+                            error.see(filtered_isotropic(s), s, isotropic_of(s));
                     }
                     error.check(fmt::format("{}, deviation {:.3f} x {:.1f}, frequency {}",
                                             on_surface ? "surface" : "space", deviation, ratio, frequency),
@@ -274,9 +250,9 @@ TEST_CASE("the removed variance of isotropic noise is right for any pixel", "[sp
         set_pixel(s, draw.word() % 2 ? normal : random_unit(draw), draw.uniform(-3, 3),
                   std::exp2(draw.uniform(-5, 1)), draw.uniform(0, 1));
         const Vector dx = test::wide(s.dx), dy = test::wide(s.dy);
-        space.see(filtered_isotropic(s).removed, Isotropic3d(s.frequency, s.seed).removed(s.place, dx, dy),
-                  0.013, s);
-        surface.see(filtered_surface_isotropic(s).removed, Terms(s).removed(s.place, dx, dy), 0.013, s);
+        space.see(filtered_isotropic(s).removed, isotropic_of(s).removed(s.place, dx, dy), 0.013, s);
+        surface.see(filtered_surface_isotropic(s).removed, surface_isotropic_of(s).removed(s.place, dx, dy),
+                    0.013, s);
     }
     space.check("variance removed in space");
     surface.check("  on surfaces");

@@ -1,6 +1,7 @@
 // Compares isotropic noise of gabor_spectrum.glsl with the double-precision reference.
 
 #include "lattice.hpp"
+#include "reference/sum.hpp"
 
 #include <array>
 
@@ -15,7 +16,7 @@ namespace {
 test::Lattice3 n;
 
 struct Sample {
-    noise::LatticePlace place;
+    noise::Place<2> place;
     gabor_vec2 p, tile;
     float frequency;
     std::uint32_t seed;
@@ -24,25 +25,6 @@ struct Sample {
 std::string to_string(const Sample& s) {
     return fmt::format("{}, p ({}, {}), tile ({}, {}), frequency {}, seed {}", test::to_string(s.place),
                        s.p.x, s.p.y, s.tile.x, s.tile.y, s.frequency, s.seed);
-}
-
-// The reference averaged over a pixel, by a sum over a grid that extends four deviations each way.
-double filtered_reference(gabor_vec2 p, const test::Pixel& pixel, float frequency, std::uint32_t seed) {
-    constexpr int steps = 10;
-    double sum = 0, weights = 0;
-    for (int i = -steps; i <= steps; ++i) {
-        for (int j = -steps; j <= steps; ++j) {
-            const double a = 4.0 * i / steps, b = 4.0 * j / steps;
-            const double weight = std::exp(-(a * a + b * b) / 2);
-            const double x = p.x + (a * pixel.dx.x + b * pixel.dy.x) / 2,
-                         y = p.y + (a * pixel.dx.y + b * pixel.dy.y) / 2;
-            sum +=
-                weight * noise::lattice_isotropic(test::lattice_place(3, 1.5 * x, 1.5 * y), frequency, seed)
-                             .value.imag();
-            weights += weight;
-        }
-    }
-    return sum / weights;
 }
 
 } // namespace
@@ -61,20 +43,21 @@ TEST_CASE("isotropic noise agrees with the reference in any cell, with any perio
         const double steep = test::isotropic_slope(s.frequency);
         const auto field = n.gabor_field_isotropic(place_of(n, s.place), s.frequency, s.seed);
         see(of["gabor_field_isotropic"], of["gabor_field_isotropic, gradient"], field,
-            noise::lattice_isotropic(s.place, s.frequency, s.seed), few, few * steep, s);
+            noise::isotropic_noise(s.frequency, s.seed).field(s.place), few, few * steep, s);
         float removed;
         const auto filtered = n.gabor_field_isotropic_filtered(
             place_of(n, s.place), s.frequency, n.gabor_footprint({0, 0}, {0, 0}), s.seed, removed);
         of["filtered by a point"].see(filtered.value.y, field.value.y, few, s);
-        const auto here =
-            noise::lattice_isotropic(test::lattice_place(3, s.p.x * 1.5, s.p.y * 1.5), s.frequency, s.seed);
+        const auto here = noise::isotropic_noise(s.frequency, s.seed).field(test::lattice_place(3, s.p));
         of["gabor_noise_isotropic"].see(n.gabor_noise_isotropic(s.p, s.frequency, s.seed), here.value.imag(),
                                         far, s);
         see_gradient(of["gabor_noise_isotropic, gradient"], of["gabor_noise_isotropic, gradient"],
                      n.gabor_noise_isotropic_gradient(s.p, s.frequency, s.seed), here, far, far * steep, s);
         of["gabor_noise_isotropic, tiled"].see(
             n.gabor_noise_isotropic_tiled(s.p, s.tile, s.frequency, s.seed),
-            noise::lattice_isotropic(test::lattice_tile(3, s.p, s.tile), s.frequency, s.seed).value.imag(),
+            noise::isotropic_noise(s.frequency, s.seed)
+                .field(test::lattice_tile(3, s.p, s.tile))
+                .value.imag(),
             2 * far, s);
     }
     test::check(of, 6);
@@ -94,7 +77,10 @@ TEST_CASE("isotropic noise is filtered within 2 % up to 0.3 radii, and within 4 
                     const test::Pixel pixel(axis / 2, ratio, draw.uniform(0, 3.2));
                     const float found =
                         n.gabor_noise_isotropic_filtered(p, pixel.dx, pixel.dy, frequency, seed).x;
-                    squares += std::pow(found - filtered_reference(p, pixel, frequency, seed), 2);
+                    const noise::Sum<2> reference(noise::isotropic_noise(frequency, seed));
+                    const noise::Field<2> exact = reference.filtered(
+                        test::lattice_place(3, p), test::wide(pixel.dx), test::wide(pixel.dy));
+                    squares += std::pow(found - exact.value.imag(), 2);
                 }
                 const double error = std::sqrt(squares / count);
                 fmt::print("  pixel of {} radii, ratio {}, frequency {}: rms error {:.4f}\n", axis, ratio,

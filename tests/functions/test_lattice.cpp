@@ -12,7 +12,7 @@ using test::place_of;
 namespace {
 
 struct Sample {
-    noise::LatticePlace place;
+    noise::Place<2> place;
     gabor_vec2 p, tile, wave;
     float frequency, orientation, sharpness;
     std::uint32_t seed;
@@ -59,19 +59,20 @@ void compare(Functions n) {
             1.5e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
         const double loose = tight * (2 * std::numbers::pi * s.frequency + 4);
         const auto kernel = n.gabor_kernel(s.frequency, s.orientation);
-        const noise::Lattice reference(taps, s.frequency, s.orientation, s.seed);
+        const noise::Vector<2> turned = noise::wave_along(s.frequency, s.orientation);
+        const auto reference = noise::wave_noise(taps, turned, s.seed);
         const auto field = n.gabor_field(place_of(n, s.place), kernel, s.seed);
         see(of["gabor_field"], of["gabor_field, gradient"], field, reference.field(s.place), tight, loose, s);
         of["gabor_unorm"].see(n.gabor_unorm(field.value.y), std::clamp(0.5 + 0.25 * field.value.y, 0.0, 1.0),
                               1e-6, s);
-        const noise::LatticePlace still =
-            test::lattice_place(taps, s.place.local_x, s.place.local_y, s.place.cell_x, s.place.cell_y);
+        noise::Place<2> still{s.place.cell, s.place.local};
+        still.radius.fill(0.5 * taps);
         of["gabor_noise_at"].see(
             n.gabor_noise_at(place_of(n, still).cell, place_of(n, still).local, kernel, s.seed),
             reference.field(still).value.imag(), tight, s);
 
         // Functions of a position multiply the position by the nodes per radius in single precision.
-        noise::LatticePlace place = test::lattice_place(taps, s.p.x * (0.5f * taps), s.p.y * (0.5f * taps));
+        noise::Place<2> place = test::lattice_place(taps, s.p);
         const auto here = reference.field(place);
         of["gabor_noise"].see(n.gabor_noise(s.p, s.frequency, s.orientation, s.seed), here.value.imag(),
                               tight, s);
@@ -79,13 +80,17 @@ void compare(Functions n) {
             here.value, tight, s);
         see_gradient(of["gabor_noise_gradient"], of["gabor_noise_gradient"],
                      n.gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed), here, tight, loose, s);
-        see(of["gabor_noise_four"], n.gabor_noise_four(s.p, s.frequency, s.orientation, s.seed), here.four,
-            tight, s);
+        const auto four = n.gabor_noise_four(s.p, s.frequency, s.orientation, s.seed);
+        of["gabor_noise_four"].see(four.x, here.value.imag(), tight, s);
+        for (int c = 1; c < 4; ++c) {
+            const auto other = noise::wave_noise(taps, turned, noise::lattice_lobe_seed(s.seed, -c));
+            of["gabor_noise_four"].see(four[c], other.field(place).value.imag(), tight, s);
+        }
 
-        const noise::Lattice along_wave(taps, {s.wave.x, s.wave.y}, s.seed);
+        const auto along_wave = noise::wave_noise(taps, test::wide(s.wave), s.seed);
         const auto there = along_wave.field(place);
         const double steep = tight * std::max(1.0f, s.sharpness);
-        const auto stripes = [&](const noise::Field& of_field) {
+        const auto stripes = [&](const noise::Field<2>& of_field) {
             return noise::lattice_stripes(of_field.value, s.sharpness);
         };
         of["gabor_noise_wave"].see(n.gabor_noise_wave(s.p, s.wave, s.seed), there.value.imag(), tight, s);
@@ -104,9 +109,8 @@ void compare(Functions n) {
             reference.field(place).value.imag(), tight, s);
         // Both p in node spacings and the number of nodes per radius are rounded. Tiles are compared only
         // where this adds little error.
-        const noise::LatticePlace tile = test::lattice_tile(taps, s.p, s.tile);
-        const double rounding = 2 * std::numbers::pi *
-                                (s.frequency + std::max(tile.radius_x, tile.radius_y)) *
+        const noise::Place<2> tile = test::lattice_tile(taps, s.p, s.tile);
+        const double rounding = 2 * std::numbers::pi * (s.frequency + std::ranges::max(tile.radius)) *
                                 std::max(std::abs(s.p.x), std::abs(s.p.y)) * std::exp2(-21);
         if (rounding > 1e-3)
             continue;

@@ -8,37 +8,32 @@
 #include <vector>
 
 using namespace gabor;
-using noise::Isotropic3d;
-using noise::Lattice3d;
+using noise::dot;
 using test::Differences;
 using test::Largest;
 using test::random_unit;
 using test::Sample3d;
-using Vector = Lattice3d::Vector;
+using Vector = noise::Vector<3>;
 
 namespace {
 
 test::Lattice3 n;
 
-double dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Draws a place in any octant up to 10^6, or in any cell. One coordinate in four is on or next to a change of
 // nodes, and one in eight next to a node.
-Lattice3d::Place draw_place(test::Draw& draw) {
+noise::Place<3> draw_place(test::Draw& draw) {
     const double reach = std::exp2(draw.uniform(0, 20));
-    Lattice3d::Place place;
+    noise::Place<3> place;
     const bool far = draw.word() % 2;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        float& local = place.local[axis];
-        local = draw.uniform(-reach, reach);
+        float local = draw.uniform(-reach, reach);
         if (draw.one_in(4))
             local = draw.edge(std::round(local) + (draw.one_in(3) ? 0.0f : 0.5f), 0.5f);
         if (far) {
             place.cell[axis] = draw.cell();
             local -= std::floor(local);
         }
+        place.local[axis] = local;
     }
     return place;
 }
@@ -46,18 +41,19 @@ Lattice3d::Place draw_place(test::Draw& draw) {
 // A random sample with a given frequency. Functions of its position p compute their place as p * 1.5 in
 // single precision.
 struct Anywhere : Sample3d {
-    Lattice3d::Place here;
+    noise::Place<3> here;
 
-    Anywhere(test::Draw& draw, float f, bool periodic) {
+    Anywhere(test::Draw& draw, float f, bool animated, bool periodic) {
         place = draw_place(draw);
         frequency = f;
         direction = draw.uniform<gabor_vec3>(-3, 3);
         normal = draw.uniform<gabor_vec3>(-3, 3);
         const double reach = std::exp2(draw.uniform(0, 18));
         p = draw.uniform<gabor_vec3>(-reach, reach);
-        here = test::lattice_place(p);
+        here = test::lattice_place(3, p);
         seed = draw.word();
         place.time = here.time = draw.uniform(-2, 2);
+        place.animated = here.animated = animated;
         if (draw.one_in(4)) // near the limit of the projection to the tangent plane
             direction = normal + draw.uniform<gabor_vec3>(-0.3, 0.3);
         for (std::size_t axis = 0; periodic && axis < 3; ++axis) {
@@ -76,13 +72,13 @@ double slope_tolerance(double frequency) {
     return tolerance(frequency) * (2 * std::numbers::pi * frequency + 4);
 }
 
-void see_field(Largest& largest, const test::Lattice3::GaborField3d& field, const Lattice3d::Field& expected,
+void see_field(Largest& largest, const test::Lattice3::GaborField3d& field, const noise::Field<3>& expected,
                const Anywhere& s) {
     const double tight = tolerance(s.frequency);
     // Where a window ends, the derivative of its slope jumps by pi^2 / 2 within the rounding of `local`.
     double loose = slope_tolerance(s.frequency);
-    for (const float local : s.place.local)
-        loose = std::max(loose, 5 * 0x1p-23 * std::abs(double{local}));
+    for (const double local : s.place.local)
+        loose = std::max(loose, 5 * 0x1p-23 * std::abs(local));
     largest.see(field.quadrature, expected.value.real(), tight, s);
     largest.see(field.noise, expected.value.imag(), tight, s);
     for (int axis = 0; axis < 3; ++axis) {
@@ -94,24 +90,11 @@ void see_field(Largest& largest, const test::Lattice3::GaborField3d& field, cons
 }
 
 // (noise, gradient)
-void see_gradient(Largest& largest, gabor_vec4 found, const Lattice3d::Field& expected, const Anywhere& s) {
+void see_gradient(Largest& largest, gabor_vec4 found, const noise::Field<3>& expected, const Anywhere& s) {
     largest.see(found.x, expected.value.imag(), tolerance(s.frequency), s);
     for (std::size_t axis = 0; axis < 3; ++axis)
         largest.see(found[static_cast<int>(axis) + 1], expected.slope[axis].imag(),
                     slope_tolerance(s.frequency), s);
-}
-
-// A sum of independent noises.
-template <typename Terms>
-Lattice3d::Field sum_of(const Terms& terms, const Lattice3d::Place& place) {
-    Lattice3d::Field all{};
-    for (const auto& [weight, noise] : terms) {
-        const Lattice3d::Field one = noise.field(place);
-        all.value += weight * one.value;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            all.slope[axis] += weight * one.slope[axis];
-    }
-    return all;
 }
 
 } // namespace
@@ -124,33 +107,31 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
         const int octave = i % 16;
         const bool animated = i / 16 % 4 == 1, periodic = i / 16 % 4 == 2;
         const float f = octave == 0 ? 0 : 0.1f * static_cast<float>(std::exp2(octave * 0.62));
-        const Anywhere s(draw, f, periodic);
+        const Anywhere s(draw, f, animated, periodic);
         const double tight = tolerance(f);
-        const auto place = test::place_of(n, s, animated);
-        const Lattice3d wave(test::scaled(f, test::unit(s.direction)), s.seed, animated);
-        const Isotropic3d isotropic(f, s.seed, animated);
-        const auto surface_isotropic = noise::surface_isotropic(test::unit(s.normal), f, s.seed, animated);
-        std::vector<std::pair<double, Lattice3d>> surface;
-        for (const noise::WeightedWave& w :
-             noise::surface_waves(test::unit(s.normal), f, test::unit(s.direction), s.seed))
-            surface.emplace_back(w.weight, Lattice3d(w.wave, w.seed, animated));
+        const auto place = test::place_of(n, s);
+        const Vector along = noise::unit(test::wide(s.direction)), normal = noise::unit(test::wide(s.normal));
+        const auto wave = noise::wave_noise(3, noise::scaled(f, along), s.seed);
+        const auto isotropic = noise::isotropic_noise_3d(f, s.seed);
+        const auto surface = noise::surface_noise(normal, f, along, s.seed);
+        const auto surface_isotropic = noise::isotropic_surface_noise(normal, f, s.seed);
 
         see_field(of["gabor_field_3d"], n.gabor_field_3d(place, f, s.direction, s.seed), wave.field(s.place),
                   s);
         see_field(of["gabor_isotropic_3d"], n.gabor_isotropic_3d(place, f, s.seed), isotropic.field(s.place),
                   s);
         see_field(of["gabor_surface_3d"], n.gabor_surface_3d(place, s.normal, f, s.direction, s.seed),
-                  sum_of(surface, s.place), s);
+                  surface.field(s.place), s);
         see_field(of["gabor_surface_isotropic_3d"], n.gabor_surface_isotropic_3d(place, s.normal, f, s.seed),
-                  sum_of(surface_isotropic, s.place), s);
+                  surface_isotropic.field(s.place), s);
 
         if (animated) {
             of["gabor_noise_3d_animated"].see(
-                n.gabor_noise_3d_animated(s.p, s.place.time, f, s.direction, s.seed),
+                n.gabor_noise_3d_animated(s.p, static_cast<float>(s.place.time), f, s.direction, s.seed),
                 wave.field(s.here).value.imag(), tight, s);
             continue;
         }
-        const Lattice3d::Field here = wave.field(s.here);
+        const noise::Field<3> here = wave.field(s.here);
         of["gabor_noise_3d"].see(n.gabor_noise_3d(s.p, f, s.direction, s.seed), here.value.imag(), tight, s);
         see(of["gabor_noise_3d_complex"], n.gabor_noise_3d_complex(s.p, f, s.direction, s.seed), here.value,
             tight, s);
@@ -160,31 +141,24 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
         for (int c = 0; c < 4; ++c) {
             const std::uint32_t seed = c ? noise::lattice_lobe_seed(s.seed, -c) : s.seed;
             of["gabor_noise_3d_four"].see(
-                four[c], Lattice3d(test::scaled(f, test::unit(s.direction)), seed).field(s.here).value.imag(),
+                four[c], noise::wave_noise(3, noise::scaled(f, along), seed).field(s.here).value.imag(),
                 tight, s);
         }
-        const Lattice3d::Field turned = isotropic.field(s.here);
+        const noise::Field<3> turned = isotropic.field(s.here);
         of["gabor_noise_3d_isotropic"].see(n.gabor_noise_3d_isotropic(s.p, f, s.seed), turned.value.imag(),
                                            tight, s);
         see_gradient(of["gabor_noise_3d_isotropic_gradient"],
                      n.gabor_noise_3d_isotropic_gradient(s.p, f, s.seed), turned, s);
         of["gabor_noise_surface"].see(n.gabor_noise_surface(s.p, s.normal, f, s.direction, s.seed),
-                                      sum_of(surface, s.here).value.imag(), tight, s);
+                                      surface.field(s.here).value.imag(), tight, s);
         of["gabor_noise_surface_isotropic"].see(n.gabor_noise_surface_isotropic(s.p, s.normal, f, s.seed),
-                                                sum_of(surface_isotropic, s.here).value.imag(), tight, s);
+                                                surface_isotropic.field(s.here).value.imag(), tight, s);
         // Tiles are compared where floats resolve them: p rounds by 10^-6, and the wave turns by 2 pi F per
         // radius.
         const auto p = draw.uniform<gabor_vec3>(-8, 8), tile = draw.uniform<gabor_vec3>(0.5, 9);
-        Lattice3d::Place repeated;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double period = tile[static_cast<int>(axis)];
-            const double nodes = std::max(std::floor(period * 1.5 + 0.5), 3.0);
-            repeated.radius[axis] = static_cast<float>(nodes / period);
-            repeated.local[axis] = static_cast<float>(p[static_cast<int>(axis)] * nodes / period);
-            repeated.period[axis] = static_cast<std::int32_t>(nodes);
-        }
         of["gabor_noise_3d_tiled"].see(n.gabor_noise_3d_tiled(p, tile, f, s.direction, s.seed),
-                                       wave.field(repeated).value.imag(), 1e-4 * (1 + f), s);
+                                       wave.field(test::lattice_tile(3, p, tile)).value.imag(),
+                                       1e-4 * (1 + f), s);
     }
     test::check(of, 14);
 }
@@ -192,14 +166,15 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
 TEST_CASE("the gradient on the lattice equals differences of the reference", "[space][oracle]") {
     test::Draw draw(24);
     for (int i = 0; i < 500; ++i) {
-        const Lattice3d reference(test::wide(draw.uniform<gabor_vec3>(-3, 3)), draw.word());
-        Lattice3d::Place place;
-        for (float& coordinate : place.local) // exact in a float, like their neighbours
+        const auto wave = test::wide(draw.uniform<gabor_vec3>(-3, 3));
+        const auto reference = noise::wave_noise(3, wave, draw.word());
+        noise::Place<3> place;
+        for (double& coordinate : place.local) // exact in a float, like their neighbours
             coordinate = std::floor(draw.uniform(-8, 8) * 256) / 256;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            constexpr float h = 0x1p-12f;
-            Lattice3d::Place before = place;
-            Lattice3d::Place after = place;
+            constexpr double h = 0x1p-12;
+            noise::Place<3> before = place;
+            noise::Place<3> after = place;
             before.local[axis] -= h;
             after.local[axis] += h;
             const double difference =
@@ -220,15 +195,13 @@ TEST_CASE("waves of surface noise are tangent, have the requested frequency, and
         if (i % 4 == 0) { // the direction is near or along the normal
             for (std::size_t axis = 0; axis < 3; ++axis)
                 direction[axis] = normal[axis] + (i % 8 ? 0.3 : 0.01) * direction[axis];
-            const double length = std::sqrt(dot(direction, direction));
-            for (double& coordinate : direction)
-                coordinate /= length;
+            direction = noise::unit(direction);
         }
         const double frequency = draw.uniform(0.1f, 6);
         double power = 0;
-        for (const noise::WeightedWave& w : noise::surface_waves(normal, frequency, direction, 1)) {
+        for (const noise::SurfaceWave& w : noise::surface_waves(normal, frequency, direction, 1)) {
             power += w.weight * w.weight;
-            const double length = std::sqrt(dot(w.wave, w.wave)) / frequency;
+            const double length = noise::length(w.wave) / frequency;
             longest = std::max(longest, length);
             shortest = std::min(shortest, length);
             REQUIRE(std::abs(dot(w.wave, normal)) < 1e-9 * frequency);

@@ -17,7 +17,7 @@ using test::place_of;
 using test::Sample3d;
 using test::Statistic;
 using test::sum_of;
-using Vector = noise::Lattice3d::Vector;
+using Vector = noise::Vector<3>;
 
 namespace {
 
@@ -143,7 +143,7 @@ test::Lattice3 n;
 Sample3d solid_sample(Draw& draw, const std::array<float, 3>& local) {
     Sample3d sample;
     sample.place.cell = {draw.cell(), draw.cell(), draw.cell()};
-    sample.place.local = local;
+    sample.place.local = {local[0], local[1], local[2]};
     sample.frequency = 1;
     sample.direction = {0.6f, 0.48f, 0.64f};
     sample.seed = draw.word();
@@ -152,7 +152,7 @@ Sample3d solid_sample(Draw& draw, const std::array<float, 3>& local) {
 
 Sample3d moved(Sample3d sample, const std::array<double, 3>& nodes) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        sample.place.local[axis] += static_cast<float>(nodes[axis]);
+        sample.place.local[axis] += nodes[axis];
     return sample;
 }
 
@@ -168,7 +168,7 @@ std::array<float, 5> numbers_of(const test::Lattice3::GaborField3d& field) {
 // The covariance of two places along the lattice's axes, from the windows of the nodes that reach both.
 double covariance(const Sample3d& sample, const std::array<double, 3>& lag) {
     double product = 1, turns = 0;
-    const Vector direction = test::unit(sample.direction);
+    const Vector direction = noise::unit(test::wide(sample.direction));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto window = [](double nodes) { return noise::lattice_window(3, nodes / 1.5).value; };
         double sum = 0;
@@ -284,7 +284,7 @@ TEST_CASE(
     "[law]") {
     Draw draw(41);
     for (const auto& place : {std::array{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0.0f}}) {
-        const Vector wave = test::unit(solid_sample(draw, place).direction);
+        const Vector wave = noise::unit(test::wide(solid_sample(draw, place).direction));
         // sum h'^2 = pi^2 / 4 * 3/2 and sum h^2 = 9/8 along an axis, so a slope has the variance
         // pi^2 / 3 + (2 pi F)^2, and two of them covary by 4 pi^2 F_x F_y. d/dx of one part and the other
         // part itself covary by 2 pi F_x.
@@ -409,7 +409,7 @@ TEST_CASE("the covariance of isotropic noise is that of an even ring or shell of
     for (const double frequency : {0.5, 3.0})
         for (const double turns : {0.25, 0.7})
             for (const Vector& direction :
-                 {Vector{1, 0, 0}, test::unit(Vector{1, -1, 1}), test::unit(Vector{1, 2, 3})})
+                 {Vector{1, 0, 0}, noise::unit(Vector{1, -1, 1}), noise::unit(Vector{1, 2, 3})})
                 check(space, frequency, turns, direction, std::sin(2 * pi * turns) / (2 * pi * turns),
                       [&](const Vector& lag, float f) {
                           const Sample3d s = solid_sample(

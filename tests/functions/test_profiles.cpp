@@ -1,7 +1,7 @@
 // Compares stripes drawn as waves of other shapes, and filtered stripes, with their definitions.
 
 #include "lattice.hpp"
-#include "reference/spectrum.hpp"
+#include "reference/sum.hpp"
 
 #include <vector>
 
@@ -82,10 +82,11 @@ TEST_CASE("filtered stripes are the mean of stripes over the removed noise", "[p
         const float sharpness = draw.uniform(1, 4);
         const auto where = [&] { return fmt::format("p ({}, {}), wave ({}, {})", p.x, p.y, wave.x, wave.y); };
         const gabor_vec4 found = n.gabor_stripes_filtered(p, dx, dy, wave, sharpness, seed);
-        const noise::Spectrum reference(
-            {{std::hypot(wave.x, wave.y), std::atan2(wave.y, wave.x), {1, 1}, 1, seed}});
-        const auto value = reference.filtered(p.x, p.y, {dx.x, dx.y}, {dy.x, dy.y}).value;
-        const double share = reference.removed({dx.x, dx.y}, {dy.x, dy.y});
+        const auto lattice = noise::wave_noise(3, test::wide(wave), seed);
+        const noise::Sum<2> reference(lattice);
+        const auto here = test::lattice_place(3, p);
+        const auto value = reference.filtered(here, test::wide(dx), test::wide(dy)).value;
+        const double share = reference.removed(here, test::wide(dx), test::wide(dy));
         std::array<double, 3> sum{};
         for (const std::complex<double>& z : normals) {
             const auto stripes = noise::lattice_stripes(value + std::sqrt(share) * z, sharpness);
@@ -96,13 +97,12 @@ TEST_CASE("filtered stripes are the mean of stripes over the removed noise", "[p
         of["gabor_stripes_filtered"].see(found.y, sum[1], 0.1, where);
         of["its intensity"].see(found.z, sum[2], 0.13, where);
         of["its removed variance"].see(found.w, share, 0.02, where);
-        const noise::Lattice lattice(3, {wave.x, wave.y}, seed);
-        const auto stripes_at = [&](const noise::LatticePlace& place) {
+        const auto stripes_at = [&](const noise::Place<2>& place) {
             return noise::lattice_stripes(lattice.field(place).value, sharpness);
         };
         see(of["of a point"], n.gabor_stripes_filtered(p, {0, 0}, {0, 0}, wave, sharpness, seed),
-            stripes_at(test::lattice_place(3, p.x * 1.5f, p.y * 1.5f)), 2e-4, where);
-        const noise::LatticePlace place = test::any_lattice_place(draw, 3);
+            stripes_at(here), 2e-4, where);
+        const noise::Place<2> place = test::any_lattice_place(draw, 3);
         const gabor_vec4 placed = n.gabor_stripes_filtered_at(
             place_of(n, place), wave, n.gabor_footprint({0, 0}, {0, 0}), sharpness, seed);
         see(of["gabor_stripes_filtered_at of a point"], placed, stripes_at(place), 2e-4, where);

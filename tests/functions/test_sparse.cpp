@@ -26,45 +26,44 @@ void for_recipes(const Check& check) {
 }
 
 template <typename Functions>
-auto place_of(Functions&, const noise::Place& p) {
-    return typename Functions::GaborPlace{{p.cell_x, p.cell_y},
-                                          {p.local_x, p.local_y},
-                                          {p.radius_x, p.radius_y},
-                                          {p.period_x, p.period_y},
-                                          p.time};
+auto place_of(Functions&, const noise::Place<2>& p) {
+    return typename Functions::GaborPlace{{p.cell[0], p.cell[1]},
+                                          {static_cast<float>(p.local[0]), static_cast<float>(p.local[1])},
+                                          {static_cast<float>(p.radius[0]), static_cast<float>(p.radius[1])},
+                                          {p.period[0], p.period[1]},
+                                          static_cast<float>(p.time)};
 }
 
 // Draws a place in any quadrant up to 10^6, or in any cell; one coordinate in four is on or next to a cell's
 // edge.
-noise::Place any_place(Draw& draw, const noise::Recipe& recipe) {
+noise::Place<2> any_place(Draw& draw, const noise::Recipe& recipe) {
     const double reach = std::exp2(draw.uniform(0, 20));
-    noise::Place p = noise::place_at(recipe, 0, 0, draw.uniform(-reach, reach), draw.uniform(-reach, reach));
-    if (draw.one_in(4))
-        p.local_x = std::round(p.local_x);
-    if (draw.one_in(4))
-        p.local_y = draw.edge(p.local_y);
-    if (draw.word() % 2) {
-        p.cell_x = draw.cell();
-        p.cell_y = draw.cell();
-        p.local_x -= std::floor(p.local_x);
-        p.local_y -= std::floor(p.local_y);
+    const bool far = draw.word() % 2;
+    noise::Place<2> p = noise::place_at(recipe, 0, 0, 0, 0);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        float local = draw.uniform(-reach, reach);
+        if (draw.one_in(4))
+            local = draw.one_in(2) ? std::round(local) : draw.edge(local);
+        if (far) {
+            p.cell[axis] = draw.cell();
+            local -= std::floor(local);
+        }
+        p.local[axis] = local;
     }
     return p;
 }
 
 struct Sample {
-    noise::Place place;
+    noise::Place<2> place;
     gabor_vec2 p;
     float frequency, orientation;
     std::uint32_t seed;
 };
 
 std::string to_string(const Sample& s) {
-    const noise::Place& p = s.place;
-    return fmt::format("cell ({}, {}) + ({}, {}), radius ({}, {}), period ({}, {}), time {}, p ({}, {}), "
-                       "frequency {}, orientation {}, seed {}",
-                       p.cell_x, p.cell_y, p.local_x, p.local_y, p.radius_x, p.radius_y, p.period_x,
-                       p.period_y, p.time, s.p.x, s.p.y, s.frequency, s.orientation, s.seed);
+    return fmt::format("{}, time {}, p ({}, {}), frequency {}, orientation {}, seed {}",
+                       test::to_string(s.place), s.place.time, s.p.x, s.p.y, s.frequency, s.orientation,
+                       s.seed);
 }
 
 template <typename Functions>
@@ -85,16 +84,18 @@ void compare(Functions n) {
         const double larger = n.recipe.phases == 2 ? std::max(1.0, 2.0 / frequency) : 1;
         for (int i = 0; i < count; ++i) {
             Sample s{any_place(draw, n.recipe), {0, 0}, frequency, orientation, seed};
-            s.p = {s.place.local_x / s.place.radius_x, s.place.local_y / s.place.radius_y};
-            const Reference::Field expected = reference.field(s.place);
-            const auto field = n.gabor_field(place_of(n, s.place), kernel, seed);
+            for (int axis = 0; axis < 2; ++axis)
+                s.p[axis] =
+                    static_cast<float>(s.place.local[static_cast<std::size_t>(axis)]) / n.recipe.radius;
+            const auto place = place_of(n, s.place);
+            const noise::Field<2> expected = reference.field(s.place);
+            const auto field = n.gabor_field(place, kernel, seed);
             of["gabor_field"].see(field.value.y, expected.value.imag(), tight, s);
             see(of["gabor_field, complex"], of["gabor_field, gradients"], field, expected, tight * larger,
                 loose * larger, s);
-            of["gabor_field, gradient"].see(field.slope_x.y, expected.slope_x.imag(), loose, s);
-            of["gabor_field, gradient"].see(field.slope_y.y, expected.slope_y.imag(), loose, s);
-            of["gabor_noise_at"].see(n.gabor_noise_at({s.place.cell_x, s.place.cell_y},
-                                                      {s.place.local_x, s.place.local_y}, kernel, seed),
+            of["gabor_field, gradient"].see(field.slope_x.y, expected.slope[0].imag(), loose, s);
+            of["gabor_field, gradient"].see(field.slope_y.y, expected.slope[1].imag(), loose, s);
+            of["gabor_noise_at"].see(n.gabor_noise_at(place.cell, place.local, kernel, seed),
                                      expected.value.imag(), tight, s);
             of["gabor_unorm"].see(n.gabor_unorm(field.value.y),
                                   std::clamp(0.5 + 0.25 * field.value.y, 0.0, 1.0), 1e-6, s);
@@ -103,7 +104,7 @@ void compare(Functions n) {
             see(of["gabor_phasor"], field.value, turned, 2e-5 * std::max(1.0f, phasor.y), s);
             CHECK((phasor.x >= 0 && phasor.x < 1));
 
-            const Reference::Field here = reference.field(
+            const noise::Field<2> here = reference.field(
                 noise::place_at(n.recipe, 0, 0, s.p.x * n.recipe.radius, s.p.y * n.recipe.radius));
             of["gabor_noise"].see(n.gabor_noise(s.p, frequency, orientation, seed), here.value.imag(), tight,
                                   s);
@@ -141,35 +142,31 @@ TEST_CASE("periods of the sparse noise in space and time agree with the referenc
                 Sample s{any_place(draw, n.recipe), draw.uniform<gabor_vec2>(-8, 8), frequency, orientation,
                          seed};
                 s.place.time = draw.uniform(-2, 2);
-                s.place.period_x = static_cast<std::int32_t>(draw.word() % 100);
-                s.place.period_y = static_cast<std::int32_t>(2 + draw.word() % 5);
-                s.place.radius_x = radius * draw.uniform(0.5, 1);
-                s.place.radius_y = radius * draw.uniform(0.5, 1);
-                const Reference::Field expected = reference.field(s.place);
+                s.place.period = {static_cast<std::int32_t>(draw.word() % 100),
+                                  static_cast<std::int32_t>(2 + draw.word() % 5)};
+                s.place.radius = {radius * draw.uniform(0.5, 1), radius * draw.uniform(0.5, 1)};
+                const noise::Field<2> expected = reference.field(s.place);
                 const auto field =
                     n.gabor_field(place_of(n, s.place), n.gabor_kernel(frequency, orientation), seed);
                 of["gabor_field"].see(field.value.y, expected.value.imag(), tight, s);
-                of["gabor_field, gradient"].see(field.slope_x.y, expected.slope_x.imag(),
+                of["gabor_field, gradient"].see(field.slope_x.y, expected.slope[0].imag(),
                                                 2 * slope_tolerance(frequency), s);
-                of["gabor_field, gradient"].see(field.slope_y.y, expected.slope_y.imag(),
+                of["gabor_field, gradient"].see(field.slope_y.y, expected.slope[1].imag(),
                                                 2 * slope_tolerance(frequency), s);
 
-                noise::Place still = noise::place_at(n.recipe, 0, 0, s.p.x * radius, s.p.y * radius);
+                noise::Place<2> still = noise::place_at(n.recipe, 0, 0, s.p.x * radius, s.p.y * radius);
                 still.time = s.place.time;
-                of["gabor_noise_animated"].see(
-                    n.gabor_noise_animated(s.p, s.place.time, frequency, orientation, seed), reference(still),
-                    rounded, s);
+                of["gabor_noise_animated"].see(n.gabor_noise_animated(s.p, static_cast<float>(s.place.time),
+                                                                      frequency, orientation, seed),
+                                               reference(still), rounded, s);
                 const gabor_vec2 period(draw.uniform(1, 20), draw.uniform(1, 3)); // clamped to 2
-                noise::Place tile;
-                const auto along = [&](float p, float length, float& local, float& per_radius,
-                                       std::int32_t& cells) {
-                    length = std::max(2.0f, length);
-                    cells = static_cast<std::int32_t>(std::floor(length * radius));
-                    per_radius = static_cast<float>(double(cells) / length);
-                    local = static_cast<float>(double{p} * cells / length);
-                };
-                along(s.p.x, period.x, tile.local_x, tile.radius_x, tile.period_x);
-                along(s.p.y, period.y, tile.local_y, tile.radius_y, tile.period_y);
+                noise::Place<2> tile;
+                for (std::size_t axis = 0; axis < 2; ++axis) {
+                    const float length = std::max(2.0f, period[static_cast<int>(axis)]);
+                    tile.period[axis] = static_cast<std::int32_t>(std::floor(length * radius));
+                    tile.radius[axis] = double(tile.period[axis]) / length;
+                    tile.local[axis] = double{s.p[static_cast<int>(axis)]} * tile.radius[axis];
+                }
                 of["gabor_noise_tiled"].see(n.gabor_noise_tiled(s.p, period, frequency, orientation, seed),
                                             reference(tile), rounded, s);
             }
@@ -191,12 +188,12 @@ TEST_CASE("the gradient equals differences of the reference", "[sparse][oracle]"
                 return reference(noise::place_at(n.recipe, 0, 0, x + dx, y + dy));
             };
             constexpr float h = 0x1p-12f;
-            const Reference::Field field = reference.field(noise::place_at(n.recipe, 0, 0, x, y));
+            const noise::Field<2> field = reference.field(noise::place_at(n.recipe, 0, 0, x, y));
             const double along_x = (value(h, 0) - value(-h, 0)) / (2 * h) * n.recipe.radius;
             const double along_y = (value(0, h) - value(0, -h)) / (2 * h) * n.recipe.radius;
             // The margin is h^2 / 6 times the third derivative, which is (2 pi F)^3 times a few sigma.
-            REQUIRE(field.slope_x.imag() == Approx(along_x).margin(5e-4));
-            REQUIRE(field.slope_y.imag() == Approx(along_y).margin(5e-4));
+            REQUIRE(field.slope[0].imag() == Approx(along_x).margin(5e-4));
+            REQUIRE(field.slope[1].imag() == Approx(along_y).margin(5e-4));
         }
     });
 }

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-double dot(Vector a, Vector b) {
-    return a[0] * b[0] + a[1] * b[1];
-}
-
 double mix(double a, double b, double t) {
     return (1 - t) * a + t * b;
 }
@@ -71,7 +67,7 @@ double mask_of(double t, double rounding) {
 
 } // namespace
 
-Terrain terrain(const Ground& ground, Vector dx, Vector dy, std::uint32_t seed) {
+Terrain terrain(const Ground& ground, Vector<2> dx, Vector<2> dy, std::uint32_t seed) {
     const Axis x = axis_at(ground.cell[0], ground.local[0], ground.period[0], 1);
     const Axis y = axis_at(ground.cell[1], ground.local[1], ground.period[1], 1);
     const auto left = static_cast<std::int32_t>(std::floor(x.local));
@@ -106,20 +102,20 @@ Terrain terrain(const Ground& ground, Vector dx, Vector dy, std::uint32_t seed) 
     return {0.33 * height, {slope(slope_x), slope(slope_y)}, height / std::sqrt(1 + height * height)};
 }
 
-Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terrain& base,
+Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const Terrain& base,
                const Erosion& erosion, std::uint32_t seed) {
     Terrain result = base;
     const auto rounding = [&](double cosine) {
         return mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * cosine);
     };
-    Vector steer = base.slope, gully_slope{};
+    Vector<2> steer = base.slope, gully_slope{};
     double gully = base.ridge, depth = erosion.strength / erosion.frequency, width = 1;
     double mask = 1, round = rounding(base.ridge);
     float frequency = erosion.frequency;
     for (int octave = 0; octave < erosion.octaves; ++octave) {
         const double steep = std::max(std::hypot(steer[0], steer[1]), 1e-9);
         mask *= std::pow(mask_of(steep / std::max(erosion.onset, 1e-6), round), 2);
-        const Vector wave{-steer[1] / steep * frequency, steer[0] / steep * frequency};
+        const Vector<2> wave{-steer[1] / steep * frequency, steer[0] / steep * frequency};
         // A normal filter with a deviation of half a pixel, faded to 0 where it would leave 2 %.
         const double across = std::pow(dot(wave, dx), 2) + std::pow(dot(wave, dy), 2);
         const double kept =
@@ -129,9 +125,9 @@ Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terra
             const float nodes = 0.8f * (0.5f * static_cast<float>(taps)) * frequency;
             const Axis x = axis_at(ground.cell[0], ground.local[0], ground.period[0], nodes);
             const Axis y = axis_at(ground.cell[1], ground.local[1], ground.period[1], nodes);
-            const Lattice lattice(taps, wave, lattice_lobe_seed(seed, octave));
-            const Lattice::Field field =
-                lattice.field({x.cell, y.cell, x.local, y.local, x.nodes, y.nodes, x.period, y.period});
+            const Field<2> field =
+                wave_noise(taps, wave, lattice_lobe_seed(seed, octave))
+                    .field({{x.cell, y.cell}, {x.local, y.local}, {x.nodes, y.nodes}, {x.period, y.period}});
             const double s = erosion.sharpness;
             z = kept * s / std::sqrt(1 + s * s * std::norm(field.value)) * field.value;
         }

@@ -1,16 +1,16 @@
 #pragma once
 
+#include "reference/vector.hpp"
+
 #include <array>
 #include <cstdint>
 
 namespace gabor::noise {
 
-using Vector = std::array<double, 2>;
-
 /// These mirror GaborTerrain, GaborErosion and GaborGround of shaders/gabor_erosion.glsl.
 struct Terrain {
     double height = 0;
-    Vector slope{};
+    Vector<2> slope{};
     double ridge = 0;
 };
 struct Erosion {
@@ -29,14 +29,14 @@ struct Erosion {
 };
 struct Ground {
     std::array<std::int32_t, 2> cell{};
-    Vector local{};
+    Vector<2> local{};
     std::array<float, 2> period{};
 };
 
 /// The hills and the erosion of shaders/gabor_erosion.glsl in double precision, from the equations and not
 /// from the shader.
-Terrain terrain(const Ground& ground, Vector dx, Vector dy, std::uint32_t seed);
-Terrain eroded(int taps, const Ground& ground, Vector dx, Vector dy, const Terrain& base,
+Terrain terrain(const Ground& ground, Vector<2> dx, Vector<2> dy, std::uint32_t seed);
+Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const Terrain& base,
                const Erosion& erosion, std::uint32_t seed);
 
 } // namespace gabor::noise

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace gabor::noise {
 
@@ -61,8 +60,35 @@ std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed
     return word >> 8 | 0x800001u;
 }
 
+namespace {
+
+// The word of a node from those of its lines.
+std::uint32_t node_word(const std::array<std::uint32_t, 2>& lines) {
+    return lines[0] * lines[1];
+}
+std::uint32_t node_word(const std::array<std::uint32_t, 3>& lines) {
+    return lines[0] * (lines[1] * lines[2] >> 8 | 0x800001u);
+}
+
+// The words of an isotropic noise's nodes: of the amplitudes of three waves, then of their angles.
+std::array<std::uint32_t, 4> isotropic_words(std::uint32_t column, std::uint32_t row) {
+    std::array<std::uint32_t, 4> words{};
+    for (std::uint32_t& word : words) {
+        row = next_word(row);
+        word = column * (row >> 8 | 0x800001u);
+    }
+    return words;
+}
+
+// A word as a number from -1 to 1.
+double uniform(std::uint32_t word) {
+    return static_cast<std::int32_t>(word) * 0x1p-31;
+}
+
+} // namespace
+
 std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed) {
-    return lattice_line_word(column, 0, seed) * lattice_line_word(row, 1, seed);
+    return node_word(std::array{lattice_line_word(column, 0, seed), lattice_line_word(row, 1, seed)});
 }
 
 std::uint32_t lattice_lobe_seed(std::uint32_t seed, int index) {
@@ -98,142 +124,151 @@ Complex lattice_amplitude(std::uint32_t word, double time) {
            std::sin(angle) / std::numbers::sqrt2 * lattice_amplitude(next_word(second));
 }
 
-Lattice::Lattice(int taps, double frequency, double orientation, std::uint32_t seed)
-    : taps_(taps), wave_x_(std::abs(frequency) * std::cos(orientation)),
-      wave_y_(std::abs(frequency) * std::sin(orientation)), seed_(seed) {}
-
-Lattice::Lattice(int taps, std::array<double, 2> wave, std::uint32_t seed)
-    : taps_(taps), wave_x_(wave[0]), wave_y_(wave[1]), seed_(seed) {}
-
 std::array<double, 3> lattice_stripes(Complex value, double sharpness) {
     const double intensity = std::abs(value);
     const Complex stripes = sharpness * intensity > 1 ? value / intensity : sharpness * value;
     return {stripes.real(), stripes.imag(), intensity};
 }
 
-namespace {
-
-Complex amplitude_at(std::uint32_t word, const LatticePlace& place) {
-    return place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
-}
-
-// A column or a row of nodes whose windows reach the place.
-struct Line {
-    LatticeWindow window;
-    double slope;                       // slope of the window, per kernel radius
-    Complex wave;                       // phase of the noise's wave from the nodes to the place
-    std::array<std::uint32_t, 4> words; // words of four noises
-};
-
-// `axis` is 0 for columns and 1 for rows; `radius` is in nodes per kernel radius.
-std::vector<Line> lines_around(int taps, std::int32_t cell, double local, double radius, std::int32_t period,
-                               double wave, int axis, std::uint32_t seed) {
+template <std::size_t N>
+Field<N> Lattice<N>::field(const Place<N>& place) const {
     // Nodes are at the integers. A window's radius is taps / 2 spacings, for any number of nodes per kernel
     // radius.
-    const double window_radius = 0.5 * taps;
-    std::vector<Line> lines;
-    for (auto i = static_cast<std::int64_t>(std::ceil(local - window_radius));
-         static_cast<double>(i) < local + window_radius; ++i) {
-        const double x = local - static_cast<double>(i);
-        Line line{
-            lattice_window(taps, x / window_radius), 0, std::polar(1.0, 2 * pi * wave * x / radius), {}};
-        line.slope = line.window.slope * radius / window_radius;
-        for (int c = 0; c < 4; ++c)
-            line.words.at(static_cast<std::size_t>(c)) =
-                lattice_line_word(wrapped(cell + i, period), axis, c ? lattice_lobe_seed(seed, -c) : seed);
-        lines.push_back(line);
-    }
-    return lines;
-}
-
-} // namespace
-
-Lattice::Field Lattice::field(const LatticePlace& place) const {
-    const auto columns =
-        lines_around(taps_, place.cell_x, place.local_x, place.radius_x, place.period_x, wave_x_, 0, seed_);
-    const auto rows =
-        lines_around(taps_, place.cell_y, place.local_y, place.radius_y, place.period_y, wave_y_, 1, seed_);
-    Field sum;
-    for (const Line& y : rows) {
-        for (const Line& x : columns) {
-            const Complex wave = x.wave * y.wave;
-            const Complex kernel = x.window.value * y.window.value * wave;
-            std::array<Complex, 4> amplitudes;
-            for (std::size_t c = 0; c < 4; ++c) {
-                const std::uint32_t word = x.words[c] * y.words[c];
-                amplitudes[c] = amplitude_at(word, place);
-                sum.four[c] += (amplitudes[c] * kernel).imag();
-            }
-            sum.value += amplitudes[0] * kernel;
-            sum.slope_x +=
-                amplitudes[0] * (x.slope * y.window.value * wave + Complex(0, 2 * pi * wave_x_) * kernel);
-            sum.slope_y +=
-                amplitudes[0] * (y.slope * x.window.value * wave + Complex(0, 2 * pi * wave_y_) * kernel);
+    const double reach = 0.5 * taps_;
+    const auto taps = static_cast<std::size_t>(taps_);
+    struct Line {
+        std::uint32_t word;
+        double distance; // from the line to the place, in kernel radii
+        double window, slope;
+    };
+    std::array<std::array<Line, 4>, N> lines;
+    std::size_t nodes = 1;
+    for (std::size_t axis = 0; axis < N; ++axis) {
+        nodes *= taps;
+        const double local = place.local[axis], radius = place.radius[axis];
+        const auto first = static_cast<std::int64_t>(std::floor(local - reach)) + 1;
+        for (std::size_t k = 0; k < taps; ++k) {
+            const std::int64_t index = first + static_cast<std::int64_t>(k);
+            const double x = local - static_cast<double>(index);
+            const LatticeWindow window = lattice_window(taps_, x / reach);
+            lines[axis].at(k) = {lattice_line_word(wrapped(place.cell[axis] + index, place.period[axis]),
+                                                   static_cast<int>(axis), seed_),
+                                 x / radius, window.value, window.slope * radius / reach};
         }
     }
-    return sum.scaled(1 / (lattice_amplitude_deviation() * lattice_energy(taps_)));
-}
-
-namespace {
-
-// Adds a wave of a node to the noise (x, y) node spacings away from it, with three taps.
-void add_wave(Field& sum, const LatticePlace& place, double x, double y, double wave_x, double wave_y,
-              Complex amplitude) {
-    const LatticeWindow across = lattice_window(3, x / 1.5);
-    const LatticeWindow along = lattice_window(3, y / 1.5);
-    const Complex wave =
-        amplitude * std::polar(1.0, 2 * pi * (wave_x * x / place.radius_x + wave_y * y / place.radius_y));
-    const Complex kernel = across.value * along.value * wave;
-    sum.value += kernel;
-    sum.slope_x +=
-        across.slope * place.radius_x / 1.5 * along.value * wave + Complex(0, 2 * pi * wave_x) * kernel;
-    sum.slope_y +=
-        across.value * along.slope * place.radius_y / 1.5 * wave + Complex(0, 2 * pi * wave_y) * kernel;
-}
-
-} // namespace
-
-// n(p) = K sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)), and its derivatives.
-Lattice::Field Lattice::field(const LatticePlace& place, const Waves& waves, std::uint32_t seed) {
-    const auto nearest_x = static_cast<std::int64_t>(std::floor(place.local_x + 0.5));
-    const auto nearest_y = static_cast<std::int64_t>(std::floor(place.local_y + 0.5));
-    Field sum;
-    for (int k = 0; k < 9; ++k) {
-        const std::int64_t i = nearest_x + k % 3 - 1;
-        const std::int64_t j = nearest_y + k / 3 - 1;
-        const auto [wave_x, wave_y] = waves.at(static_cast<std::size_t>(k));
-        const std::uint32_t word = lattice_line_word(wrapped(place.cell_x + i, place.period_x), 0, seed) *
-                                   lattice_line_word(wrapped(place.cell_y + j, place.period_y), 1, seed);
-        add_wave(sum, place, place.local_x - static_cast<double>(i), place.local_y - static_cast<double>(j),
-                 wave_x, wave_y, amplitude_at(word, place));
-    }
-    return sum.scaled(1 / (lattice_amplitude_deviation() * lattice_energy(3)));
-}
-
-Lattice::Field lattice_isotropic(const LatticePlace& place, double frequency, std::uint32_t seed) {
-    const auto nearest_x = static_cast<std::int64_t>(std::floor(place.local_x + 0.5));
-    const auto nearest_y = static_cast<std::int64_t>(std::floor(place.local_y + 0.5));
-    Lattice::Field sum;
-    for (std::int64_t j = nearest_y - 1; j <= nearest_y + 1; ++j) {
-        std::array<std::uint32_t, 4> row{}; // words of three amplitudes and of the angle
-        std::uint32_t mixed = lattice_line_word(wrapped(place.cell_y + j, place.period_y), 1, seed);
-        for (std::uint32_t& word : row) {
-            mixed = next_word(mixed);
-            word = mixed >> 8 | 0x800001u;
+    Field<N> sum;
+    for (std::size_t number = 0; number < nodes; ++number) {
+        std::array<std::uint32_t, N> words{};
+        Vector<N> distance{}, slope;
+        double window = 1;
+        slope.fill(1);
+        std::size_t rest = number;
+        for (std::size_t axis = 0; axis < N; ++axis, rest /= taps) {
+            const Line& line = lines[axis].at(rest % taps);
+            words[axis] = line.word;
+            distance[axis] = line.distance;
+            window *= line.window;
+            for (std::size_t along = 0; along < N; ++along)
+                slope[along] *= along == axis ? line.slope : line.window;
         }
-        for (std::int64_t i = nearest_x - 1; i <= nearest_x + 1; ++i) {
-            const std::uint32_t column =
-                lattice_line_word(wrapped(place.cell_x + i, place.period_x), 0, seed);
-            const double first = pi / 6 * static_cast<std::int32_t>(column * row[3]) / 0x1p31;
-            for (std::size_t m = 0; m < 3; ++m) {
-                const double angle = first + pi / 3 * static_cast<double>(m);
-                add_wave(sum, place, place.local_x - static_cast<double>(i),
-                         place.local_y - static_cast<double>(j), std::abs(frequency) * std::cos(angle),
-                         std::abs(frequency) * std::sin(angle), amplitude_at(column * row[m], place));
-            }
+        const std::vector<Wave> waves = waves_(words, number);
+        for (const auto& [wave, word] : waves) {
+            const Complex amplitude =
+                place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
+            const Complex turned = amplitude / std::sqrt(static_cast<double>(waves.size())) *
+                                   std::polar(1.0, 2 * pi * dot(wave, distance));
+            sum.value += window * turned;
+            for (std::size_t axis = 0; axis < N; ++axis)
+                sum.slope[axis] += (slope[axis] + Complex(0, 2 * pi * wave[axis]) * window) * turned;
         }
     }
-    return sum.scaled(1 / (lattice_amplitude_deviation() * lattice_energy(3) * std::sqrt(3.0)));
+    // E[n^2] = E[|A|^2] / 2 (sum h^2)^N
+    Field<N> scaled;
+    scaled.add(1 / (lattice_amplitude_deviation() * std::pow(lattice_energy(taps_), 0.5 * N)), sum);
+    return scaled;
+}
+
+template class Lattice<2>;
+template class Lattice<3>;
+
+template <std::size_t N>
+Lattice<N> wave_noise(int taps, const Vector<N>& wave, std::uint32_t seed) {
+    return {taps, seed,
+            [wave](const auto& lines, std::size_t) -> std::vector<typename Lattice<N>::Wave> {
+                return {{wave, node_word(lines)}};
+            },
+            length(wave), [wave](const Vector<N>& offset) { return std::cos(2 * pi * dot(wave, offset)); }};
+}
+
+template Lattice<2> wave_noise(int, const Vector<2>&, std::uint32_t);
+template Lattice<3> wave_noise(int, const Vector<3>&, std::uint32_t);
+
+Vector<2> wave_along(double frequency, double orientation) {
+    return {std::abs(frequency) * std::cos(orientation), std::abs(frequency) * std::sin(orientation)};
+}
+
+Lattice<2> map_noise(const std::array<Vector<2>, 9>& waves, std::uint32_t seed) {
+    return {3, seed, [waves](const auto& lines, std::size_t number) {
+                return std::vector<Lattice<2>::Wave>{{waves.at(number), node_word(lines)}};
+            }};
+}
+
+Lattice<2> isotropic_noise(double frequency, std::uint32_t seed) {
+    return {3, seed, [frequency](const auto& lines, std::size_t) {
+                const auto words = isotropic_words(lines[0], lines[1]);
+                std::vector<Lattice<2>::Wave> waves;
+                for (std::size_t m = 0; m < 3; ++m)
+                    waves.push_back(
+                        {wave_along(frequency, pi / 6 * uniform(words[3]) + pi / 3 * static_cast<double>(m)),
+                         words.at(m)});
+                return waves;
+            }};
+}
+
+std::array<Vector<3>, 3> isotropic_frame(std::uint32_t word) {
+    const double azimuth = pi / 2 * uniform(word);
+    const double rise = uniform(word << 12);
+    const double spin = pi / 4 * uniform(word << 20);
+    const double level = std::sqrt(1 - rise * rise);
+    const Vector<3> first{level * std::cos(azimuth), level * std::sin(azimuth), rise};
+    const Vector<3> level_one{-std::sin(azimuth), std::cos(azimuth), 0};
+    const Vector<3> other = cross(first, level_one);
+    return {first, sum(std::cos(spin), level_one, std::sin(spin), other),
+            sum(-std::sin(spin), level_one, std::cos(spin), other)};
+}
+
+// The mean of cos(2 pi F u.d) over directions u is sin(t) / t in space, and J_0(t) on a surface with d along
+// it, where t = 2 pi F |d|.
+Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed) {
+    return {3, seed,
+            [frequency](const auto& lines, std::size_t) {
+                const auto words = isotropic_words(lines[0], lines[1] * lines[2]);
+                std::vector<Lattice<3>::Wave> waves;
+                for (const Vector<3>& along : isotropic_frame(words[3]))
+                    waves.push_back({scaled(frequency, along), words.at(waves.size())});
+                return waves;
+            },
+            frequency,
+            [frequency](const Vector<3>& offset) {
+                const double turn = 2 * pi * frequency * length(offset);
+                return turn < 1e-6 ? 1 : std::sin(turn) / turn;
+            }};
+}
+
+Lattice<3> tangent_noise(double frequency, const std::array<Vector<3>, 2>& tangents, std::uint32_t seed) {
+    return {3, seed,
+            [frequency, tangents](const auto& lines, std::size_t) {
+                const auto words = isotropic_words(lines[0], lines[1] * lines[2]);
+                const double angle = pi / 2 * uniform(words[3]);
+                const double x = frequency * std::cos(angle), y = frequency * std::sin(angle);
+                return std::vector<Lattice<3>::Wave>{{sum(x, tangents[0], y, tangents[1]), words[0]},
+                                                     {sum(-y, tangents[0], x, tangents[1]), words[1]}};
+            },
+            frequency,
+            [frequency, tangents](const Vector<3>& offset) {
+                return std::cyl_bessel_j(
+                    0, 2 * pi * frequency * std::hypot(dot(offset, tangents[0]), dot(offset, tangents[1])));
+            }};
 }
 
 } // namespace gabor::noise

@@ -1,12 +1,41 @@
 #pragma once
 
-#include "reference/field.hpp"
+#include "reference/vector.hpp"
 
 #include <array>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <vector>
 
 namespace gabor::noise {
+
+/// The noise in N dimensions as a complex number, whose imaginary part is the noise itself, and its gradient
+/// per kernel radius.
+template <std::size_t N>
+struct Field {
+    std::complex<double> value;
+    std::array<std::complex<double>, N> slope{};
+
+    /// Adds a noise whose kernel radii are `radius` times those of this one.
+    void add(double weight, const Field& other, const Vector<N>& radius = filled<N>(1)) {
+        value += weight * other.value;
+        for (std::size_t axis = 0; axis < N; ++axis)
+            slope[axis] += weight / radius[axis] * other.slope[axis];
+    }
+};
+
+/// Where to evaluate the noise, like GaborPlace and GaborPlace3d in the shaders.
+template <std::size_t N>
+struct Place {
+    std::array<std::int32_t, N> cell{};
+    Vector<N> local{};
+    Vector<N> radius = filled<N>(1.5);    ///< nodes or cells per kernel radius
+    std::array<std::int32_t, N> period{}; ///< in nodes or cells, 0 for none
+    bool animated = false;
+    double time = 0; ///< in periods of the animation
+};
 
 /// A node's window along one axis and its derivatives, at a distance d in units of its radius; 0 if |d| >= 1.
 /// Hann's window is (1 + cos pi d) / 2. For two taps, it is c / sqrt(c^2 + (1 - c)^2), where
@@ -42,49 +71,61 @@ std::complex<double> lattice_amplitude(std::uint32_t word);
 /// The same at a time in an animation of period 1, as a mix with two more amplitudes derived from the word.
 std::complex<double> lattice_amplitude(std::uint32_t word, double time);
 
-/// Where to evaluate the noise, like GaborPlace in shaders/gabor_lattice.glsl.
-struct LatticePlace {
-    std::int32_t cell_x = 0;
-    std::int32_t cell_y = 0;
-    double local_x = 0;
-    double local_y = 0;
-    double radius_x = 1.5; ///< nodes per kernel radius
-    double radius_y = 1.5;
-    std::int32_t period_x = 0; ///< in nodes, 0 for none
-    std::int32_t period_y = 0;
-    bool animated = false;
-    double time = 0;
-};
-
-/// The noise of shaders/gabor_lattice.glsl in double precision, from the equations and not from the shader:
-///     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - c_ij)).
+/// A noise on a lattice of nodes c, each with waves F_cm of amplitudes A_cm, in double precision, from the
+/// equations and not from the shaders:
+///     n(p) = K Im sum_c h(p - c) sum_m A_cm exp(2 pi i F_cm.(p - c)).
+template <std::size_t N>
 class Lattice {
   public:
-    /// `taps` is GABOR_TAPS; `frequency` is in cycles per kernel radius, `orientation` in radians.
-    Lattice(int taps, double frequency, double orientation, std::uint32_t seed);
+    struct Wave {
+        Vector<N> wave;     ///< cycles per kernel radius
+        std::uint32_t word; ///< selects the amplitude
+    };
+    /// The waves of a node from the words of the lines through it, along each axis, and from its number among
+    /// those around a place, which rises with x, then y.
+    using Waves =
+        std::function<std::vector<Wave>(const std::array<std::uint32_t, N>& lines, std::size_t number)>;
 
-    /// `wave` is in cycles per kernel radius.
-    Lattice(int taps, std::array<double, 2> wave, std::uint32_t seed);
+    /// `taps` is GABOR_TAPS. `frequency` is that of the waves; `correlation` is their correlation at an
+    /// offset, apart from that of the windows.
+    Lattice(int taps, std::uint32_t seed, Waves waves, double frequency = 0,
+            std::function<double(const Vector<N>&)> correlation = {})
+        : taps_(taps), seed_(seed), waves_(std::move(waves)), frequency_(frequency),
+          correlation_(std::move(correlation)) {}
 
-    using Field = noise::Field;
+    Field<N> field(const Place<N>& place) const;
 
-    Field field(const LatticePlace& place) const;
-
-    /// The noise with three taps and a wave vector for each of the nine nodes around the place, row by row.
-    using Waves = std::array<std::array<double, 2>, 9>;
-    static Field field(const LatticePlace& place, const Waves& waves, std::uint32_t seed);
+    double frequency() const { return frequency_; }
+    double correlation(const Vector<N>& offset) const { return correlation_(offset); }
 
   private:
     int taps_;
-    double wave_x_;
-    double wave_y_;
     std::uint32_t seed_;
+    Waves waves_;
+    double frequency_;
+    std::function<double(const Vector<N>&)> correlation_;
 };
 
-/// gabor_noise_isotropic in double precision; each of the nine nodes has three waves 60 degrees apart, turned
-/// at random:
-///     n(p) = K / sqrt(3) Im sum_c h(x - c_x) h(y - c_y) sum_m A_cm exp(2 pi i F u_cm.(p - c)).
-Lattice::Field lattice_isotropic(const LatticePlace& place, double frequency, std::uint32_t seed);
+/// The noise of gabor_field and gabor_field_3d: the same wave at each node.
+template <std::size_t N>
+Lattice<N> wave_noise(int taps, const Vector<N>& wave, std::uint32_t seed);
+
+/// The vector of a wave with an orientation in radians.
+Vector<2> wave_along(double frequency, double orientation);
+
+/// The noise of gabor_field_waves: a wave for each of the nine nodes around the place, row by row.
+Lattice<2> map_noise(const std::array<Vector<2>, 9>& waves, std::uint32_t seed);
+
+/// The noise of gabor_noise_isotropic and gabor_noise_3d_isotropic: at each node N waves or, in the plane,
+/// three, evenly spread and turned at random.
+Lattice<2> isotropic_noise(double frequency, std::uint32_t seed);
+Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed);
+
+/// The frame of a node of isotropic noise in space, from its word.
+std::array<Vector<3>, 3> isotropic_frame(std::uint32_t word);
+
+/// Isotropic noise on a surface that two unit vectors at right angles span.
+Lattice<3> tangent_noise(double frequency, const std::array<Vector<3>, 2>& tangents, std::uint32_t seed);
 
 /// Cosine, sine and intensity of a complex noise's stripes: the value divided by its length if the length
 /// exceeds 1 / sharpness, otherwise `sharpness` times the value.

@@ -49,8 +49,9 @@ std::int32_t wrapped(std::int32_t cell, std::int32_t period) {
 
 } // namespace
 
-Place place_at(const Recipe& recipe, std::int32_t cell_x, std::int32_t cell_y, float local_x, float local_y) {
-    return {cell_x, cell_y, local_x, local_y, recipe.radius, recipe.radius};
+Place<2> place_at(const Recipe& recipe, std::int32_t cell_x, std::int32_t cell_y, double local_x,
+                  double local_y) {
+    return {{cell_x, cell_y}, {local_x, local_y}, {recipe.radius, recipe.radius}};
 }
 
 std::uint32_t impulse_word(std::int32_t cell_x, std::int32_t cell_y, int index, std::uint32_t seed) {
@@ -64,11 +65,11 @@ Reference::Reference(const Recipe& recipe, double frequency, double orientation,
     : recipe_(recipe), frequency_(frequency), orientation_(orientation),
       deviation_(std::sqrt(variance(recipe, frequency, orientation))), seed_(seed) {}
 
-Reference::Field Reference::field(const Place& place) const {
+Field<2> Reference::field(const Place<2>& place) const {
     using namespace std::complex_literals;
     constexpr double pi = std::numbers::pi;
-    const double radius_x = place.radius_x;
-    const double radius_y = place.radius_y;
+    const double radius_x = place.radius[0];
+    const double radius_y = place.radius[1];
     const double wave_x = frequency_ * std::cos(orientation_);
     const double wave_y = frequency_ * std::sin(orientation_);
     const auto lowest = [](double local, double radius) {
@@ -77,39 +78,41 @@ Reference::Field Reference::field(const Place& place) const {
     const auto highest = [](double local, double radius) {
         return static_cast<std::int64_t>(std::floor(local + radius));
     };
-    Field sum{};
-    for (std::int64_t j = lowest(place.local_y, radius_y); j <= highest(place.local_y, radius_y); ++j) {
-        for (std::int64_t i = lowest(place.local_x, radius_x); i <= highest(place.local_x, radius_x); ++i) {
+    Field<2> sum;
+    for (std::int64_t j = lowest(place.local[1], radius_y); j <= highest(place.local[1], radius_y); ++j) {
+        for (std::int64_t i = lowest(place.local[0], radius_x); i <= highest(place.local[0], radius_x); ++i) {
             for (int k = 0; k < recipe_.impulses; ++k) {
                 const std::uint32_t word =
-                    impulse_word(wrapped(shifted(place.cell_x, i), place.period_x),
-                                 wrapped(shifted(place.cell_y, j), place.period_y), k, seed_);
+                    impulse_word(wrapped(shifted(place.cell[0], i), place.period[0]),
+                                 wrapped(shifted(place.cell[1], j), place.period[1]), k, seed_);
                 const double x = (word >> 8 & 0x7fffff) * 0x1p-23;
                 const double y = (word & 0x7fffff) * 0x1p-23;
                 const auto phases = static_cast<std::uint32_t>(recipe_.phases);
                 const int tempo = static_cast<int>(word >> 8 & 7) - 4;
                 const double phase = word % phases / static_cast<double>(phases) +
-                                     (tempo < 0 ? tempo : tempo + 1) * double{place.time};
+                                     (tempo < 0 ? tempo : tempo + 1) * place.time;
                 const double weight = word >> 31 ? 1 : recipe_.weight_floor;
-                const double dx = (place.local_x - static_cast<double>(i) - x) / radius_x;
-                const double dy = (place.local_y - static_cast<double>(j) - y) / radius_y;
+                const double dx = (place.local[0] - static_cast<double>(i) - x) / radius_x;
+                const double dy = (place.local[1] - static_cast<double>(j) - y) / radius_y;
                 if (std::abs(dx) >= 1 || std::abs(dy) >= 1)
                     continue;
                 const auto wave = weight * std::exp(2i * pi * (wave_x * dx + wave_y * dy + phase));
                 const Window qx = window(recipe_, dx);
                 const Window qy = window(recipe_, dy);
                 sum.value += qx.value * qy.value * wave;
-                sum.slope_x += (qx.slope * qy.value + 2i * pi * wave_x * qx.value * qy.value) * wave;
-                sum.slope_y += (qx.value * qy.slope + 2i * pi * wave_y * qx.value * qy.value) * wave;
+                sum.slope[0] += (qx.slope * qy.value + 2i * pi * wave_x * qx.value * qy.value) * wave;
+                sum.slope[1] += (qx.value * qy.slope + 2i * pi * wave_y * qx.value * qy.value) * wave;
             }
         }
     }
     const bool still = place.time == 0 || recipe_.phases != 2;
     const double deviation =
-        still ? deviation_ : std::sqrt(variance(recipe_, frequency_, orientation_, double{place.time}));
+        still ? deviation_ : std::sqrt(variance(recipe_, frequency_, orientation_, place.time));
     // The variance is proportional to the number of impulses per unit area.
     const double scale = recipe_.radius / (deviation * std::sqrt(radius_x * radius_y));
-    return sum.scaled(scale);
+    Field<2> scaled;
+    scaled.add(scale, sum);
+    return scaled;
 }
 
 } // namespace gabor::noise
