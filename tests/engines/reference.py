@@ -73,6 +73,9 @@ def law(u):
     return (u - 0.89289313 * np.clip(u, -0.93687596, 0.93687596)) * (1 + 0.62342056 * u**2)
 
 
+DEVIATION = np.sqrt(np.mean(law((np.arange(2**20) + 0.5) / 2**20) ** 2))
+
+
 def amplitude(word, time=0.0):
     """A node's amplitude: one part from the whole word, one from its low 20 bits, each with variance 1; with time, a mix
     of three amplitudes."""
@@ -83,8 +86,7 @@ def amplitude(word, time=0.0):
         return ((1 + turn.real) * amplitude(word) + (1 - turn.real) * amplitude(second)
                 + np.sqrt(2) * turn.imag * amplitude(third)) / 2
     whole, low = word.view(np.int32) / 2.0**31, (word << 12).view(np.int32) / 2.0**31
-    deviation = np.sqrt(np.mean(law((np.arange(2**20) + 0.5) / 2**20) ** 2))
-    return (law(whole) + 1j * law(low)) / deviation
+    return (law(whole) + 1j * law(low)) / DEVIATION
 
 
 def window(d, taps):

@@ -90,8 +90,7 @@ def noise(output):
 with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
     white = 2 * np.dstack([drawn(folder, amplitude(part), 0, 1024) for part in (0, 1)]) - 1
     picture = np.array([drawn(folder, noise(output), -8, 64) for output in ("Noise", "Quadrature")])
-deviation = np.sqrt(np.mean(reference.law((np.arange(2**20) + 0.5) / 2**20) ** 2))
-nodes = (reference.law(white) / deviation) @ (1, 1j)
+nodes = (reference.law(white) / reference.DEVIATION) @ (1, 1j)
 x, y = np.meshgrid((np.arange(256) + 0.5) / 32, (np.arange(256) + 0.5) / 32)
 wanted = reference.complex_lattice((0, 0), 1.5 * x, 1.5 * y, amplitudes=lambda i, j: nodes[j - FIRST, i - FIRST])
 values.write_bytes(picture.astype("<f4").tobytes())
