@@ -126,13 +126,15 @@ def places(parameters):
     large, small = (0.68, 0.3) if parameters["view"] == "torus" else (0, 1)
 
     def gap(p):
-        return np.hypot(np.linalg.norm(p[..., :2], axis=-1) - large if large else np.linalg.norm(p[..., :2], axis=-1),
-                        p[..., 2]) - small
+        return np.hypot(np.hypot(p[..., 0], p[..., 1]) - large, p[..., 2]) - small
 
     # Sphere tracing: no step passes the surface.
     distance = np.full(x.shape, 2.9)
+    moving = np.ones(x.shape, bool)
     for _ in range(400):
-        distance = np.minimum(distance + gap(4 * toward + distance[..., None] * ray), 6)
+        step = gap(4 * toward + distance[moving][:, None] * ray[moving])
+        distance[moving] = np.minimum(distance[moving] + step, 6)
+        moving[moving] = (step > 1e-9) & (distance[moving] < 6)
     p = 4 * toward + distance[..., None] * ray
     ring = np.zeros_like(p)
     if large:
