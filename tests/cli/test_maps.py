@@ -1,36 +1,18 @@
 """Tests `gabor render --maps`, which writes a material's maps for other programs."""
 
 import json
-import struct
 import unittest
-import zlib
 from xml.etree import ElementTree
 
 import numpy as np
 
 from exr import Exr, Texture
-from png import SIGNATURE, read_colour_png, read_grey_png, unfilter
+from png import read_colour_png, read_deep_png, read_grey_png
 from program import RenderTest
 
 FILES = {"base_color.png", "normal.png", "height.png", "roughness.png", "metalness.png", "occlusion.png", "orm.png", "maps.exr",
          "material.mtlx", "material.gltf"}
 WIDTH, HEIGHT = 96, 64
-
-
-def read_deep_png(path):
-    """Returns the 16-bit values of the pixels."""
-    data = path.read_bytes()
-    assert data.startswith(SIGNATURE)
-    width, height, bits, kind = struct.unpack_from(">IIBB", data, 16)
-    assert (bits, kind) == (16, 0)
-    at, packed = 8, b""
-    while at < len(data):
-        size, = struct.unpack_from(">I", data, at)
-        packed += data[at + 8:at + 8 + size] if data[at + 4:at + 8] == b"IDAT" else b""
-        at += 12 + size
-    rows = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(height, 1 + 2 * width)
-    halves = [unfilter(np.hstack([rows[:, :1], rows[:, 1 + half::2]])) for half in (0, 1)]
-    return 256 * halves[0].astype(int) + halves[1]
 
 
 def encoded(light):

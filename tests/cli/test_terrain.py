@@ -5,8 +5,8 @@ import unittest
 
 import numpy as np
 from exr import Exr
+from png import read_deep_png
 from program import ProgramTest
-from test_erode import read_png16
 
 GROUND = "render", "--terrain", "--size=160x96", "--seed=5"
 
@@ -62,7 +62,7 @@ class Terrain(ProgramTest):
         scales = [json.loads((self.folder / f"{name}.json").read_text()) for name in ("whole.png", "part.r16")]
         self.assertEqual(scales[0]["elevation"], scales[1]["elevation"])
         np.testing.assert_allclose([scale["extent"] for scale in scales], [[8, 4.8], [2, 1.5]])
-        levels = read_png16(self.folder / "whole.png")
+        levels = read_deep_png(self.folder / "whole.png")
         part = np.frombuffer((self.folder / "part.r16").read_bytes(), "<u2").reshape(30, 40)
         np.testing.assert_array_equal(part, levels[20:50, 10:50])
         low, high = scales[0]["elevation"]

@@ -6,10 +6,9 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next three)
+from events import EventsTest  # noqa: I001 (it finds the next two)
 from outputs import COLOURED
-from png import read_colour_png
-from test_maps import read_deep_png
+from png import read_colour_png, read_deep_png
 
 WINDOW = "--window", "1100x700"
 VIEW = 736 # the view's width, without the panels
