@@ -9,7 +9,7 @@ namespace gabor::render {
 namespace {
 
 // A GPU needs many small blocks whose impulses fit its registers. A CPU has few lanes and large caches, and
-// most of the cost of a lattice block is its start, so it needs few blocks of equal width. `scale` is in
+// most of the cost of a lattice block is its setup, so it needs few blocks of equal width. `scale` is in
 // pixels per radius of the kernels.
 Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, double scale) {
     if (device == DeviceKind::gpu)
@@ -22,7 +22,7 @@ Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, d
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
 
-// `scale` is the picture's, in pixels per kernel radius.
+// `scale` is the scale of the picture, in pixels per kernel radius.
 passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
                            const Axis& y, double scale) {
     const noise::Recipe recipe = drawing_recipe(request);

@@ -7,7 +7,7 @@
 
 namespace gabor::render {
 
-/// A coordinate in kernel radii, whole + part with part in [0, 1): equally precise everywhere.
+/// A coordinate in kernel radii: whole + part, with part in [0, 1). It is equally precise everywhere.
 struct Coordinate {
     std::int64_t whole = 0;
     double part = 0;
@@ -16,7 +16,7 @@ struct Coordinate {
     bool operator==(const Coordinate&) const = default;
 };
 
-/// The point in the middle of the view, or below the camera of the horizon view, and a magnification.
+/// The point in the middle of the view (in the horizon view, the point below the camera) and a magnification.
 struct Camera {
     Coordinate x;
     Coordinate y;
@@ -39,7 +39,8 @@ struct Axis {
     std::int32_t period; ///< period in cells; 0 for none
 };
 
-/// `side` is the width or height of the request, `radius` that of the kernels, as in noise::Wave.
+/// Returns the cells along a side. `side` is the request's width or height in pixels; `radius` is the radius
+/// of the kernels, as in noise::Wave.
 Axis axis_along(const Request& request, int side, double radius = 1);
 
 /// Rows above the horizon in a picture of `height` rows.

@@ -44,7 +44,7 @@ class MapRows {
     const HeightMap& map_;
     std::unique_ptr<image::PictureReader> reader_;
     int read_ = 0;
-    std::vector<float> heights_; // heights of the row read last
+    std::vector<float> heights_; // heights of the last row read
 };
 
 } // namespace

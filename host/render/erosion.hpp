@@ -12,28 +12,28 @@
 
 namespace gabor::render {
 
-/// A map to erode. Its pixels are `pixel` wide in the unit of its heights.
+/// A heightmap to erode. `pixel` is the width of a pixel in the unit of the heights.
 struct HeightMap {
     /// Opens one channel of heights, starting at the first row.
     std::function<std::unique_ptr<image::PictureReader>()> open;
     int width = 0;
     int height = 0;
     double pixel = 1;
-    double scale = 1; ///< heights are `offset` plus this times the values read
+    double scale = 1; ///< height = offset + scale * value read
     double offset = 0;
     bool tileable = false;
 };
 
-/// The channels of an eroded map: height, slope along x and y, ridge, and what erosion added.
+/// The channels of an eroded map: height, slopes along x and y, ridge, and the height that erosion added.
 inline constexpr std::array<std::string_view, 5> erosion_channels{"height", "slope.x", "slope.y", "ridge",
                                                                   "erosion"};
 
-/// Plans the erosion of a region. Another `seed` gives other gullies.
+/// Plans the erosion of a region. A different `seed` gives different gullies.
 Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
                   const image::Rect& region);
 
 /// Erodes a region band by band, so that memory does not grow with the map's height, and passes the rows to
-/// `write`, with interleaved channels. A region has the same pixels as in the whole map. Throws RequestError
+/// `write`, with interleaved channels. The pixels of a region are those of the whole map. Throws RequestError
 /// for a map that is damaged or contains NaN or infinity.
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
            const image::Rect& region, const Sink& write);

@@ -61,7 +61,7 @@ std::string software(const vulkan::Device& device) {
 }
 
 image::ExrHeader exr_header(const Request& request, const image::Rect& region, const std::string& software) {
-    // The colour space is linear for materials and terrain and the photograph's for a fit; noise has none.
+    // Materials and terrain are linear, a fit has the colour space of its photograph, and noise has none.
     const bool linear = has_material(request) || (request.colour && request.colour->linear);
     return {.picture = {0, 0, request.width, request.height},
             .window = region,
@@ -102,7 +102,7 @@ Times render_file(const vulkan::Device& device, const Request& request, const im
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / channels);
         const Clock::time_point before = Clock::now();
-        if (exr && files.normals) { // they stand before the last channel
+        if (exr && files.normals) { // normals precede the last channel
             without_normals.clear();
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (i % channels < kept - 1 || i % channels == channels - 1)

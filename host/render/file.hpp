@@ -22,16 +22,17 @@ float srgb(float light);
 
 constexpr int most_frames = 9999;
 
-/// Returns frame `frame` of an animation that takes one period in `frames` frames.
+/// Returns the request for one frame of an animation whose period is `frames` frames.
 Request frame_of(Request request, int frame, int frames);
 
 /// Numbers the files of several frames: NAME.exr becomes NAME.0001.exr.
 std::filesystem::path frame_path(const std::filesystem::path& path, int frame, int frames);
 
-/// Names version, device and driver for a file's header. If these agree, so do the pixels.
+/// Returns the version, device and driver as text for a file's header. If all three are equal, so are the
+/// pixels.
 std::string software(const vulkan::Device& device);
 
-/// Returns the header of the EXR with a region of a picture. `software` is what made it.
+/// Returns the header of an EXR file that holds a region of a picture. `software` names what rendered it.
 image::ExrHeader exr_header(const Request& request, const image::Rect& region, const std::string& software);
 
 struct Files {
@@ -42,7 +43,7 @@ struct Files {
     std::string_view compression = "none";
     /// If set, converts a band to the red, green and blue, from 0 to 1, that the PNG shows.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
-    bool normals = false; ///< `colours` needs them: see Viewport
+    bool normals = false; ///< whether `colours` needs normals: see Viewport
 };
 
 /// Renders `region` of a checked request to files. Calls `advance` before it writes a band; if `advance`

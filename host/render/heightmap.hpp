@@ -21,11 +21,11 @@ struct Elevation {
     double high;
 };
 
-/// Writes a 16-bit heightmap, PNG or .r16, and beside it a file that says what its numbers mean.
+/// Writes a 16-bit heightmap as PNG or .r16, and next to it a file that explains its numbers.
 class HeightWriter {
   public:
-    /// `pixel` is the width of a pixel in the unit of heights. Throws RequestError unless the elevation rises
-    /// and the name ends in .png or .r16.
+    /// `pixel` is the width of a pixel in the unit of heights. Throws RequestError unless the low elevation
+    /// is below the high one and the name ends in .png or .r16.
     HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
                  double pixel);
 

@@ -32,7 +32,8 @@ struct Preset {
 /// All presets, sorted by name.
 std::span<const Preset> presets();
 std::vector<std::string_view> preset_names();
-/// Returns a preset, or reads NAME.json. Throws RequestError, listing the known names.
+/// Returns the preset with that name, or reads a file NAME.json. Throws RequestError, listing the presets, if
+/// there is no such preset.
 Request preset(std::string_view name);
 
 /// Frequencies and orientations painted over a picture.
@@ -40,10 +41,10 @@ struct Paint {
     int width = 1;
     int height = 1;
     std::vector<float> samples{0, 0}; ///< row by row: cycles per kernel radius, radians
-    bool relative = false;            ///< frequencies multiply the lobe's, and orientations add to it
+    bool relative = false;            ///< samples multiply the lobe's frequency and add to its orientation
 };
 
-/// Tells whether a paint file has only directions: any picture but an EXR.
+/// Tells whether a paint file contains only directions, as every format except EXR does.
 bool has_only_directions(const std::string& path);
 
 /// Reads a picture of at most 2^24 pixels. An EXR has channels `frequency` and `orientation` (degrees); in

@@ -65,9 +65,9 @@ struct Maps {
     }
 };
 
-// Converts maps to what mip levels average: the same channels, but with r^4, the second moment of the
-// microfacets' slopes, in place of the roughness r, and with the slopes along x and y and the sum of their
-// squares in place of the normal.
+// Converts maps to values that mip levels can average: the same channels, but with r^4, the second moment of
+// the microfacets' slopes, in place of the roughness r, and with the slopes along x and y and the sum of
+// their squares in place of the normal.
 std::vector<float> averaged_from(std::span<const float> maps) {
     std::vector<float> averaged(maps.begin(), maps.end());
     for (std::size_t i = 0; i < averaged.size(); i += map_channels.size()) {
@@ -130,7 +130,7 @@ void add_maps(std::span<const float> pixel, bool terrain, std::vector<float>& ma
         maps.push_back(static_cast<float>(part / length));
 }
 
-// One PNG of the set: which channels it shows, and how.
+// One PNG of the set, with the channels that it stores.
 struct Png {
     std::string_view name;
     std::vector<std::size_t> channels;
@@ -165,7 +165,8 @@ constexpr const char* exr_name = "maps.exr";
 constexpr const char* materialx_name = "material.mtlx";
 constexpr const char* gltf_name = "material.gltf";
 
-// Creates the folder if there is none. In the end, removes a new folder that is still empty.
+// Creates the folder if it does not exist. The destructor removes a folder that it created if it is still
+// empty.
 class Folder {
   public:
     explicit Folder(const std::filesystem::path& path) : path_(path) {
@@ -178,7 +179,7 @@ class Folder {
     ~Folder() {
         std::error_code ignored;
         if (made_)
-            std::filesystem::remove(path_, ignored); // only if it is empty
+            std::filesystem::remove(path_, ignored); // fails unless it is empty
     }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;

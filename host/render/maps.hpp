@@ -15,12 +15,12 @@ constexpr int most_map_side = 8192;
 
 struct MapFormat {
     bool directx = false; ///< also write normal_directx.png
-    bool texture = false; ///< give maps.exr mip levels, which turn lost slopes into roughness
+    bool texture = false; ///< write mip levels to maps.exr; slopes that averaging removes become roughness
     bool half = false;    ///< store the texture as 16-bit floats
 };
 
-/// fmt templates of the set's MaterialX document and of its glTF scene, which shows a square; they are files
-/// in host/render/scenes.
+/// The fmt templates of material.mtlx and of material.gltf, which shows a square. Their files are in
+/// host/render/scenes.
 extern const std::string_view materialx_template, gltf_template;
 
 /// Tells whether the request has maps: a material in the plane, or terrain from above.

@@ -8,7 +8,8 @@
 
 namespace gabor::render {
 
-/// The materials of gabor_materials.glsl: names of its functions without the prefix, with - for _.
+/// The materials of gabor_materials.glsl: the names of its functions without the prefix, with - in place of
+/// _.
 constexpr std::array<std::string_view, 12> materials{"wood",  "fabric",  "leather",       "marble",
                                                      "sand",  "ripples", "brushed-metal", "scratches",
                                                      "zebra", "bark",    "carbon-fibre",  "strata"};
@@ -20,7 +21,7 @@ std::vector<float> material_parameters(const Request& request);
 /// height along x and y, which bodies lack.
 constexpr std::array<std::string_view, 11> material_channels{
     "R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B", "slope.x", "slope.y"};
-constexpr std::size_t lit_channel = 6; ///< index of lit.R in both lists of channels
+constexpr std::size_t lit_channel = 6; ///< index of lit.R in material_channels and terrain_channels
 
 /// Channels of a terrain's pixels. Height and the colours have the same indices as for a material.
 constexpr std::array<std::string_view, 11> terrain_channels{

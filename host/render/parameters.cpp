@@ -54,7 +54,7 @@ std::string_view name_of(const View& view) {
         ->name;
 }
 
-// Returns the view with that name; keeps values that the previous view has too.
+// Returns the view with that name. It keeps the values that the previous view also has.
 View view_of(std::string_view name, const View& before) {
     const View& fresh = std::ranges::find(named_views, name, &NamedView::name)->view;
     if (fresh.index() != before.index())
@@ -251,15 +251,16 @@ std::vector<Parameter> make_table() {
          "The power spectrum as a list of lobes, whose noises are added",
          [](const Request& r) { return Value(r.lobes); },
          [](Request& r, const Value& v) { r.lobes = std::get<std::vector<Lobe>>(v); }},
-        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "", "Seed; each seed gives another noise",
-            [](auto& r) { return &r.seed; }),
+        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "",
+            "Seed; each seed gives a different noise", [](auto& r) { return &r.seed; }),
         row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, "", "Time in an animation with period 1",
             [](auto& r) { return &r.time; }),
         {"view", Kind::choice, "", none, none, "",
          "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
          "in "
          "space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded mountains from "
-         "above and `landscape` in perspective. Terrain has channels R, G, B, height, slope.x, slope.y, lit.R, "
+         "above and `landscape` in perspective. Terrain has channels R, G, B, height, slope.x, slope.y, "
+         "lit.R, "
          "lit.G, lit.B, ridge, erosion",
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
@@ -322,14 +323,14 @@ std::vector<Parameter> make_table() {
                     &Erosion::onset),
         erosion_row("detail", {0.1, 100}, {0.1, 10},
                     "How far fine gullies reach into creases and onto ridges", &Erosion::detail),
-        erosion_row("sharpness", {0, 100}, {0, 8}, "How equal the depths of gullies are",
+        erosion_row("sharpness", {0, 100}, {0, 8}, "How uniform the depths of gullies are",
                     &Erosion::sharpness),
         erosion_row("ridge_rounding", {0, 10}, {0, 2}, "Width of rounded ridges", &Erosion::ridge_rounding),
         erosion_row("crease_rounding", {0, 10}, {0, 2}, "Width of rounded creases",
                     &Erosion::crease_rounding),
         erosion_row("gully_weight", {0, 1}, {0, 1}, "Depth of gullies, relative to that of peaks and valleys",
                     &Erosion::gully_weight),
-        erosion_row("branching", {0, 10}, {0, 2}, "How far gullies turn the finer gullies beside them",
+        erosion_row("branching", {0, 10}, {0, 2}, "How much gullies turn the finer gullies beside them",
                     &Erosion::branching),
         flag("filter", "",
              "Antialias with a Gaussian filter of half a pixel. In the plane, adds a channel `removed`: the "
@@ -369,7 +370,7 @@ const std::array exclusions{
                   return (std::holds_alternative<Slice>(r.view) || has_terrain(r)) &&
                          r.material != no_material;
               },
-              "materials lie on planes and bodies"},
+              "only planes and bodies have materials"},
     Exclusion{"paint", "lobes", [](const Request& r) { return !r.paint.empty() && r.lobes.size() > 1; },
               "paint replaces the frequency and orientation of a single lobe"},
     Exclusion{"paint", "view",
@@ -712,7 +713,7 @@ std::vector<float> material_parameters(const Request& request) {
         if (!value)
             continue;
         if (const auto* colour = std::get_if<std::array<double, 3>>(&*value)) {
-            values.resize((values.size() + 3) / 4 * 4); // where a vec3 may begin
+            values.resize((values.size() + 3) / 4 * 4); // std430 aligns vec3 to four floats
             for (const double part : *colour)
                 values.push_back(static_cast<float>(part));
         } else {

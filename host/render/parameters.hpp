@@ -9,7 +9,7 @@
 
 namespace gabor::render {
 
-/// The value of any parameter. Integers are `double` too, which is exact for all that occur here. Colours are
+/// The value of a parameter. Integers are stored as `double`, which holds all of them exactly. Colours are
 /// linear.
 using Value = std::variant<bool, double, std::string, std::vector<noise::Lobe>, std::array<double, 3>>;
 
@@ -29,7 +29,7 @@ struct Parameter {
     std::string_view unit;  ///< such as "cycles per kernel radius"; empty for none
     Range range;            ///< limits of integers, numbers and angles
     Range slider;           ///< the part of the range that a slider covers, logarithmic if low > 0
-    std::string applies_to; ///< requests that have it, as in "the slice view"; empty for all
+    std::string applies_to; ///< which requests have this parameter, as in "the slice view"; empty if all do
     std::string_view help;  ///< a sentence without its full stop
 
     /// Returns the value, or nothing if the request has no such parameter.
@@ -67,11 +67,11 @@ std::span<const LobeParameter> lobe_parameters();
 /// The accepted values of a choice or a recipe.
 std::vector<std::string_view> choices(const Parameter& parameter);
 
-/// Describes what is accepted, as in "a number from 2 to 4096 (pixels per kernel radius)".
+/// Describes the accepted values, as in "a number from 2 to 4096 (pixels per kernel radius)".
 std::string accepted(const Parameter& parameter);
 
 /// Reads a value: "12", "45deg", "0.7854rad", "true", "horizon", "#c08040", "0.5,0.3,0.1" or a JSON list of
-/// lobes. Throws RequestError, "'text': expected ...". `to_text` is its inverse.
+/// lobes. Throws RequestError with the message "'text': expected ...". `to_text` is the inverse of `read`.
 Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 
@@ -84,8 +84,8 @@ void set(Request& request, std::string_view name, const Value& value);
 /// Tells whether the request has that parameter with a value other than the default.
 bool is_set(const Request& request, std::string_view name);
 
-/// Resets everything that conflicts with this parameter, including colours. The viewer does so; the command
-/// line refuses conflicts.
+/// Resets every parameter that conflicts with this one, and the colour if it conflicts with anything. The
+/// viewer resolves conflicts this way; the command line reports them as errors.
 void drop_conflicting(Request& request, std::string_view name);
 
 /// Throws RequestError if a value is out of range, or if two parameters conflict.
@@ -98,8 +98,8 @@ bool applies_to_material(const Request& request, std::string_view name);
 bool is_of_one_material(const Parameter& parameter);
 
 /// `to_json` writes the request as one JSON object, like the `gabor` attribute of EXR files. `from_json`
-/// reads it, uses defaults for absent values, ignores known ones that the request does not have, and throws
-/// RequestError on anything else.
+/// reads such an object. It uses defaults for absent values, ignores parameters that exist but not in this
+/// request, and throws RequestError for anything else.
 std::string to_json(const Request& request);
 Request from_json(std::string_view json);
 

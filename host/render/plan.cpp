@@ -65,7 +65,7 @@ Push push_of(const image::Rect& region) {
 
 // ---- The plane, pixel by pixel ----
 
-// The length of a pixel in kernel radii; in perspective, the height of the camera at which the bottom of
+// The length of a pixel in kernel radii; in perspective, the height of the camera at which the bottom one of
 // `height` rows has the request's scale.
 double pixel_length(const Request& request, int height) {
     return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
@@ -249,7 +249,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     push.waves = static_cast<int>(waves.size());
     if (const Slice* slice = std::get_if<Slice>(&request.view)) {
         const Camera& camera = viewport.camera;
-        // Rounds, so that values fall on whole places.
+        // Rounds to whole values, so that the same points are sampled wherever the view is.
         const auto first = [&](const Coordinate& middle, int pixels) {
             const double at = (static_cast<double>(middle.whole) + middle.part) * request.scale * camera.zoom;
             return static_cast<int>(std::clamp(std::round((at - pixels / 2.0) / viewport.stride), -1e9, 1e9));
@@ -274,7 +274,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
 
 // ---- Materials ----
 
-// Plans a material. In flat views, the light stays in place over the view.
+// Plans a material. In flat views, the light stays fixed relative to the view.
 void plan_material(Plan& plan, const Request& request, const Viewport& viewport) {
     const Camera& camera = viewport.camera;
     const bool flat = is_flat(request.view);

@@ -21,13 +21,13 @@ using Bytes = std::vector<std::byte>;
 /// The specialization constants of a pass as 32-bit words, indexed by the ids in passes/constants.h.
 using Constants = std::array<std::uint32_t, passes::constant_count>;
 
-/// The constants of passes/recipe.glsl, which come first.
+/// The constants of passes/recipe.glsl, whose ids are the lowest.
 std::array<std::uint32_t, passes::window_id + 3> recipe_constants(const noise::Recipe& recipe);
 
 /// The variant of a pass for a recipe: PASS, or PASS@TAPS for the lattice.
 std::string recipe_pass(std::string_view pass, const noise::Recipe& recipe);
 
-/// The time within its period, in [0, 1).
+/// The request's time as a fraction of the period, in [0, 1).
 float wrapped_time(const Request& request);
 
 /// Columns and rows of invocations.
@@ -50,7 +50,8 @@ struct Step {
     Bytes push;     ///< push constants; they start with passes::Band for the whole region
     int across = 0; ///< invocations along a row
     Block group;    ///< invocations in a work group
-    /// First row and number of rows of each row of groups; if empty, each has group.rows.
+    /// The first row and the number of rows that each row of work groups fills; if empty, each fills
+    /// group.rows.
     std::vector<std::pair<int, int>> runs;
 };
 
@@ -102,8 +103,8 @@ bool uses_blocks(const Request& request, const Viewport& viewport);
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint = {},
           DeviceKind device = DeviceKind::cpu);
 
-/// Cuts the region, from top to bottom, into bands of at most `most_rows` rows or, if the plan cannot fill so
-/// few, of as few as it can.
+/// Cuts the region, from top to bottom, into bands of at most `most_rows` rows. If the plan cannot fill so
+/// few rows at a time, bands have as few rows as it can fill.
 std::vector<Band> bands(const Plan& plan, int most_rows);
 
 /// The highest frequency that the paint of a request gives its lobe, in cycles per kernel radius.

@@ -59,8 +59,8 @@ void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t
 std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest,
                                    double origin = 0);
 
-/// Plans passes/bake.comp, and passes/bake_colour.comp for colour. Noises of one kernel radius share a step,
-/// since they share their runs. `constants` are those that depend on the request.
+/// Plans passes/bake.comp, and passes/bake_colour.comp for colour. Waves whose kernels have the same radii
+/// share a step, because they share their runs. `constants` holds the constants that depend on the request.
 void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, DeviceKind device,
                const Constants& constants);
 

@@ -71,7 +71,7 @@ struct Times {
     Times& operator+=(const Times& later);
 };
 
-/// Takes whole rows of pixels, from top to bottom. It may throw.
+/// Receives whole rows of pixels, from top to bottom. It may throw.
 using Sink = std::function<void(std::span<const float>)>;
 /// Provides the next band's rows of a plan's source, including the halo.
 using Fill = std::function<void(std::span<float>)>;

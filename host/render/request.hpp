@@ -80,7 +80,7 @@ inline constexpr std::array<std::string_view, 3> environments{"room", "overcast"
 
 using View = std::variant<Plane, Horizon, Slice, Body, Terrain>;
 
-/// Stands for no material: the noise itself.
+/// The value of `material` that draws the noise itself.
 constexpr std::string_view no_material = "none";
 
 /// Everything that decides the pixels of a picture. render/parameters.hpp has the table of names, units,
@@ -97,11 +97,11 @@ struct Request {
     double time = 0; ///< time in periods of the animation
     View view = Plane();
     std::string material{no_material}; ///< drawn in place of the noise; see render/material.hpp
-    std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of materials that are not
-                                                                 ///< default, by their names in the table
+    std::map<std::string_view, std::array<double, 3>> look = {}; ///< material parameters that differ from
+                                                                 ///< their defaults, by name
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
-    int environment = 0;    ///< what surrounds a material besides its lamp: a number of `environments`
+    int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
     bool filter = false;    ///< antialias with a Gaussian filter of half a pixel
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
                             ///< load_paint; empty for none
@@ -162,7 +162,7 @@ double terrain_unit(const Request& request);
 /// The most that erosion raises or lowers hills, in kernel radii.
 double erosion_reach(const Erosion& erosion);
 
-/// The hills of gabor_terrain stay within this distance of height 0: six deviations.
+/// The hills of gabor_terrain stay within this distance of height 0, which is six standard deviations.
 inline constexpr double hill_reach = 2;
 
 /// The components, to the right and down, of the unit vector towards the lamp or the sun.
@@ -184,12 +184,12 @@ constexpr bool is_isotropic(const noise::Lobe& lobe) {
 }
 
 /// The channels of a picture's pixels, in order, as EXR names them: `Y` is the noise; in space, the last
-/// channel, `A`, is the covered share of the pixel. `normals`: a body has normal.x, normal.y, normal.z and
-/// gradient.z before `A`; x is right in the picture, y down, z towards the eye.
+/// channel, `A`, is the covered share of the pixel. If `normals` is set, a body also has normal.x, normal.y,
+/// normal.z and gradient.z before `A`, where x points right in the picture, y down and z towards the eye.
 std::vector<std::string> channels(const Request& request, bool normals = false);
 
-/// The theoretical variance of a channel that is normally distributed around 0. Nothing if it is not normal,
-/// varies from pixel to pixel, or has no closed form here.
+/// The theoretical variance of a channel that is normally distributed around 0. Returns nothing if the
+/// channel is not normal, or if its variance differs between pixels or has no closed form here.
 std::optional<double> known_variance(const Request& request, std::string_view channel);
 
 } // namespace gabor::render

@@ -18,13 +18,13 @@ struct TextureFormat {
 /// the region one of the equal tiles that make up the picture.
 void check_texture(const Request& request, const image::Rect& region);
 
-/// The number of levels that are drawn, down to a single row or column; smaller ones are averages.
+/// The number of levels that are drawn, down to a single row or column. Smaller levels are averages.
 int drawn_levels(const image::Rect& region);
 
 /// The request that draws a level of a texture.
 Request texture_level(Request request, int level);
 
-/// Returns the mip level after `level`, with half the sides down to 1: means of pixels.
+/// Returns the mip level after `level` by averaging pixels. It halves each side that is longer than 1.
 std::vector<float> halved(std::span<const float> level, int width, int height, std::size_t channels);
 
 /// Renders `region` of a checked request as a mip-mapped texture. Each level is filtered for its own pixel
@@ -38,9 +38,9 @@ constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {
     return of_first_level + of_first_level / 3;
 }
 
-/// Assembles a texture from its drawn levels, each whole or in regions, into the file that render_texture
-/// would have written. Keeps the regions' compression. Returns the picture. Throws RequestError if a file is
-/// not a level of the picture, or if a level is missing.
+/// Assembles the drawn levels of a texture, each whole or in regions, into the file that render_texture would
+/// have written. Keeps the regions' compression. Returns the picture. Throws RequestError if a file is not a
+/// level of the picture, or if a level is missing.
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
                          bool half, const image::Advance& advance);
 

@@ -1,5 +1,5 @@
-#include "noise/spectrum.hpp"
 #include "noise/variance.hpp"
+#include "noise/spectrum.hpp"
 #include "render/camera.hpp"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ struct Variances {
     double slope_y = 0;
 };
 
-// Returns the variances of a wave along one axis, in its own kernel radii. Its slope and that of its windows
-// are uncorrelated.
+// Returns the variances of a wave along one axis, in its own kernel radii. The slopes of the wave and of its
+// windows are uncorrelated.
 noise::AxisVariance along_axis(const Request& request, double frequency, double deviation) {
     if (request.filter)
         return noise::filtered_variance(frequency, deviation);
@@ -26,11 +26,12 @@ noise::AxisVariance along_axis(const Request& request, double frequency, double 
     return {1, turn * turn + noise::window_slope_energy(request.recipe)};
 }
 
-// Sums over the waves of the lattice in the plane; nothing if a pixel is too wide for the filter.
+// Returns sums over the waves of the lattice in the plane, or nothing if a pixel is too wide for the filter.
 std::optional<Variances> variances(const Request& request) {
     Variances sum;
     for (const noise::Wave& wave : noise::waves(request.lobes, request.seed)) {
-        // Kernels per kernel radius of the picture: windows stretch with the nodes to fit a period.
+        // The number of kernel radii of the wave per kernel radius of the picture. Windows stretch with the
+        // nodes to fit a period.
         const auto kernels = [&](int side, double radius) {
             return axis_along(request, side, radius).radius / double{request.recipe.radius} / radius;
         };

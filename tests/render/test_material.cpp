@@ -369,7 +369,7 @@ TEST_CASE("a material cannot be combined with the noise's own parameters", "[mat
     refused({.material = "plastic"}, "material 'plastic': expected none, wood, fabric");
     refused({.lobes = {{.frequency = 3}}, .material = "wood"}, "frequency conflicts with material wood");
     refused({.material = "wood", .gradient = true}, "gradient conflicts with material wood");
-    refused({.view = render::Slice{}, .material = "wood"}, "materials lie on planes and bodies");
+    refused({.view = render::Slice{}, .material = "wood"}, "only planes and bodies have materials");
     Request request{.time = 0.5, .material = "sand"};
     render::drop_conflicting(request, "material");
     CHECK(request == Request{.material = "sand"});
