@@ -1,6 +1,6 @@
 #pragma once
 
-// The subcommands of gabor, and what they share to add and read their options.
+// The subcommands of gabor, and the functions with which they add and read their options.
 
 #include "error.hpp"
 #include "render/parameters.hpp"
@@ -41,7 +41,7 @@ CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value
 /// Adds an option for a range of heights, LOW,HIGH.
 CLI::Option* add_elevation_option(CLI::App& command, std::vector<double>& elevation, const std::string& help);
 
-/// Options for rows of the table of parameters.
+/// The command-line options for parameters of the table.
 using ParameterOptions = std::vector<std::pair<const render::Parameter*, const CLI::Option*>>;
 
 /// Returns the values of the options that are given. Throws RequestError, naming the option.
@@ -70,15 +70,15 @@ std::array<int, count> parse_integers(std::string_view option, std::string_view 
     return values;
 }
 
-/// Reads a whole number from `low` to `high`; `where` explains the limits.
+/// Reads a whole number from `low` to `high`. Messages append `where` to the limits.
 int parse_integer(std::string_view option, std::string_view text, int low, int high,
                   std::string_view where = "");
 
 /// Reads X,Y,WIDTH,HEIGHT.
 image::Rect parse_region(std::string_view text);
 
-/// Throws RequestError, which says `whose` region it is, unless `region` lies within the `whole` of `width` x
-/// `height` pixels.
+/// Throws RequestError unless `region` lies within `width` x `height` pixels. The message calls the region
+/// `whose` and the pixels `whole`.
 void check_within(const image::Rect& region, int width, int height, std::string_view whose,
                   std::string_view whole);
 

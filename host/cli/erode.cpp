@@ -40,13 +40,13 @@ struct ErodeOptions {
     std::vector<double> elevation;
     double extent = 2 * preset_hill;
     std::string preset = "alps";
-    ParameterOptions gullies; // override the preset's
+    ParameterOptions gullies; // these override the preset's
     std::uint32_t seed = 0;
     bool tileable = false;
     std::string device;
 };
 
-// Returns gullies for hills that are `hill` wide.
+// Returns the parameters of the gullies for hills that are `hill` wide.
 render::Erosion erosion_of(const ErodeOptions& options, double hill) {
     const std::vector<std::string_view> names = terrain_presets();
     if (std::ranges::find(names, options.preset) == names.end())
@@ -89,7 +89,8 @@ render::HeightMap map_of(const ErodeOptions& options) {
 
 void erode(const ErodeOptions& options) {
     if (!(options.extent > 0 && options.extent < 1e9))
-        throw RequestError(fmt::format("--extent {}: expected the map's width, more than 0", options.extent));
+        throw RequestError(
+            fmt::format("--extent {}: expected the map's width, greater than 0", options.extent));
     const bool to_exr = has_extension(options.output, ".exr");
     if (!to_exr && !has_extension(options.output, ".png") && !has_extension(options.output, ".r16"))
         refuse("-o", options.output.string(), "the name of a file that ends in .exr, .png or .r16");
@@ -105,8 +106,8 @@ void erode(const ErodeOptions& options) {
 
     const bool floats = has_extension(options.map, ".exr");
     if (floats && !to_exr && options.elevation.empty())
-        throw RequestError(
-            "an EXR stores heights: say with --elevation which of them become 0 and 65535 in 16 bits");
+        throw RequestError("an EXR stores unscaled heights: set with --elevation which of them become 0 and "
+                           "65535 in 16 bits");
     render::Elevation elevation{0, options.extent / 8};
     if (!options.elevation.empty())
         elevation = {options.elevation[0], options.elevation[1]};
@@ -116,7 +117,7 @@ void erode(const ErodeOptions& options) {
         map.scale = elevation.high - elevation.low;
         map.offset = elevation.low;
     }
-    // Erosion keeps heights from the map's range within this one.
+    // Erosion changes a height by at most `reach`, so the eroded heights lie in this range.
     const double reach = render::erosion_reach(erosion) * erosion.gully_weight;
     const render::Elevation range{elevation.low - reach, elevation.high + reach};
 
@@ -173,7 +174,7 @@ void add_erode_command(CLI::App& app) {
         options->gullies.emplace_back(p, command->add_option(render::option_name(*p))
                                              ->type_name("NUMBER")
                                              ->description(std::string(p->help)));
-    add_option(*command, "--seed", options->seed, "NUMBER", "Another seed gives other gullies [0]");
+    add_option(*command, "--seed", options->seed, "NUMBER", "Seed; each seed gives different gullies [0]");
     command->add_flag("--tileable", options->tileable, "The map tiles, and so does the output");
     add_device_option(*command, options->device);
     command->callback([options] { erode(*options); });

@@ -24,7 +24,7 @@ struct FitOptions {
     std::optional<std::string> glsl;
 };
 
-// Returns a function that reports the part of the whole progress from `from` to `to`.
+// Returns a function that reports one part of the work, which moves the whole progress from `from` to `to`.
 fit::Advance part_of(Progress& progress, double from, double to) {
     return [&progress, from, to, shown = std::uint64_t{0}](double share) mutable {
         check_interrupt();

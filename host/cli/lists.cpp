@@ -62,14 +62,14 @@ void print_material(const std::string& name) {
 } // namespace
 
 void add_devices_command(CLI::App& app) {
-    app.add_subcommand("devices", "List the Vulkan devices, their drivers and the limits that matter here")
+    app.add_subcommand("devices", "List the Vulkan devices with their drivers and limits")
         ->callback(print_devices);
 }
 
 void add_materials_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();
-    CLI::App* command =
-        app.add_subcommand("materials", "List the materials, or the options of gabor render for one");
+    CLI::App* command = app.add_subcommand(
+        "materials", "List the materials, or the options that gabor render has for one of them");
     add_option(*command, "MATERIAL", *name, "", fmt::format("{}", fmt::join(render::materials, ", ")));
     command->callback([name] {
         if (!name->empty())
@@ -82,7 +82,7 @@ void add_materials_command(CLI::App& app) {
 void add_recipes_command(CLI::App& app) {
     auto as_json = std::make_shared<bool>(false);
     CLI::App* command =
-        app.add_subcommand("recipes", "List the recipes, and the macros to define for them in GLSL");
+        app.add_subcommand("recipes", "List the recipes, and the GLSL macros that select them");
     command->add_flag("--json", *as_json, "Print JSON");
     command->callback([as_json] { print_recipes(*as_json); });
 }

@@ -55,7 +55,8 @@ std::size_t edits(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-// Suggests the option or subcommand most similar to an unknown word; empty if none is similar enough.
+// Returns text that suggests the option or subcommand most similar to an unknown word, if any is similar
+// enough.
 std::string suggestion(const CLI::App& app, const std::string& word) {
     std::vector<std::string> known;
     const std::vector<CLI::App*> chosen = app.get_subcommands();

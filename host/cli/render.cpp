@@ -22,7 +22,7 @@ namespace {
 
 using Kind = render::Parameter::Kind;
 
-// The command-line options. Those not given come from --like or --preset, or have defaults.
+// The command-line options. Values that are not given come from --like or --preset, or are defaults.
 struct RenderOptions {
     std::optional<std::string> output;
     std::optional<std::string> png;
@@ -52,7 +52,7 @@ struct Work {
     bool scaled = false; ///< whether an option, a preset or another file sets the scale
 };
 
-// Returns the values of the options for parameters, and of --size.
+// Returns the parameters that the options set, including --size.
 render::Values values_of(const RenderOptions& options) {
     render::Values values = given_values(options.parameters);
     if (options.size) {
@@ -128,7 +128,7 @@ void warn_above_nyquist(const render::Request& request) {
     if (highest > 0.5)
         fmt::print(stderr,
                    "gabor: warning: the frequency is {:.3g} cycles per pixel, above the picture's limit of "
-                   "0.5, so it shows as a lower one; --filter removes it\n",
+                   "0.5, so it aliases to a lower one; --filter removes it\n",
                    highest);
 }
 
@@ -148,7 +148,7 @@ void print_times(const render::Times& times, const vulkan::Device& device, doubl
                times.gpu / pixels * 1e9);
     fmt::print("  compression and writing {:8.3f} s, then {:.3f} s to reach the disk\n", times.writing,
                times.closing);
-    fmt::print("  everything              {:8.3f} s\n", wall);
+    fmt::print("  total                   {:8.3f} s\n", wall);
     fmt::print("  host overhead           {:8.3f} s\n", wall - times.waiting - times.writing - times.closing);
     fmt::print("  resident memory         {:8} MiB at most\n", peak_memory() >> 20);
 }
@@ -186,7 +186,7 @@ render::Files files_of(const RenderOptions& options) {
     if (!options.elevation.empty())
         files.elevation = render::Elevation{options.elevation[0], options.elevation[1]};
     if (options.texture && options.level)
-        throw RequestError("--texture and --level cannot be combined: a level is a picture");
+        throw RequestError("--texture and --level cannot be combined: a level is written as a plain picture");
     if (options.texture && (files.png || files.heightmap))
         throw RequestError("--texture cannot be combined with a PNG or a heightmap: a texture is an EXR");
     return files;

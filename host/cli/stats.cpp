@@ -206,7 +206,7 @@ void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>
     };
     if (const std::optional<statistics::SpectralPeak>& peak = spectrum.peak) {
         print_line("peak frequency", peak->frequency, "cycles per pixel" + per_radius(peak->frequency));
-        print_line("peak orientation", peak->orientation, "degrees from right towards down");
+        print_line("peak orientation", peak->orientation, "degrees clockwise from right");
     } else {
         fmt::print("  {:<18}{:>13}  indistinguishable from 0\n", "peak frequency", "none");
     }
@@ -236,12 +236,14 @@ void print_limits(const Measured& measured) {
     } else if (!report.spectrum) {
         fmt::print("  No spectrum, intervals or cvm: the picture is smaller than 16 x 16 pixels.\n");
     } else if (!blocks) {
-        fmt::print("  No intervals and no cvm: pixels correlate over about {:.0f} pixels, and the picture is "
-                   "shorter than 8 times that.\n",
-                   report.spectrum->correlation);
+        fmt::print(
+            "  No intervals and no cvm: pixels are correlated over about {:.0f} pixels, and the picture is "
+            "shorter than 8 times that.\n",
+            report.spectrum->correlation);
     } else {
-        fmt::print("  Intervals come from {0} x {0} blocks; pixels correlate over about {1:.0f} pixels.\n",
-                   blocks->blocks_per_side, report.spectrum->correlation);
+        fmt::print(
+            "  Intervals come from {0} x {0} blocks; pixels are correlated over about {1:.0f} pixels.\n",
+            blocks->blocks_per_side, report.spectrum->correlation);
         if (!has_cvm(blocks))
             fmt::print(
                 "  The picture is too small to test its distribution; render at least {0} x {0} pixels.\n",

@@ -19,7 +19,7 @@ class Progress {
     Progress(std::string label, std::uint64_t total);
     ~Progress();
 
-    /// Throws Interrupted after a signal that `note_interrupts` notes.
+    /// Counts finished work. Throws Interrupted if a signal noted by `note_interrupts` has arrived.
     void advance(std::uint64_t by);
 
   private:
@@ -35,7 +35,7 @@ class Progress {
 /// Makes SIGINT and SIGTERM set a flag instead of terminating the process.
 void note_interrupts();
 
-/// Throws Interrupted after one of these signals. Work without a Progress calls this itself.
+/// Throws Interrupted if one of these signals has arrived. Work without a Progress must call this function.
 void check_interrupt();
 
 /// The largest resident memory of this process so far, in bytes.
