@@ -100,8 +100,8 @@ class ExrReader {
 
     /// Returns the files and the part of the picture in each, from top to bottom.
     std::vector<std::pair<std::filesystem::path, Rect>> regions() const;
-    /// Returns the header of one file with the whole picture. It lists the channels that are read, and no
-    /// texture.
+    /// Returns the header that a single file with the whole picture would have. Its channels are those that
+    /// are read, and `texture` is not set.
     const ExrHeader& header() const { return header_; }
     /// Tells whether the file has a channel with that name.
     bool has_channel(const std::string& name) const;

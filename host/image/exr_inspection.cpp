@@ -29,7 +29,7 @@ constexpr std::uint64_t largest_block = 256u << 20;
 constexpr std::uint64_t decoding_memory = 4 * largest_block;
 
 // OpenEXR's C++ classes decode in parallel but trust sizes in the file when they allocate. So this class
-// checks the file first with the C library, which compares those sizes with the file's own.
+// checks the file first with the C library, which compares those sizes with the size of the file.
 class ExrContext {
   public:
     // Keeps a reference to `path`.

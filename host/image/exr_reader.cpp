@@ -109,7 +109,8 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
 
 // Checks that each pixel of the picture is in exactly one region.
 void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture) {
-    // A gap's first pixel lies at an edge of the picture or below a region, and at an edge or beside one.
+    // The first pixel of a gap is in the top row or just below a region, and in the left column or just right
+    // of a region.
     std::set<int> rows{picture.min.y};
     std::set<int> columns{picture.min.x};
     for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -167,7 +168,7 @@ struct ExrReader::State {
     void read(const Imf::FrameBuffer& frame, int first, int last);
 
     std::vector<ExrRegion> regions; // sorted by their upper left corners
-    Imf::Header header;             // the header of one file with the whole picture
+    Imf::Header header;             // as if one file held the whole picture
     int rows_read = 0;
     std::vector<float> rows;
 };
@@ -194,7 +195,7 @@ ExrReader::State::State(std::span<const fs::path> paths) {
     header.dataWindow() = header.displayWindow();
 }
 
-// Describes the file, of which `channels` are read.
+// Returns the header, with only the `channels` that are read.
 ExrHeader ExrReader::State::header_of(std::vector<std::string> channels) const {
     const fs::path& path = regions.front().path;
     const Imf::ChannelList& all = header.channels();

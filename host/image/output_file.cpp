@@ -84,7 +84,7 @@ int open_locked(const char* name) {
     return -1;
 }
 
-/// Removes hidden files without a lock, which killed processes left behind while writing `target`.
+/// Removes unlocked hidden files, which processes left behind when they were killed while writing `target`.
 void remove_abandoned(const fs::path& target) {
     const std::string stem = hidden_stem(target);
     std::error_code ignored;

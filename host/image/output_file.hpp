@@ -28,7 +28,8 @@ class OutputFile {
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
     std::uint64_t position() const { return position_; }
-    /// Writes at a position. Throws std::runtime_error for a pipe, which has only the current position.
+    /// Sets the position of the next write. Throws std::runtime_error for a pipe, which has only the current
+    /// position.
     void seek(std::uint64_t position);
 
     /// Flushes to disk and publishes the file, replacing an existing one atomically.
@@ -50,7 +51,7 @@ class OutputFile {
     std::uint64_t position_ = 0;
 };
 
-/// Returns the path. Throws RequestError for a pipe: formats not written in order need a file.
+/// Returns the path. Throws RequestError for a pipe: formats that are not written in order need a file.
 const std::filesystem::path& not_a_pipe(const std::filesystem::path& path);
 
 } // namespace gabor::image

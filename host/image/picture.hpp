@@ -27,7 +27,7 @@ class PictureReader {
     /// values for EXR. Throws RequestError, naming the file, if it is damaged or truncated.
     virtual void read_row(std::span<float> row) = 0;
 
-    /// The alpha of each pixel in the row read last; empty without an alpha channel.
+    /// The alpha of each pixel in the last row read; empty without an alpha channel.
     std::span<const float> alpha() const { return alpha_; }
 
   protected:

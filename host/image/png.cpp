@@ -190,7 +190,8 @@ void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t co
     } catch (...) {
         state.failure = std::current_exception();
     }
-    png_error(png, "the file cannot be written"); // after the handler, because it jumps over destructors
+    // Called outside the handler, because its longjmp would skip the exception's destructor.
+    png_error(png, "the file cannot be written");
 }
 
 PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits) {

@@ -10,8 +10,8 @@ namespace gabor::image {
 /// Rounds a value, clamped to [0, 1], to a whole number of that many bits; NaN becomes 0.
 std::uint32_t quantize(float value, int bits);
 
-/// Writes an 8-bit or 16-bit PNG from top to bottom, grey for one channel and RGB for three. Like ExrWriter,
-/// it shows no file under that name before `commit`.
+/// Writes an 8-bit or 16-bit PNG from top to bottom, grey for one channel and RGB for three. As with
+/// ExrWriter, the file appears under its name at `commit`.
 class PngWriter {
   public:
     /// Accepts up to 65536 pixels per side. Throws RequestError for a path that cannot be created.
