@@ -55,12 +55,12 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
     chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
     const std::array layers{"VK_LAYER_KHRONOS_validation"};
     std::vector<const char*> extensions = presentation.instance_extensions;
-    // GPU-assisted validation makes shaders take many times as long, and these other checks must not see its
-    // buffers.
+    // GPU-assisted validation makes shaders many times slower. It excludes the other checks, which must not
+    // see its buffers.
     using Check = vk::ValidationFeatureEnableEXT;
     const std::vector<Check> features =
         validation() == "gpu" ? std::vector{Check::eGpuAssisted}
-        : presentation.can_present // Dear ImGui's backend allocates against best practices
+        : presentation.can_present // Dear ImGui's backend violates best practices when it allocates
             ? std::vector{Check::eSynchronizationValidation}
             : std::vector{Check::eSynchronizationValidation, Check::eBestPractices};
     if (validating()) {

@@ -33,8 +33,8 @@ class Pass {
     Pass(Pass&&) noexcept;
     Pass& operator=(Pass&&) noexcept;
 
-    /// Returns the compiler's statistics for the code under the driver's names, such as "Instructions".
-    /// Throws RequestError on a device without VK_KHR_pipeline_executable_properties.
+    /// Returns the compiler's statistics of the code under the names that the driver gives them, such as
+    /// "Instructions". Throws RequestError on a device without VK_KHR_pipeline_executable_properties.
     std::map<std::string, std::uint64_t> statistics(const Device& device) const;
 
     struct State;
