@@ -83,9 +83,9 @@ struct PairIndex {
 /// estimates the integral of (F - Phi)^2 dPhi without bias.
 ///
 /// It is a U-statistic. Let h_IJ be the sum of G_i . G_j - index n_i n_j over the pairs from groups I and J.
-/// Leaving out one group after the other gives, to first order, the variance 4 sum_I (sum_J h_IJ)^2 / (sum n
-/// n)^2. For a normal distribution, U is degenerate, and its variance, 2 sum_IJ h_IJ^2 / (sum n n)^2, is half
-/// of that (Hoeffding, 1948). As in Gaussianity::index, the first variance is taken to be proportional to the
+/// Leaving out one group at a time gives, to first order, the variance 4 sum_I (sum_J h_IJ)^2 / (sum n n)^2.
+/// For a normal distribution, U is degenerate, and its variance, 2 sum_IJ h_IJ^2 / (sum n n)^2, is half of
+/// that (Hoeffding, 1948). As in Gaussianity::index, the first variance is taken to be proportional to the
 /// index, with noise included in both.
 PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Moments> moments,
                      const Grid& grid) {
@@ -109,8 +109,8 @@ PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::spa
         pixels += static_cast<double>(moments[a].count());
     }
 
-    const double biased =
-        integrate_product(sum, sum) / (pixels * pixels); // uses all pairs: positive, with noise included
+    // Uses all pairs, so it is positive and includes the noise.
+    const double biased = integrate_product(sum, sum) / (pixels * pixels);
     const double weight = std::reduce(weights.begin(), weights.end());
     const double index = std::reduce(products.begin(), products.end()) / weight;
     double jackknife = 0;

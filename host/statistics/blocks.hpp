@@ -17,7 +17,7 @@ struct NormalDistribution {
     bool fitted = false; ///< fitted to this picture rather than known from theory
 };
 
-/// Fits the distribution of an unknown picture. Without variance, the deviation is 1.
+/// Fits the distribution of an unknown picture. If the variance is 0, the deviation is set to 1.
 NormalDistribution fitted_normal(const Moments& moments);
 
 /// Estimates for the noise behind one picture, whose pixels are correlated.
@@ -31,8 +31,9 @@ struct BlockEstimates {
     bool operator==(const BlockEstimates&) const = default;
 };
 
-/// A picture cut into 16 x 16 blocks. Blocks are joined 2 x 2 until they are longer than the correlation.
-/// Then blocks that do not touch are independent, and estimates use only such pairs.
+/// A picture cut into 16 x 16 blocks. Blocks are joined 2 x 2 until they are longer than the distance over
+/// which pixels are correlated. Then blocks that do not touch are independent, and estimates use only such
+/// pairs.
 class Blocks {
   public:
     Blocks(int width, int height, const NormalDistribution& expected);

@@ -8,7 +8,7 @@
 namespace gabor::statistics {
 
 Estimate score_interval(double value, double null_variance, double slope, double quantile) {
-    // (truth - value)^2 = quantile^2 (null_variance + slope truth), for a positive truth.
+    // Solves (truth - value)^2 = quantile^2 (null_variance + slope truth) for a positive truth.
     const double null_half = quantile * std::sqrt(null_variance);
     const double shift = quantile * quantile * slope / 2;
     const double half = std::sqrt(null_half * null_half + shift * (2 * value + shift));

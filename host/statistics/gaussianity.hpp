@@ -16,8 +16,8 @@ constexpr double cvm_scale = 1 << 18;
 /// mean) / deviation). Counts are integers, so merging is exact in any order.
 using Counts = std::vector<std::uint64_t>;
 
-/// Counts `values` into the bins of `counts`. Values beyond eight deviations, even infinite ones, go to the
-/// outermost bins. Throws std::domain_error for NaN.
+/// Counts `values` into the bins of `counts`. Values beyond eight standard deviations, even infinite ones, go
+/// to the outermost bins. Throws std::domain_error for NaN.
 void count_uniform(std::span<const float> values, double mean, double deviation,
                    std::span<std::uint64_t> counts);
 
@@ -47,10 +47,9 @@ class Gaussianity {
 
     std::uint64_t count() const;
 
-    /// Returns the index and its interval; value and ends may be negative. NaN without samples. If only the
-    /// samples determine the deviation of the normal distribution to compare with, pass it as `deviation`, in
-    /// units of the predicted one. The bins are too coarse for values much larger than 1 or much smaller than
-    /// 0.1.
+    /// Returns the index and its interval, which may be negative; NaN without samples. To compare the samples
+    /// with a normal distribution that has another deviation, such as their own, pass `deviation` in units of
+    /// the predicted one. The bins are too coarse for values much larger than 1 or much smaller than 0.1.
     Estimate index(double deviation = 1) const;
 
   private:

@@ -10,7 +10,7 @@ namespace gabor::statistics {
 /// read row by row; only as many rows as a segment has are kept in memory.
 class Segments {
   public:
-    /// Segments are at most `hop` pixels apart; larger pictures have 64 along each axis. They are spread
+    /// Segments are at most `hop` pixels apart, but there are at most 64 along each axis. They are spread
     /// evenly from the first pixel to the last, including both. The picture must have at least `side` pixels
     /// along each axis.
     Segments(int width, int height, int channels, int side, int hop);
@@ -19,7 +19,8 @@ class Segments {
     /// it.
     std::span<const int> add_row(std::span<const float> row);
 
-    /// Writes one channel of a segment from add_row, under the window, with rows `stride` values apart.
+    /// Writes one channel of a segment that add_row returned, multiplied by the window, with rows `stride`
+    /// values apart.
     void weigh(int left, int channel, std::span<float> into, int stride) const;
 
     int side() const { return side_; }

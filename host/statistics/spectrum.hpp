@@ -14,7 +14,7 @@ namespace gabor::statistics {
 /// read row by row; only as many rows as a segment has are kept in memory, at most 128 MiB.
 class Spectrum {
   public:
-    /// `side` is the segments', from `segment_side`.
+    /// `side` is the side of the segments, from `segment_side`.
     Spectrum(int width, int height, int side);
 
     /// Adds the next row of `width` values. Subtract the mean first, or it counts as power at frequency 0.
@@ -40,7 +40,7 @@ std::optional<int> segment_side(int width, int height);
 /// The strongest frequency of a spectrum.
 struct SpectralPeak {
     double frequency = 0;   ///< cycles per pixel
-    double orientation = 0; ///< direction of the wave vector: degrees in [0, 180), from right towards down
+    double orientation = 0; ///< direction of the wave vector: degrees clockwise from right, in [0, 180)
 
     bool operator==(const SpectralPeak&) const = default;
 };
