@@ -20,7 +20,7 @@ constexpr double degrees(double radians) {
 /// Waves around one frequency and one orientation: part of a spectrum.
 struct Lobe {
     double frequency = 4;          ///< cycles per kernel radius
-    double orientation = 0;        ///< direction of the wave vector, in degrees from right towards down
+    double orientation = 0;        ///< direction of the wave vector, in degrees clockwise from right
     double frequency_spread = 0;   ///< 0 to 1: waves are spread evenly within frequency (1 +- this)
     double orientation_spread = 0; ///< 0 to 90 degrees (isotropic): waves are spread evenly within +- this
     double power = 1;              ///< relative to the other lobes

@@ -44,7 +44,7 @@ std::string accepted_recipes();
 /// "N=1,R=1,A=0.675,phases=256,window=3:-4.5:2.5".
 std::string to_string(const Recipe& recipe);
 
-/// A macro to define before the drop-in.
+/// A macro to define before including the drop-in.
 struct Macro {
     std::string_view name;
     std::string value;

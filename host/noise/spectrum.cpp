@@ -22,9 +22,9 @@ struct Piece {
     int index;    // determines its seed
 };
 
-// Returns as many pieces as the whole part of `count`. As its fraction goes from 0.8 to 1, these give way to
-// one piece more, so that the noise is continuous in `count`: amplitudes are proportional to `left` and 1 -
-// left.
+// Returns floor(count) pieces. As the fraction of `count` goes from 0.8 to 1, they fade out and floor(count)
+// + 1 pieces fade in, so that the noise is continuous in `count`. Their amplitudes are proportional to `left`
+// and 1 - left.
 std::vector<Piece> pieces(double count) {
     const int fewer = static_cast<int>(count);
     const double left = std::min(5 - 5 * (count - fewer), 1.0);

@@ -27,8 +27,8 @@ struct Wave {
 /// single lobe uses the request's seed; several lobes have one seed each.
 std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed);
 
-/// The same in space, where an orientation spread of 90 degrees covers all directions, and smaller spreads
-/// stay in the plane z = 0. Kernels are round, with the geometric mean of both radii.
+/// Does the same in space, where an orientation spread of 90 degrees covers all directions, and smaller
+/// spreads stay in the plane z = 0. Kernels are round, with the geometric mean of both radii.
 std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed);
 
 /// Returns the different kernel radii of the waves, in order of appearance.
