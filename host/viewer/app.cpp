@@ -19,12 +19,12 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr double moving_budget = 0.022;        // seconds per frame for drawing the noise
-constexpr double resting_budget = 0.060;       // longer, since each frame also costs
-constexpr double waking_interval = 0.25;       // seconds between frames while nothing happens
-constexpr double saving_interval = 2;          // seconds between saves of the session
-constexpr const char* first_preset = "desert"; // until something else was opened
-constexpr float widest_panel = 26;             // in font heights
+constexpr double moving_budget = 0.022;  // seconds per frame for drawing the noise
+constexpr double resting_budget = 0.060; // the same at rest; longer, because each frame has a fixed cost
+constexpr double waking_interval = 0.25; // seconds between frames while nothing happens
+constexpr double saving_interval = 2;    // seconds between saves of the session
+constexpr const char* first_preset = "desert"; // shown until another document is opened
+constexpr float widest_panel = 26;             // font heights
 constexpr float narrowest_panel = 20;
 
 volatile std::sig_atomic_t received_signal = 0;
@@ -80,7 +80,7 @@ void App::restore(const Options& options) {
     const auto restore_document = [this](bool as_saved) {
         attempt(session_, [&] {
             Document last = document_from_json(settings_.document);
-            render::load_paint(last.request.paint); // throws if it is missing
+            render::load_paint(last.request.paint); // throws if the file is missing
             last.path = settings_.preset_path;
             session_.history = History(last);
             if (as_saved)
@@ -107,7 +107,7 @@ void App::restore(const Options& options) {
 }
 
 void App::save_session() {
-    if (offering_ && session_.question) // keep the session that is offered
+    if (offering_ && session_.question) // the settings still hold the session that the question offers
         return;
     Document document = session_.document();
     if (session_.playing)
@@ -154,7 +154,7 @@ bool App::refine(Extent window) {
                           moving ? moving_budget : slice);
 }
 
-// Where the pointer is, and the channels there.
+// Describes the place under the pointer and the channels there.
 std::string App::value_under_pointer() {
     const ImGuiIO& io = ImGui::GetIO();
     const Area view = view_area(window_.pixels());
@@ -210,7 +210,7 @@ void App::panels() {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    // Tab moves between fields only while one is edited; else it is a shortcut.
+    // Tab moves between fields only while one is being edited; otherwise it is a shortcut.
     ImGui::PushAllowKeyboardFocus(ImGui::GetIO().WantTextInput);
     side_panel(session_);
     ImGui::PopAllowKeyboardFocus();
@@ -226,7 +226,7 @@ void App::paint(vk::CommandBuffer commands, const Area& view) {
         paint_photograph(commands, {0, 0, view.x, view.height});
 }
 
-// Paints the photograph where the noise has its picture, at the same scale.
+// Paints the photograph over the place of the noise's picture, at the same scale.
 void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
     if (photograph_ != session_.fitter.photograph()) {
         photograph_ = session_.fitter.photograph();
@@ -366,7 +366,7 @@ int App::run(const FrameHook& hook) {
             const double before = glfwGetTime();
             glfwWaitEventsTimeout(waking_interval);
             if (glfwGetTime() - before < 0.9 * waking_interval)
-                last_input_ = glfwGetTime(); // an event came
+                last_input_ = glfwGetTime(); // an event ended the wait
         }
     } while (frame(hook));
     return received_signal;

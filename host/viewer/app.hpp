@@ -14,30 +14,30 @@
 namespace gabor::viewer {
 
 struct Options {
-    std::optional<Document> document; ///< none: that of the last session
-    std::string preset;               ///< where the document comes from; empty for none
-    std::string device;               ///< as for vulkan::Device
-    std::optional<Extent> size;       ///< of the window
-    std::optional<float> ui_scale;    ///< none: that of the last session
+    std::optional<Document> document; ///< if not set, the document of the last session
+    std::string preset;               ///< file or preset to open; empty for none
+    std::string device;               ///< selector, as for vulkan::Device
+    std::optional<Extent> size;       ///< size of the window
+    std::optional<float> ui_scale;    ///< if not set, the scale of the last session
 };
 
 /// The program: a window and everything in it.
 class App {
   public:
-    /// Called in each frame once Dear ImGui has the window's input. Tests play their input here; returning
-    /// false ends the program.
+    /// Called in each frame once Dear ImGui has the window's input, so that tests can add their own.
+    /// Returning false ends the program.
     using FrameHook = std::function<bool(App&)>;
 
     explicit App(const Options& options);
     ~App(); ///< saves the session
 
-    /// Runs until the window is closed, the hook ends it, or SIGINT or SIGTERM arrives: returns that signal,
-    /// or 0.
+    /// Runs until the window is closed, the hook returns false, or SIGINT or SIGTERM arrives. Returns that
+    /// signal, or 0.
     int run(const FrameHook& hook = {});
 
     Session& session() { return session_; }
     const Window& window() const { return window_; }
-    /// Whether the picture is in full resolution.
+    /// Whether the picture is drawn in full resolution.
     bool fine() const { return canvas_.fine(); }
     /// Whether nothing is left to refine, fit or export.
     bool settled() const { return !busy_ && !session_.exporter.running() && !session_.fitter.running(); }
@@ -51,10 +51,10 @@ class App {
     /// Restores the last session, except what the command line sets.
     void restore(const Options& options);
     void save_session();
-    Area view_area(Extent window) const; ///< of the noise, in window pixels
+    Area view_area(Extent window) const; ///< the noise's area, in window pixels
     bool refine(Extent window);          ///< returns whether anything is left to do
     std::string value_under_pointer();
-    float view_width() const; ///< in Dear ImGui's units
+    float view_width() const; ///< width of the view in Dear ImGui's units
     void fold_panel();
     void panels();
     void draw(const Target& target);
@@ -63,7 +63,7 @@ class App {
     void paint_presets(vk::CommandBuffer commands, int height);
     void write_png(Extent extent, const std::string& path,
                    const std::function<void(vk::CommandBuffer)>& draw);
-    Document shown() const; ///< the document, from the camera that shows it
+    Document shown() const; ///< the document, with the camera that draws it
 
     Settings settings_;
     Window window_;
@@ -74,19 +74,19 @@ class App {
     Commands commands_;
     Session session_;
     Canvas canvas_;
-    std::shared_ptr<const Photograph> photograph_; ///< in `photograph_pixels_`
+    std::shared_ptr<const Photograph> photograph_; ///< the photograph in `photograph_pixels_`
     std::optional<vulkan::Buffer> photograph_pixels_;
     std::optional<vulkan::Buffer> preset_pixels_;
-    Gallery gallery_;                       ///< of the last frame that showed it
-    std::optional<std::string> window_png_; ///< to write at the end of this frame
+    Gallery gallery_;                       ///< as drawn in the last frame that showed it
+    std::optional<std::string> window_png_; ///< file to write at the end of this frame
     double last_input_ = 0;
     double saved_at_ = 0; ///< when the session was last saved
     bool busy_ = true;
-    bool small_ = false;    ///< the window, so that the panel folds away
-    bool offering_ = false; ///< to restore a session that was not saved
+    bool small_ = false;    ///< whether the window is too small for the panel
+    bool offering_ = false; ///< whether a question offers to restore an unsaved session
 };
 
-/// Runs gabor-viewer and returns its exit status. `hook`: as for App::run.
+/// Runs gabor-viewer and returns its exit status. `hook` is passed to App::run.
 int run_viewer(int argc, char** argv, const App::FrameHook& hook = {});
 
 } // namespace gabor::viewer

@@ -9,8 +9,8 @@
 
 namespace gabor::viewer {
 
-/// Runs one piece of work at a time on a thread of its own. Declare it after the members that the work
-/// writes: its destructor cancels the work and waits for it.
+/// Runs one task at a time on its own thread. Declare it after the members that the task writes: its
+/// destructor cancels the task and waits for it.
 class Background {
   public:
     Background() = default;
@@ -18,7 +18,7 @@ class Background {
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
-    /// Waits for earlier work, then starts this.
+    /// Waits for the previous task, then starts this one.
     void start(std::function<void()> work) {
         thread_ = {};
         error_.clear();
@@ -36,7 +36,7 @@ class Background {
     }
     /// Requests cancellation: the next `advance` throws.
     void cancel() { cancelling_ = true; }
-    /// For the work: reports progress from 0 to 1. Throws when the work has been cancelled.
+    /// To be called by the task: reports progress from 0 to 1. Throws once the task has been cancelled.
     void advance(double progress) {
         if (cancelling_)
             throw Cancelled();
@@ -47,7 +47,7 @@ class Background {
         return thread_.valid() && thread_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
     }
     double progress() const { return progress_; }
-    /// How the work ended; valid once it no longer runs.
+    /// How the task ended; valid once it no longer runs.
     bool was_cancelled() const { return cancelled_; }
     const std::string& error() const { return error_; } ///< empty if it did not fail
 

@@ -9,7 +9,7 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr int rows_at_once = 8; // at least: the rows of a work group
+constexpr int rows_at_once = 8; // the fewest rows to fill: those of a work group
 
 } // namespace
 
@@ -48,7 +48,7 @@ void ValueGrid::fill(const render::Renderer& renderer, int rows, Cost& cost) {
     renderer.submit(*job_, {first, filled}, first * extent_.width, copy);
     job_->wait();
     next_row_ = whole ? -1 : first + filled;
-    // The device's own clock will not do: lavapipe stops it before the work is done.
+    // Does not use the device's clock, because lavapipe stops it before the work is done.
     cost.add(seconds_since(before), static_cast<double>(filled) * extent_.width);
 }
 
@@ -85,7 +85,7 @@ bool Canvas::refine(const Drawing& drawing, const Camera& camera, Extent extent,
     }
     if (stride_ <= 1)
         return false;
-    const int next = std::max(stride_ / 4, 1); // by 2, all of them would take a fifth longer
+    const int next = std::max(stride_ / 4, 1); // halving would make the whole refinement a fifth slower
     if (!behind.filling())
         start(behind, next);
     const double rows = seconds / (cost_.per_value() * behind.extent().width);

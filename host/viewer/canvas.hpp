@@ -40,7 +40,7 @@ class ValueGrid {
     Extent extent_;
     std::size_t count_ = 0;
     vulkan::Buffer values_;
-    std::optional<vulkan::Buffer> staging_; ///< if the host cannot read the device's memory
+    std::optional<vulkan::Buffer> staging_; ///< used if the host cannot read the device's memory
     std::optional<vulkan::Job> job_;
     int next_row_ = -1; ///< -1: all are filled
 };
@@ -51,16 +51,16 @@ class Canvas {
   public:
     explicit Canvas(const vulkan::Device& device);
 
-    /// Works for about `seconds` on what the camera shows of the drawing in `extent` pixels. Returns whether
-    /// there is more to do. A new view is drawn at once, as finely as the time allows. Throws RequestError if
-    /// its paint cannot be read.
+    /// Works for about `seconds` on the part of the drawing that the camera shows in `extent` pixels. Returns
+    /// whether any work is left. A new view is drawn at once, as finely as the time allows. Throws
+    /// RequestError if its paint cannot be read.
     bool refine(const Drawing& drawing, const Camera& camera, Extent extent, double seconds);
 
     /// Draws the whole view at once, with one value per `stride` x `stride` pixels.
     void draw(const Drawing& drawing, const Camera& camera, Extent extent, int stride);
 
     const vulkan::Buffer& values() const { return grids_[front_].values(); }
-    const std::vector<std::string>& channels() const { return channels_; } ///< of each value
+    const std::vector<std::string>& channels() const { return channels_; } ///< channels of each value
     Extent grid() const { return grids_[front_].extent(); }
     int stride() const { return stride_; } ///< pixels per value; 0 if nothing was drawn yet
     bool fine() const { return stride_ == 1; }
@@ -77,10 +77,10 @@ class Canvas {
     std::string paint_path_;
     render::Paint paint_;
     render::Renderer renderer_;
-    std::array<ValueGrid, 2> grids_; ///< the one shown, and a finer one being filled
+    std::array<ValueGrid, 2> grids_; ///< the grid shown, and a finer one that is being filled
     std::vector<std::string> channels_;
     std::size_t front_ = 0;
-    int stride_ = 0; ///< of the one shown
+    int stride_ = 0; ///< stride of the grid shown
     Cost cost_;
 };
 

@@ -11,20 +11,21 @@ namespace gabor::viewer {
 class DesktopDialog {
   public:
     DesktopDialog() = default;
-    ~DesktopDialog(); ///< closes it
+    ~DesktopDialog(); ///< closes the dialog
     DesktopDialog(const DesktopDialog&) = delete;
     DesktopDialog& operator=(const DesktopDialog&) = delete;
 
-    /// Opens it. Returns false outside a desktop, or if neither program is installed.
+    /// Opens a dialog. Returns false outside a desktop, or if neither program is installed.
     bool open(const FileDialog& dialog);
     bool is_open() const { return process_ > 0; }
-    /// Polls the last dialog; call in each frame. Returns the chosen path, empty if the user cancelled;
-    /// nothing while the dialog is open or if it failed. Once it has ended, `is_open` returns false.
+    /// Polls the last dialog; call it in each frame. Returns the chosen path, which is empty if the user
+    /// cancelled, or nothing while the dialog is open or if it failed. Once it has ended, `is_open` returns
+    /// false.
     std::optional<std::string> poll();
 
   private:
     int process_ = 0; ///< 0 for none
-    int pipe_ = -1;   ///< its output
+    int pipe_ = -1;   ///< the process's output
     std::string said_;
 };
 

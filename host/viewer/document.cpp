@@ -33,7 +33,7 @@ void reset_orbit(render::View& view) {
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {
     render::Request& request = document.request;
     if (name == "paint")
-        render::load_paint(std::get<std::string>(value)); // throws if it is missing
+        render::load_paint(std::get<std::string>(value)); // throws if the file is missing
     const bool was_noise = !render::has_material(request), was_terrain = render::has_terrain(request);
     render::set(request, name, value);
     const bool terrain = render::has_terrain(request);
@@ -55,7 +55,7 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
 
 render::Request with_output(render::Request request, Output output) {
     if (render::has_material(request))
-        return request; // always has all channels
+        return request; // materials always have all channels
     if (output == Output::gradient || output == Output::lit) {
         request.gradient = true;
         render::drop_conflicting(request, "gradient");

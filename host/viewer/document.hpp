@@ -29,21 +29,22 @@ constexpr std::size_t most_stops = 8;
 constexpr float least_contrast = 0.5f;
 constexpr float most_contrast = 6;
 
-/// Everything that decides what the window shows, except its panels. A plain value: undo keeps copies.
+/// Everything that decides what the window shows, except its panels. It is a plain value, of which undo keeps
+/// copies.
 struct Document {
     render::Request request;
     Camera camera;
     Output output = Output::value;
     Look look = Look::lit;
-    bool directx_normals = false; ///< green points down in normal maps; in OpenGL's it points up
+    bool directx_normals = false; ///< green points down in normal maps, as in DirectX; in OpenGL it points up
     int colours = 0;              ///< colour map, as in shaders/viewer/colours.glsl; the last one is `ramp`
     std::vector<ColourStop> ramp{
         {0, {0.11f, 0.13f, 0.2f}}, {0.5f, {0.68f, 0.34f, 0.2f}}, {1, {1, 0.93f, 0.78f}}};
-    int profile = 0;                 ///< of stripes, as in shaders/viewer/colours.glsl
+    int profile = 0;                 ///< profile of stripes, as in shaders/viewer/colours.glsl
     float contrast = 2;              ///< standard deviations from the mean to the ends of the colour map
-    std::string path = "noise.json"; ///< where it is saved
-    std::filesystem::path origin;    ///< the file it was read from or saved to, absolute; empty for none
-    std::string photograph;          ///< the one that its noise was fitted to; empty for none
+    std::string path = "noise.json"; ///< file to save to
+    std::filesystem::path origin; ///< absolute path of the file it was read from or saved to; empty for none
+    std::string photograph;       ///< file of the photograph that the noise was fitted to; empty for none
 
     bool operator==(const Document&) const = default;
 };
@@ -51,7 +52,7 @@ struct Document {
 /// A document with the request's picture in the middle of the view.
 Document document_of(const render::Request& request);
 
-/// The document without its camera, time and file: undo has no step for those, and closing asks about none.
+/// The document without its camera, time and file. Changes to these add no undo step and need no saving.
 Document content_of(Document document);
 
 /// Resets the camera around a body or a landscape.
@@ -71,10 +72,10 @@ class History {
 
     Document now;
 
-    /// Adds a step if anything has changed since the last one. Call while nothing is being dragged. Moving
+    /// Adds a step if anything has changed since the last one. Call it while nothing is being dragged. Moving
     /// the camera and playing time add no step.
     void commit();
-    /// Notes that `now` was saved. Other steps with its path belong to the same file.
+    /// Records that `now` was saved to `path`, also in the other steps that had the same path.
     void saved_as(const std::string& path);
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < steps_.size(); }
@@ -88,7 +89,7 @@ class History {
     std::size_t at_ = 0;
 };
 
-/// Whether a control changes anything in the window. `control`: the name of a parameter, or `colours`,
+/// Whether a control changes anything in the window. `control` is the name of a parameter, or `colours`,
 /// `contrast`, `profile` or `tiles`.
 bool has_effect(const Document& document, std::string_view control);
 

@@ -21,7 +21,7 @@ using nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 2> normal_maps{"OpenGL", "DirectX"};
 
-// The number of the name at `key`.
+// Returns the index in `names` of the name stored under `key`.
 template <typename Names>
 std::size_t index_of(const json& object, const char* key, const Names& names) {
     const json& value = object.at(key);
@@ -45,7 +45,7 @@ Camera camera_of(const json& object) {
     return {coordinate("x"), coordinate("y"), std::clamp(object.at("zoom").get<double>(), 1e-3, 1e3)};
 }
 
-// Reads [[place, "#rrggbb"], ...] in the order of the places.
+// Reads [[place, "#rrggbb"], ...] and sorts the stops by place.
 std::vector<ColourStop> ramp_of(const json& stops) {
     std::vector<ColourStop> ramp;
     for (const json& stop : stops) {
@@ -80,7 +80,7 @@ json json_of(const std::vector<ColourStop>& ramp) {
 }
 
 void read_view(json view, Document& document) {
-    if (view.value("output", json()) == "phasor") // its name in 1.1
+    if (view.value("output", json()) == "phasor") // the name of this output in version 1.1
         view["output"] = "stripes";
     const auto choice = [&](const char* key, const auto& names, auto& number) {
         if (view.contains(key))
@@ -117,7 +117,7 @@ std::string to_json(const Document& document) {
                         {"camera", json_of(document.camera)}};
     if (document.ramp != Document().ramp)
         object["viewer"]["ramp"] = json_of(document.ramp);
-    if (!render::has_material(document.request)) { // with a material, the request has them
+    if (!render::has_material(document.request)) { // a material's request contains both
         object["viewer"]["light"] = {document.request.light_azimuth, document.request.light_elevation};
         object["viewer"]["environment"] =
             render::environments.at(static_cast<std::size_t>(document.request.environment));

@@ -13,7 +13,8 @@ namespace gabor::viewer {
 /// `viewer` how the window shows them, which gabor render ignores.
 std::string to_json(const Document& document);
 
-/// Reads such an object; missing members are as in `defaults`. Throws RequestError, saying what is accepted.
+/// Reads such an object. Missing members keep their values in `defaults`. Throws RequestError, which says
+/// what is accepted.
 Document document_from_json(std::string_view json, const Document& defaults = {});
 
 /// Names in the order of Output, Look, the colour maps and the profiles of stripes.
@@ -21,7 +22,7 @@ inline constexpr std::array<std::string_view, 8> output_names{"value",    "gradi
                                                               "variance", "stripes",  "lit",   "lit stripes"};
 inline constexpr std::array<std::string_view, 6> look_names{"lit",    "colour",    "height",
                                                             "normal", "roughness", "metalness"};
-/// The looks of the request's material or terrain.
+/// The names of the looks that the request's material or terrain has.
 inline std::span<const std::string_view> looks(const render::Request& request) {
     return std::span(look_names).first(render::has_terrain(request) ? 4 : look_names.size());
 }

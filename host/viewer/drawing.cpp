@@ -49,7 +49,7 @@ int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double z
     const bool fades = request.paint.empty() || request.filter;
     if (render::has_material(request) || !render::is_flat(request.view) || (fades && !request.quadrature))
         return stride;
-    const double pixels = zoom / cycles_per_pixel(request, paint); // in the shortest wave
+    const double pixels = zoom / cycles_per_pixel(request, paint); // pixels per shortest wave
     while (stride > 1 && pixels < least_per_wave * stride)
         stride /= 2;
     return stride;

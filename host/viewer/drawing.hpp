@@ -11,7 +11,7 @@ namespace gabor::viewer {
 
 /// What the window draws of a document, from any camera.
 struct Drawing {
-    render::Request request; ///< with the channels of the output
+    render::Request request; ///< includes the channels of the output
     bool normals = false;    ///< as in render::Viewport
     bool operator==(const Drawing&) const = default;
 };
@@ -22,20 +22,20 @@ Drawing drawing_of(const Document& document);
 /// The viewport of a camera in a view of `extent` pixels.
 render::Viewport viewport_of(const Drawing& drawing, const Camera& camera, Extent extent, int stride = 1);
 
-/// The largest stride, a power of two, while the view moves. Phases, which do not fade with their wave, and
-/// painted noise keep at least three values per wave.
+/// The largest stride while the view moves, a power of two. Painted noise, and phases, which do not fade when
+/// waves become too short, keep at least three values per wave.
 int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double zoom);
 
 /// Four copies of a tileable picture, two by two, to look for seams.
 struct Tiling {
     Extent tile;                  ///< pixels of a copy
-    Camera camera;                ///< that shows one copy
-    std::array<float, 2> moved{}; ///< pixels of the window, from 0 to the side of a tile
+    Camera camera;                ///< camera that shows one copy
+    std::array<float, 2> moved{}; ///< offset in window pixels, from 0 to the side of a tile
     bool operator==(const Tiling&) const = default;
 };
 
-/// Copies as large as fit the view, in whole pixels, but no larger than the picture; sides without a common
-/// divisor keep their size. They move with the document's camera.
+/// Makes the copies as large as fits the view in whole pixels, but no larger than the picture. Pictures whose
+/// sides have no common divisor keep their size. The copies move with the document's camera.
 Tiling tiling_of(const Document& document, Extent view);
 
 } // namespace gabor::viewer

@@ -10,7 +10,7 @@ struct EmbeddedShader {
     std::string_view text;
 };
 
-/// The shaders that are copied with a noise.
+/// The shaders that Copy GLSL can add to a noise.
 std::span<const EmbeddedShader> embedded_shaders();
 
 } // namespace gabor::viewer

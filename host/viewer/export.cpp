@@ -22,7 +22,7 @@ image::Rect whole(const render::Request& request) {
     return {0, 0, request.width, request.height};
 }
 
-// One of the maps of noise.
+// A map of a noise, and the document that draws it.
 struct NoiseMap {
     const char* name;
     Document shown;
@@ -31,7 +31,7 @@ struct NoiseMap {
     int bits = 8;
 };
 
-// The noise of a photograph has a colour, but no height.
+// Noise fitted to a colour photograph has a colour but no height.
 std::vector<NoiseMap> noise_maps(const Document& document, bool coloured) {
     const bool stripes = document.output == Output::phasor || document.output == Output::lit_phasor;
     std::vector<NoiseMap> maps{{"base_color.png", document}};
@@ -47,7 +47,7 @@ std::vector<NoiseMap> noise_maps(const Document& document, bool coloured) {
     return maps;
 }
 
-// Creates a folder, and removes it again if it stays empty.
+// Creates a folder. The destructor removes it again if it is still empty.
 struct NewFolder {
     explicit NewFolder(std::filesystem::path made) : path(std::move(made)) {
         std::filesystem::create_directories(path);
@@ -132,7 +132,7 @@ std::string Exporter::result() const {
     if (!work_.was_cancelled())
         return failed() ? work_.error() : result_;
     return written_.empty() ? "cancelled; no file was written"
-                            : fmt::format("cancelled; {} files stay", written_.size());
+                            : fmt::format("cancelled; {} finished files were kept", written_.size());
 }
 
 void Exporter::write_noise_maps(const vulkan::Device& device, const Document& document,

@@ -14,26 +14,26 @@
 namespace gabor::viewer {
 
 /// The form of an export: a picture, the frames of an animation, a mip-mapped texture, or maps for other
-/// programs. Maps are those of a material, or colour, normals and height of noise in the plane.
+/// programs. The maps are those of a material or, for noise in the plane, colour, normals and height.
 enum class ExportAs { picture, frames, texture, maps };
 
 /// Where an export goes and in what form.
 struct ExportTarget {
     std::string path = "noise.exr"; ///< frames are numbered: NAME.0001.exr
-    std::string folder = "maps";    ///< of maps
-    std::optional<ExportAs> chosen; ///< by default a material's maps, or a picture
+    std::string folder = "maps";    ///< folder for maps
+    std::optional<ExportAs> chosen; ///< if not set, maps for a material and a picture for noise
     ExportAs as = ExportAs::picture;
-    bool of_noise = false; ///< the maps
+    bool of_noise = false; ///< whether the maps show noise instead of a material
     bool coloured = false; ///< whether the noise has the colours of a photograph
     bool png = true;       ///< write a PNG beside each EXR, except for a texture
     int frames = 24;
-    bool half = false;           ///< 16-bit floats in a texture
-    bool directx = false;        ///< of maps: also write normals whose green points down
-    std::size_t compression = 0; ///< of EXRs, as in image::compression_names()
+    bool half = false;           ///< store a texture as 16-bit floats
+    bool directx = false;        ///< with maps, also write normals whose green points down
+    std::size_t compression = 0; ///< compression of EXRs: an index in image::compression_names()
 
     /// Returns this target with `as` and `of_noise` set for the request.
     ExportTarget of(const render::Request& request) const;
-    /// The EXR, or the folder of maps.
+    /// The path of the EXR, or the folder for maps.
     const std::string& name() const { return as == ExportAs::maps ? folder : path; }
 };
 
@@ -42,29 +42,29 @@ bool can_export_maps(const render::Request& request);
 
 /// The files that an export writes, except maps.
 std::vector<render::Files> files_of(const ExportTarget& target);
-/// All their paths.
+/// The paths of these files.
 std::vector<std::filesystem::path> paths_of(const ExportTarget& target);
 
 /// The request that an export renders.
 render::Request exported(const Document& document, ExportAs as);
 
-/// Renders files in the background on a logical device of its own, as `gabor render` does.
+/// Renders files in the background on its own logical device, with the same pixels as `gabor render`.
 class Exporter {
   public:
-    /// `selector`: as for vulkan::Device.
+    /// `selector` is passed to vulkan::Device.
     explicit Exporter(std::string selector) : selector_(std::move(selector)) {}
 
-    /// Starts an export: the EXR has the channels of the document's output, the PNG looks like the window.
-    /// Throws RequestError for a bad request or path. Call only when nothing is running.
+    /// Starts an export. The EXR has the channels of the document's output, and the PNG looks like the
+    /// window. Throws RequestError for a bad request or path. Call it only when no export is running.
     void start(const Document& document, const ExportTarget& target);
     void cancel() { work_.cancel(); }
 
     bool running() const { return work_.running(); }
     double progress() const { return work_.progress(); } ///< from 0 to 1
-    /// A line about the last export; empty while one runs and before the first.
+    /// A line about the last export; empty during an export and before the first one.
     std::string result() const;
     bool failed() const { return !running() && !work_.error().empty(); }
-    /// Files that the last export wrote, by absolute path; none while it runs.
+    /// The files that the last export wrote, by absolute path; empty during an export.
     std::map<std::filesystem::path, FileStamp> written() const {
         return running() ? decltype(written_)() : written_;
     }
@@ -78,7 +78,7 @@ class Exporter {
     std::string selector_;
     std::string result_;
     std::map<std::filesystem::path, FileStamp> written_;
-    Background work_; ///< writes the two above
+    Background work_; ///< its task writes the two members above
 };
 
 } // namespace gabor::viewer

@@ -28,7 +28,7 @@ void ask(Session& session, FileDialog dialog, const std::filesystem::path& besid
         session.dialog = std::move(dialog);
 }
 
-// Lists these files, photographs, and EXRs, which may be either.
+// Lists files with these endings, photographs, and EXRs, which may be a photograph or hold parameters.
 void ask_to_open(Session& session, const char* title, std::vector<std::string> endings,
                  const std::filesystem::path& beside) {
     endings.emplace_back(".exr");
@@ -63,7 +63,7 @@ void list(Session& session, FileDialog& dialog) {
     std::ranges::sort(dialog.files);
 }
 
-// The list. Returns whether something in it was double-clicked.
+// Draws the list of files. Returns whether an entry was double-clicked.
 bool contents(FileDialog& dialog) {
     bool twice = false;
     const auto entry = [&](const std::string& shown, const std::string& name) {
@@ -161,7 +161,7 @@ void poll_desktop_dialog(Session& session) {
         return;
     FileDialog asked = std::move(session.asked);
     if (!path)
-        session.dialog = std::move(asked); // it failed
+        session.dialog = std::move(asked); // the desktop's dialog failed
     else if (!path->empty())
         asked.take(*path);
 }
@@ -196,7 +196,7 @@ void dialog_window(Session& session) {
     const float buttons = 8 * em;
     ImGui::SetNextItemWidth(-buttons * 2 - 2 * ImGui::GetStyle().ItemSpacing.x);
     const bool entered = ImGui::InputText("##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
-    if (entered) // ready for the next name after entering a folder
+    if (entered) // keep the focus for the next name after entering a folder
         ImGui::SetKeyboardFocusHere(-1);
     ImGui::SameLine();
     const bool taken = ImGui::Button(dialog.action.c_str(), {buttons, 0});

@@ -9,16 +9,17 @@ namespace gabor::viewer {
 
 struct Session;
 
-/// A dialog that asks for a file. If the desktop has none, it lists a folder and has a field for the name.
+/// A dialog that asks for a file. If the desktop has no file dialog, it lists a folder and has a field for
+/// the name.
 struct FileDialog {
     std::string title;
-    std::string action;               ///< label of its button
+    std::string action;               ///< label of the button
     std::vector<std::string> endings; ///< extensions of the files that are listed, in lower case
     std::filesystem::path folder = {};
-    std::string name = {};                        ///< in the field
+    std::string name = {};                        ///< text of the field
     std::function<void(const std::string&)> take; ///< called with the chosen path
     bool saves = false;
-    bool folder_wanted = false; ///< if no name is given, take the folder
+    bool folder_wanted = false; ///< whether an empty name chooses the folder
 
     std::filesystem::path listed = {}; ///< folder of the two lists below
     std::vector<std::string> folders = {};
@@ -32,10 +33,10 @@ void ask_for_paint(Session& session);
 void ask_where_to_save(Session& session);
 void ask_where_to_export(Session& session);
 
-/// Enters the folder that its field names, or takes the file.
+/// Enters the folder named in the field, or chooses the file.
 void answer_dialog(Session& session);
 
-/// Draws the dialog, or polls the desktop's. Call after all other windows.
+/// Draws the dialog, or polls the desktop's dialog. Call it after drawing all other windows.
 void dialog_window(Session& session);
 
 } // namespace gabor::viewer

@@ -12,7 +12,7 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
-/// Missing files have a stamp too.
+/// Returns a file's stamp. Missing files have one too.
 inline FileStamp file_stamp(const std::filesystem::path& path) {
     std::error_code ignored;
     return {std::filesystem::last_write_time(path, ignored), std::filesystem::file_size(path, ignored)};

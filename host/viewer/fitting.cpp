@@ -48,8 +48,8 @@ Photograph read_photograph(const std::string& path, const fit::Advance& advance)
     return photograph;
 }
 
-// Makes a GLSL name from the file's name, without two underscores in a row, which GLSL reserves, and with
-// none at the end, so that more words can be appended.
+// Makes a GLSL name from the file's name. It contains no double underscore, which GLSL reserves, and does not
+// end with an underscore, so that more words can be appended.
 std::string glsl_name(const std::string& path) {
     std::string name = "texture";
     bool apart = true;
@@ -94,7 +94,7 @@ void Fitter::poll() {
         fitted_ = std::exchange(result_, {});
         error_ = work_.error();
         if (work_.was_cancelled())
-            begun_ = {}; // the cancelled number of lobes is wanted again
+            begun_ = {}; // start again if the same number of lobes is chosen later
         else if (!error_.empty() && !exemplar_)
             close();
     }

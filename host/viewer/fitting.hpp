@@ -37,17 +37,17 @@ class Fitter {
   public:
     static constexpr int most_lobes = 16;
 
-    /// Starts with another photograph. Work on the last one ends without a result.
+    /// Starts with another photograph. A fit to the previous one ends without a result.
     void open(const std::string& path);
     /// Forgets the photograph.
     void close();
-    /// Sets the largest number of lobes; fits again if it changes.
+    /// Sets the largest number of lobes. Starts a new fit if it changes.
     void set_lobes(int lobes) { wanted_.lobes = lobes; }
     int lobes() const { return wanted_.lobes; }
     /// The photograph's file; empty if there is none.
     const std::string& path() const { return wanted_.path; }
 
-    /// Starts work and collects results: call in each frame.
+    /// Starts fits and collects their results. Call it in each frame.
     void poll();
     bool running() const { return busy_; }
     double progress() const { return work_.progress(); } ///< from 0 to 1
@@ -68,12 +68,12 @@ class Fitter {
     void work(const Wanted& wanted);
 
     Wanted wanted_;
-    Wanted begun_;      ///< the work that the thread does or has done
-    bool busy_ = false; ///< until `poll` has collected the result
+    Wanted begun_;      ///< the fit that the thread started last
+    bool busy_ = false; ///< true until `poll` has collected the result
     std::shared_ptr<const Photograph> photograph_;
     std::optional<FittedPreset> fitted_;
     std::string error_;
-    std::shared_ptr<const Photograph> read_; ///< this and the next members belong to the thread while it runs
+    std::shared_ptr<const Photograph> read_; ///< the thread owns this and the following members while it runs
     std::shared_ptr<const fit::Exemplar> exemplar_;
     std::optional<FittedPreset> result_;
     Background work_;

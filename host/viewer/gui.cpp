@@ -25,8 +25,8 @@ namespace gabor::viewer {
 
 namespace {
 
-// A press of a key, or a press or release of a button, that no frame has seen yet: it counts even if it has
-// ended by then.
+// A press of a key, or a press or release of a mouse button, that no frame has processed yet. A press counts
+// even if it ends before the next frame.
 struct Press {
     int key; ///< -1 for a button
     int button;
@@ -101,7 +101,7 @@ void set_style(float density) {
     style.ScaleAllSizes(density);
 }
 
-// A sans font of the desktop; empty if there is none.
+// The path of a sans-serif font of the desktop; empty if there is none.
 std::string sans_font() {
     for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                              "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
@@ -113,7 +113,7 @@ std::string sans_font() {
 
 // The desktop font that has most of these characters, and its index in the file, found by fontconfig.
 std::pair<std::string, int> font_with(const std::vector<ImWchar>& characters) {
-    constexpr std::size_t enough = 64; // to tell a script
+    constexpr std::size_t enough = 64; // characters that identify a script
     const std::size_t asked = std::min(characters.size(), enough);
     const std::string command = fmt::format("fc-match --format '%{{index}} %{{file}}' ':charset={:x}' 2>&-",
                                             fmt::join(std::span(characters).first(asked), " "));
@@ -132,10 +132,10 @@ std::pair<std::string, int> font_with(const std::vector<ImWchar>& characters) {
 void build_fonts(float pixels, const std::set<ImWchar>& characters) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
-    std::deque<ImVector<ImWchar>> kept; // until the atlas is built
+    std::deque<ImVector<ImWchar>> kept; // must live until the atlas is built
     const auto add = [&](const std::pair<std::string, int>& font, const auto& wanted) {
         ImFontConfig config;
-        config.MergeMode = !atlas.Fonts.empty(); // only what is still missing
+        config.MergeMode = !atlas.Fonts.empty(); // adds only characters that are still missing
         config.FontNo = font.second;
         ImFontGlyphRangesBuilder ranges;
         ranges.AddRanges(atlas.GetGlyphRangesDefault());
@@ -149,11 +149,12 @@ void build_fonts(float pixels, const std::set<ImWchar>& characters) {
     if (atlas.Fonts.empty()) {
         ImFontConfig config;
         config.SizePixels = std::round(13.0f / 14.0f * pixels);
-        atlas.AddFontDefault(&config); // Dear ImGui's own
+        atlas.AddFontDefault(&config); // Dear ImGui's built-in font
     }
     std::map<int, std::vector<ImWchar>> scripts;
     for (const ImWchar c : characters)
-        scripts[c < 0x3000 || c >= 0xa000 ? c >> 8 : 0x30].push_back(c); // one for Chinese and Japanese
+        scripts[c < 0x3000 || c >= 0xa000 ? c >> 8 : 0x30].push_back(
+            c); // Chinese and Japanese share one font
     for (const auto& [script, wanted] : scripts)
         add(font_with(wanted), wanted);
     atlas.Build();
@@ -171,9 +172,9 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
          float scale)
     : device_(device), window_(window.handle()), pass_(pass), density_(window.density()), scale_(scale) {
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // see settings.hpp
+    ImGui::GetIO().IniFilename = nullptr; // settings.hpp keeps the viewer's settings
     set_style(density_ * scale);
-    glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's calls these
+    glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's callbacks call these
     glfwSetMouseButtonCallback(window.handle(), note_button);
     glfwSetCursorPosCallback(window.handle(), note_pointer);
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
@@ -190,7 +191,7 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
     load_fonts();
 }
 
-// Restarts Dear ImGui's renderer: it frees font textures only then.
+// Restarts Dear ImGui's renderer, which frees font textures only when it shuts down.
 void Gui::load_fonts() {
     if (std::exchange(loaded_, true))
         return;
@@ -245,7 +246,7 @@ bool Gui::has_input() const {
     return !presses.empty();
 }
 
-// Takes the next press of a key, or press or release of a button: a frame has one at most.
+// Processes the next Press, if any. A frame processes at most one.
 void Gui::take_press() {
     constexpr float double_click = 0.3f; // seconds between the presses, however long a frame takes
     ImGuiIO& io = ImGui::GetIO();

@@ -15,20 +15,20 @@ namespace gabor::viewer {
 /// Dear ImGui in a window, with its style and fonts.
 class Gui {
   public:
-    /// `scale`: size of panels and text relative to the desktop's.
+    /// `scale` is the size of panels and text, relative to the desktop's.
     Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass, std::uint32_t images,
         float scale);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    /// Changes the scale from the next frame on.
+    /// Changes the scale, starting with the next frame.
     void set_scale(float scale);
-    /// Loads the characters of a text from the desktop's fonts, for the next frame on.
+    /// Loads the characters of a text from the desktop's fonts, starting with the next frame.
     void prepare(std::string_view text);
-    /// Begins a frame with the input since the last one. The device must have drawn the last one.
+    /// Begins a frame with the input since the last one. The device must have finished drawing the last one.
     void begin();
-    /// Whether later frames must take more of that input.
+    /// Whether input is left for later frames.
     bool has_input() const;
     /// Ends the frame; `draw` then records it inside a render pass.
     void end();
@@ -45,10 +45,10 @@ class Gui {
     ImGui_ImplVulkan_InitInfo info_{};
     float density_;
     float scale_;
-    std::set<ImWchar> characters_; ///< besides those of western Europe
+    std::set<ImWchar> characters_; ///< characters to load besides those of western Europe
     bool loaded_ = false;          ///< whether the fonts are loaded, with all `characters_`
     int released_ = 0;             ///< key to release in the next frame; 0 for none
-    std::array<bool, IM_ARRAYSIZE(ImGuiIO::MouseDown)> buttons_{}; ///< held
+    std::array<bool, IM_ARRAYSIZE(ImGuiIO::MouseDown)> buttons_{}; ///< buttons that are held down
     std::array<double, IM_ARRAYSIZE(ImGuiIO::MouseDown)> pressed_at_{};
     ImVec2 last_pointer_{};
 };

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double wheel_step = 1.15;
 
-// The window's pixels in one of Dear ImGui's units.
+// The number of window pixels per unit of Dear ImGui.
 float pixels_per_unit() {
     return ImGui::GetIO().DisplayFramebufferScale.x;
 }
@@ -74,13 +74,13 @@ void drag(Session& session, double x, double y) {
     }
 }
 
-// Puts the lamp over the pointer: above the middle of the view, and lower towards its edges.
+// Puts the lamp over the pointer. It is highest in the middle of the view and lower towards the edges.
 void move_lamp(render::Request& request, double x, double y, double reach) {
     request.light_azimuth = noise::degrees(std::atan2(y, x));
     request.light_elevation = std::clamp(90 * (1 - std::hypot(x, y) / reach), 5.0, 90.0);
 }
 
-// Advances a choice of the table to the next value that keeps material and paint.
+// Advances a choice parameter to its next value that keeps the material and the paint.
 void next_choice(Session& session, std::string_view name) {
     const render::Parameter& parameter = render::parameter(name);
     const std::vector<std::string_view> all = render::choices(parameter);
@@ -103,7 +103,7 @@ bool pressed(int key) {
     return ImGui::IsKeyPressed(key, false);
 }
 
-constexpr int ctrl = 1 << 16; // added to a key
+constexpr int ctrl = 1 << 16; // added to the keys of shortcuts with Ctrl
 
 struct Shortcut {
     const char* name;
@@ -111,7 +111,7 @@ struct Shortcut {
     int key = 0; ///< 0 if handled elsewhere
     void (*act)(Session&) = nullptr;
     std::string_view control = {}; ///< control that must have an effect; empty for none
-    const char* without = "";      ///< message if it has none
+    const char* without = "";      ///< message if the control has no effect
 };
 
 constexpr std::array shortcuts{
@@ -151,7 +151,7 @@ constexpr std::array shortcuts{
     Shortcut{"Ctrl Q", "quit", ctrl + GLFW_KEY_Q, [](Session& s) { s.closing = Closing::asked; }},
 };
 
-// Keys that repeat while held, and the row of digits.
+// Handles keys that repeat while held, and the digit keys.
 void held_keys(Session& session) {
     Document& document = session.document();
     const bool material = render::has_material(document.request);

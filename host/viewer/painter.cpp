@@ -13,7 +13,7 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr std::size_t canvas_set = 0; // of the descriptor sets
+constexpr std::size_t canvas_set = 0; // index of a descriptor set
 constexpr std::size_t colours_set = 1;
 constexpr std::size_t most_pipelines = 16;
 

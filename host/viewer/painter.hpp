@@ -19,7 +19,7 @@ struct Area {
     int height = 0;
 };
 
-/// A grid of colours in the framebuffer: its corner, and the pixels to paint.
+/// Where to paint a grid of colours in the framebuffer: the corner of the grid, and the pixels to paint.
 struct PlacedColours {
     std::array<float, 2> origin;
     Area within;
@@ -30,9 +30,9 @@ class Painter {
   public:
     Painter(const vulkan::Device& device, vk::RenderPass pass);
 
-    /// Makes new values visible to `paint`. Call outside a render pass, when earlier painting is done.
+    /// Makes new values visible to `paint`. Call it outside a render pass, after earlier painting is done.
     void prepare(vk::CommandBuffer commands);
-    /// Paints a canvas, inside a render pass. `tiling`: repeats it as tiles in the middle of the area.
+    /// Paints a canvas, inside a render pass. With `tiling`, repeats it as tiles in the middle of the area.
     void paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area, const Document& document,
                const std::optional<Tiling>& tiling = {});
 

@@ -20,7 +20,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// What follows the first sentence is about files.
+// Returns the first sentence of the help. The others are about files.
 std::string help_of(const render::Parameter& parameter) {
     const std::string_view help = parameter.help.substr(0, parameter.help.find(". "));
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
@@ -54,7 +54,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
     case Kind::number:
     case Kind::angle: {
         double number = std::get<double>(value);
-        if (parameter.kind == Kind::angle && parameter.slider.high == 180) // all of the circle
+        if (parameter.kind == Kind::angle && parameter.slider.high == 180) // the slider covers a full circle
             number = std::remainder(number, 360);
         if (!number_slider(label.c_str(), number, parameter.range, parameter.slider,
                            default_of(parameter, request)))
@@ -82,7 +82,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
             return text;
         return {};
     }
-    case Kind::colour: { // shown as sRGB, as everywhere else
+    case Kind::colour: { // shown as sRGB, like all colours
         std::array<float, 3> shown{};
         const auto& colour = std::get<std::array<double, 3>>(value);
         std::ranges::transform(colour, shown.begin(),
@@ -92,7 +92,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
         return render::read(parameter, fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * shown[0]),
                                                    std::lround(255 * shown[1]), std::lround(255 * shown[2])));
     }
-    case Kind::lobes: // spectrum_panel
+    case Kind::lobes: // spectrum_panel edits these
         break;
     }
     return {};
@@ -130,7 +130,7 @@ constexpr const char* look_tips[]{"Lit by a lamp",
 constexpr const char* environment_tips[]{"A room with a window", "An overcast sky, as bright from all sides",
                                          "Nothing but the lamp"};
 
-// A slider that a double click sets back.
+// A slider that a double click resets.
 void resettable(const char* label, float& value, float low, float high, const char* format,
                 float by_default) {
     ImGui::SliderFloat(label, &value, low, high, format,
@@ -139,7 +139,7 @@ void resettable(const char* label, float& value, float low, float high, const ch
         value = by_default;
 }
 
-// What is exported of a document, as in ExportAs.
+// The forms of an export, in the order of ExportAs.
 constexpr std::string_view exports[]{"a picture", "an animation", "a texture", "a set of maps"};
 constexpr const char* export_tips[]{
     "An EXR of 32-bit floats with its parameters in the header",
@@ -153,7 +153,7 @@ constexpr const char* export_tips[]{
 } // namespace
 
 std::string label_of(std::string_view name) {
-    std::string label(name.substr(name.find('.') + 1)); // of MATERIAL.PARAMETER
+    std::string label(name.substr(name.find('.') + 1)); // the name may be MATERIAL.PARAMETER
     std::ranges::replace(label, '_', ' ');
     return label;
 }
@@ -190,7 +190,7 @@ void noise_panel(Session& session) {
         control(session, name);
 }
 
-// Paint stands in for the lobes.
+// Shows the lobes, or the paint that replaces them.
 void waves_panel(Session& session) {
     if (has_effect(session.document(), "lobes"))
         spectrum_panel(session);
@@ -359,11 +359,12 @@ void export_panel(Session& session) {
 }
 
 void laboratory_panel(Session& session) {
-    for (const char* name : {"recipe", "quadrature", "gradient", "phasor", "values"}) // the last are channels
+    for (const char* name :
+         {"recipe", "quadrature", "gradient", "phasor", "values"}) // all but the recipe add channels
         control(session, name);
 }
 
-// What is done most, at the top.
+// The buttons that are used most, at the top.
 void start_buttons(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float room = width - 2 * ImGui::GetStyle().ItemSpacing.x;
@@ -418,7 +419,7 @@ void side_panel(Session& session) {
         Section{"Export", export_panel, false},
         Section{"File", file_panel, false},
         Section{"Laboratory", laboratory_panel, false}};
-    ImGui::BeginChild("sections"); // which scroll below the buttons
+    ImGui::BeginChild("sections"); // the sections scroll below the buttons
     ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
     for (const Section& section : sections) {
         if (!section.applies(session))
@@ -549,7 +550,8 @@ bool number_slider(const char* label, double& value, const render::Range& range,
 void tooltip(std::string_view text, std::optional<float> top) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
         return;
-    constexpr double delay = 0.5; // seconds that the pointer must rest on an item, which its place identifies
+    constexpr double delay =
+        0.5; // seconds that the pointer must rest on an item; items are identified by their place
     static ImVec2 place;
     static int frame = 0;
     static double since = 0;

@@ -12,28 +12,28 @@ namespace gabor::viewer {
 
 /// Draws the panel beside the view and handles its input. Sizes are in Dear ImGui's units.
 void side_panel(Session& session);
-/// Draws the button that shows it again, at the lower right of the window.
+/// Draws the button that shows the panel again, at the lower right of the window.
 void unfold_button(Session& session);
-/// Parts of it.
+/// Draw parts of the panel, and windows over it.
 void spectrum_panel(Session& session);
 void ramp_editor(Session& session);
 void help_window(Session& session);
 void question_window(Session& session);
-/// Says on the picture how the view differs from it.
+/// Labels the view with its zoom or tiling where it differs from the picture.
 void view_overlay(const Session& session);
 /// Shows the values under the pointer, at the upper right of a view of this width.
 void reading_overlay(const Session& session, float width);
-/// Shows messages at the foot of a view of that size.
+/// Shows messages at the bottom of a view of that size.
 void message_overlay(const Session& session, float width, float height);
 
 /// Handles keys, and the mouse over a view of this size, unless a panel has taken them.
 void handle_input(Session& session, float width, float height);
 
-/// A slider over the usual part of a range; all of the range can be typed, and a double click sets it back.
-/// Returns whether the value was changed.
+/// A slider over the usual part of a range. Any value in the range can be typed, and a double click resets
+/// the slider. Returns whether the value was changed.
 bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
                    double by_default);
-/// Whether the last slider, of that label, is to be set back: from a double click until the button is
+/// Whether to reset the last slider, whose label this is: true from a double click until the button is
 /// released.
 bool reset_asked(const char* label);
 
@@ -53,19 +53,20 @@ bool choose(const char* label, T& value, std::span<const std::string_view> names
 /// The label of a parameter's control.
 std::string label_of(std::string_view name);
 
-/// Draws text on a picture, in lines no wider than `wrap`, if it is given.
+/// Draws text on a picture. Breaks lines wider than `wrap` unless that is 0.
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap = 0);
 
-/// Explains the last item once the pointer rests on it; `top`: where, if not beside the pointer.
+/// Explains the last item once the pointer rests on it. The text is beside the pointer, or at `top` if that
+/// is given.
 void tooltip(std::string_view text, std::optional<float> top = {});
 
-/// Where the window shows the pictures of the presets, in their order, in Dear ImGui's units.
+/// Where the window shows the pictures of the presets, in the order of the presets and in Dear ImGui's units.
 struct Gallery {
     float side = 0;
     std::vector<ImVec2> corners;
 };
 
-/// Labels the pictures in a view of that size, and opens the preset that is clicked.
+/// Labels the pictures in a view of that size, and opens the preset whose picture is clicked.
 Gallery gallery_window(Session& session, float width, float height);
 
 } // namespace gabor::viewer

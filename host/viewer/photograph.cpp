@@ -13,7 +13,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// The same place in a noise whose kernel radius is `times` as long.
+// Returns the camera at the same place in a noise whose kernel radius is `times` as long.
 Camera in_radii(const Camera& camera, double times) {
     const auto coordinate = [&](const Coordinate& c) {
         return Coordinate{}.moved((static_cast<double>(c.whole) + c.part) / times);
@@ -21,7 +21,7 @@ Camera in_radii(const Camera& camera, double times) {
     return {coordinate(camera.x), coordinate(camera.y), camera.zoom};
 }
 
-// A picture as large as the photograph, but no larger than is quick to export.
+// Shrinks large pictures to a size that is quick to export.
 void limit_size(render::Request& request) {
     constexpr double most = 4096;
     const double shrunk = std::min(1.0, most / std::max(request.width, request.height));
@@ -105,9 +105,8 @@ void photograph_panel(Session& session) {
     int lobes = fitter.lobes();
     if (ImGui::SliderInt("lobes", &lobes, 1, Fitter::most_lobes, "%d", ImGuiSliderFlags_AlwaysClamp))
         fitter.set_lobes(lobes);
-    tooltip(
-        "The most lobes that the noise may have; each costs as much as a plain noise. The fit uses fewer if "
-        "more would only imitate chance.");
+    tooltip("The largest number of lobes; each costs as much as a plain noise. The fit uses fewer if more "
+            "would only imitate chance.");
     ImGui::Checkbox("side by side", &session.photograph_beside);
     tooltip("Tab: show the photograph beside its noise, or the noise alone");
     ImGui::SameLine();

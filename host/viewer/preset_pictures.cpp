@@ -15,7 +15,7 @@
 
 namespace gabor::viewer {
 
-std::span<const unsigned char> embedded_presets(); // by embed_bytes.cmake
+std::span<const unsigned char> embedded_presets(); // defined by embed_bytes.cmake
 
 const PresetPictures& preset_pictures() {
     static const PresetPictures pictures = [] {

@@ -37,8 +37,8 @@ Extent parse_size(const std::string& text) {
     return {width, height};
 }
 
-// glibc keeps memory that software drivers free on other threads: 288 MiB after two minutes of use, 184 MiB
-// with these settings.
+// Makes glibc return memory that software drivers free on other threads. After two minutes of use, the viewer
+// takes 184 MiB with these settings and 288 MiB without.
 void return_memory() {
 #ifdef __GLIBC__
     mallopt(M_ARENA_MAX, 1);
@@ -58,7 +58,7 @@ int run(int argc, char** argv, const App::FrameHook& hook) {
         ->type_name("FILE");
     app.add_option("--window", size, "Window size")->type_name("WIDTHxHEIGHT");
     app.add_option("--ui-scale", options.ui_scale,
-                   "Scale of panels and text, relative to the desktop's [that of the last session]")
+                   "Scale of panels and text, relative to the desktop's [as in the last session]")
         ->type_name("NUMBER")
         ->check(CLI::Range(least_ui_scale, most_ui_scale));
     app.add_option("--device", options.device,

@@ -33,7 +33,7 @@ void ramp_editor(Session& session) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::CalcItemWidth(), 1.5f * ImGui::GetFrameHeight()};
     ImGui::InvisibleButton("ramp", size);
-    const float reach = 0.4f * ImGui::GetFontSize(); // of a stop's handle
+    const float reach = 0.4f * ImGui::GetFontSize(); // half the width of a stop's handle
     const auto place = [&](float at) { return corner.x + reach + at * (size.x - 2 * reach); };
     const float pointed =
         std::clamp((ImGui::GetIO().MousePos.x - place(0)) / (place(1) - place(0)), 0.0f, 1.0f);
@@ -47,7 +47,7 @@ void ramp_editor(Session& session) {
         ramp.insert(next, {pointed, colour_at(ramp, pointed)});
     } else if (ImGui::IsItemActivated()) {
         selected = nearest;
-    } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0)) { // no further than the neighbours
+    } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0)) { // between its neighbours
         const float low = selected > 0 ? ramp[selected - 1].at : 0;
         const float high = selected + 1 < ramp.size() ? ramp[selected + 1].at : 1;
         ramp[selected].at = std::clamp(pointed, low, high);

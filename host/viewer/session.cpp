@@ -21,7 +21,7 @@ namespace {
 
 constexpr double message_seconds = 5;
 
-// Where a document that was read from `path` is saved.
+// Returns the file to which a document read from `path` is saved.
 std::filesystem::path json_path(std::filesystem::path path) {
     const std::string extension = lower_extension(path);
     if (extension == ".exr")
@@ -29,8 +29,8 @@ std::filesystem::path json_path(std::filesystem::path path) {
     return extension == ".json" ? path : path += ".json";
 }
 
-// Calls `write`. Asks first if that would overwrite files that this session did not write or that do not
-// belong to the document.
+// Calls `write`, but asks first if that would overwrite files that this session did not write, or any files
+// if these do not `belong` to the document.
 void overwrite(Session& session, const std::vector<std::filesystem::path>& paths, bool belong,
                std::function<void()> write) {
     std::vector<std::string> foreign;
@@ -126,7 +126,7 @@ Document load_document(const std::string& path, const Document& defaults) {
                                        "gabor rendered, or a preset's name",
                                        path));
     Document document = document_from_json(render::load_request(path).json, defaults);
-    render::load_paint(document.request.paint); // throws if it is missing
+    render::load_paint(document.request.paint); // throws if the file is missing
     return document;
 }
 

@@ -18,7 +18,7 @@ namespace gabor::viewer {
 struct Message {
     std::string text;
     bool error = false;
-    double until = 0; ///< on Dear ImGui's clock
+    double until = 0; ///< when to hide it, on Dear ImGui's clock
 };
 
 /// A question that blocks everything else until it is answered.
@@ -30,7 +30,7 @@ struct Question {
     };
 
     std::string text;
-    std::vector<Answer> answers; ///< besides Cancel, which does nothing
+    std::vector<Answer> answers; ///< Cancel, which does nothing, is added to these
 };
 
 enum class Closing { no, asked, after_export, now };
@@ -43,26 +43,26 @@ struct Session {
     Document& document() { return history.now; }
 
     History history;
-    Document saved;                  ///< as it was last opened or saved
-    std::vector<std::string> recent; ///< files opened or saved, the last one first
-    /// Files that this session wrote: others are overwritten only after a question.
+    Document saved;                  ///< the document as last opened or saved
+    std::vector<std::string> recent; ///< files opened or saved, the most recent first
+    /// The files that this session wrote. Others are overwritten only after a question.
     std::map<std::filesystem::path, FileStamp> written;
-    std::string exported_from; ///< the path of the document that was exported last
+    std::string exported_from; ///< path of the document that was last exported
     Exporter exporter;
     ExportTarget export_target;
-    bool exported = true;         ///< the result of the last export has been shown
-    bool exporting_asked = false; ///< show where to export
+    bool exported = true;         ///< whether the result of the last export has been shown
+    bool exporting_asked = false; ///< whether to open the export section
     Fitter fitter;
-    std::optional<FittedPreset> fitted; ///< the last fit, to `fitted_path`
+    std::optional<FittedPreset> fitted; ///< the last fit, to the photograph `fitted_path`
     std::string fitted_path;
     bool photograph_beside = true; ///< show the photograph beside its noise
-    float divider = 0.5f;          ///< between the two, as a share of the width
+    float divider = 0.5f;          ///< between photograph and noise, as a share of the width
     bool dragging_divider = false;
     bool gallery = false; ///< show the presets in place of the view
     std::size_t selected_lobe = 0;
-    std::size_t selected_stop = 0; ///< of the colour map
+    std::size_t selected_stop = 0; ///< index in the colour map
 
-    Extent view;        ///< in pixels
+    Extent view;        ///< size of the view in pixels
     bool tiles = false; ///< show tileable pictures two by two
     std::optional<Tiling> tiling;
     bool playing = false;
@@ -72,17 +72,17 @@ struct Session {
     bool full_screen = false;
     bool help = false;
     float ui_scale = 1;  ///< size of panels and text, relative to the desktop's
-    std::string reading; ///< of the pixel under the pointer; empty for none
+    std::string reading; ///< describes the pixel under the pointer; empty for none
 
     std::optional<Question> question;
     std::optional<FileDialog> dialog;
     DesktopDialog desktop_dialog;
-    FileDialog asked; ///< with the desktop's dialog
+    FileDialog asked; ///< what the desktop's dialog asks for
     Message message;
     Closing closing = Closing::no;
 };
 
-// What shortcuts, buttons and tests do. Failures become messages.
+// Actions of shortcuts, buttons and tests. Failures become messages.
 
 /// Opens a preset, or fits a noise to a photograph.
 void open_file(Session& session, const std::string& path);
@@ -90,28 +90,29 @@ void open_preset(Session& session, const std::string& path);
 /// Saves the document to its path, with the extension .json.
 void save_preset(Session& session);
 void start_export(Session& session);
-/// Shows the result of an export that has ended: call in each frame.
+/// Shows the result of an export that has ended. Call it in each frame.
 void poll_exporter(Session& session);
 void copy_glsl(Session& session);
 void reset_camera(Session& session);
-/// Puts a file at the head of the recent ones.
+/// Puts a file at the top of the list of recent files.
 void add_recent(Session& session, const std::string& path);
 /// A file's extension in lower case, with its dot.
 std::string lower_extension(const std::filesystem::path& path);
-/// Gives the answer of that number, or cancels.
+/// Answers the question with the answer of that index, or cancels it.
 void answer(Session& session, std::optional<std::size_t> number);
 /// Whether saving would write anything new.
 bool is_changed(const Session& session);
-/// Confirms, then quits: call in each frame while `closing`.
+/// Asks about unsaved changes and exports, then quits. Call it in each frame while `closing` is set.
 void continue_closing(Session& session);
 /// Runs an action; its exceptions become messages.
 void attempt(Session& session, const std::function<void()>& action);
 void notify(Session& session, std::string text, bool error = false);
-/// Text on the screen that names files, in any script.
+/// The texts on the screen that name files, which may be in any script.
 std::vector<std::string_view> file_names(const Session& session);
 
 /// Reads a document from a JSON file, from an EXR that gabor rendered, or from a preset's name. Missing
-/// values are as in `defaults`. Throws RequestError if there is none, or its paint is missing.
+/// values keep their values in `defaults`. Throws RequestError if there is no such document or its paint is
+/// missing.
 Document load_document(const std::string& path, const Document& defaults = {});
 
 } // namespace gabor::viewer

@@ -40,7 +40,7 @@ Settings load_settings() {
         settings.ui_scale = std::clamp(settings.ui_scale, least_ui_scale, most_ui_scale);
         return settings;
     } catch (const nlohmann::json::exception&) {
-        return {}; // no file, or a broken one
+        return {}; // the file is missing or broken
     }
 }
 
@@ -54,7 +54,7 @@ void save_settings(const Settings& settings) {
         file.write(std::as_bytes(std::span(text)));
         file.commit();
     } catch (const std::exception&) {
-        // unsaved settings are ignored
+        // the settings are lost
     }
 }
 

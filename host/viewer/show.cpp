@@ -18,7 +18,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// Values of output_shown in shaders/viewer/show.glsl that follow the outputs.
+// The values of output_shown in shaders/viewer/show.glsl that come after the outputs.
 constexpr std::int32_t coloured = 8;
 constexpr std::int32_t first_look = 9;
 
@@ -117,7 +117,7 @@ double slope_deviation(const render::Request& request) {
 std::string reading(const Document& document, std::array<double, 2> from_middle,
                     std::span<const std::string> channels, std::span<const float> values) {
     const render::Request& request = document.request;
-    // Beside a body the coverage is 0, in the sky everything.
+    // Beside a body, the coverage is 0; in the sky, all channels are 0.
     const auto covered = std::ranges::find(channels, "A") - channels.begin();
     const auto first = static_cast<std::size_t>(covered < std::ssize(values) ? covered : 0);
     if (!render::is_flat(request.view) && values[first] == 0)
@@ -141,7 +141,7 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
                 std::lround(255 * std::clamp(linear ? render::srgb(values[i]) : values[i], 0.0f, 1.0f)));
     }
     for (; i < channels.size(); ++i)
-        if (channels[i].find('.') == std::string::npos && channels[i] != "A") // no vectors
+        if (channels[i].find('.') == std::string::npos && channels[i] != "A") // skips components of vectors
             text += fmt::format("{}{} {:.3g}", text.empty() ? "" : "\n",
                                 channels[i] == "Y" ? "value" : channels[i], values[i]);
     return text;
@@ -182,7 +182,7 @@ std::span<const float> FileColours::of(std::span<const float> values) {
     vulkan::Job job(device_, pass_, {values_, colours_});
     job.submit(push_, {(static_cast<std::uint32_t>(pixels) + passes::show_group - 1) / passes::show_group});
     job.wait();
-    push_.first_row = (push_.first_row + push_.count / push_.grid.x) % push_.grid.y; // of the next picture
+    push_.first_row = (push_.first_row + push_.count / push_.grid.x) % push_.grid.y; // 0 starts a new picture
     return colours_.as<float>().first(3 * pixels);
 }
 

@@ -16,37 +16,37 @@ namespace gabor::viewer {
 /// The specialization constants of shaders/viewer/show.glsl.
 using ShowConstants = std::array<std::int32_t, 11>;
 
-/// `channels`: of the values, as in render::channels. If the output's channels are missing, the value is
-/// shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two. `unlit`:
-/// show the normals of what is lit.
+/// `channels` are those of the values, as in render::channels. If the output's channels are missing, the
+/// value is shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two.
+/// `unlit`: show the normals instead of the lit surface.
 ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
                              bool tiles = false, bool unlit = false);
 
 /// Constants that show red, green and blue unchanged.
 ShowConstants colours_constants();
 
-/// Push constants that the document decides. `stride`: pixels of the view per value. `zoom`: pixels of the
-/// view per pixel of the picture.
+/// The push constants that depend on the document. `stride` is in pixels of the view per value, `zoom` in
+/// pixels of the view per pixel of the picture.
 passes::ShowPush show_push(const Document& document, double stride, double zoom);
 
 /// The standard deviation of a derivative per kernel radius, averaged over directions.
 double slope_deviation(const render::Request& request);
 
-/// Turns of the stripes' phase per pixel of the picture.
+/// The turns by which the phase of the stripes advances per pixel of the picture.
 double stripe_turns(const render::Request& request);
 
-/// Whether a PNG of `gabor render` looks the same.
+/// Whether a PNG written by `gabor render` looks like the window.
 bool shows_plainly(const Document& document);
 
-/// Describes a pixel in words: its place, in pixels from the middle of the view, and its channels.
+/// Describes a pixel by its place and its channels. `from_middle` is in pixels from the middle of the view.
 std::string reading(const Document& document, std::array<double, 2> from_middle,
                     std::span<const std::string> channels, std::span<const float> values);
 
-/// Colours the pixels of a file as the window does: shaders/viewer/show.comp.
+/// Colours the pixels of a file as the window does, with shaders/viewer/show.comp.
 class FileColours {
   public:
-    /// `channels`: of the file's pixels. `unlit`: as above. Throws RequestError for outputs that only the
-    /// window can show.
+    /// `channels` are those of the file's pixels. `unlit` is as for show_constants. Throws RequestError for
+    /// outputs that only the window can show.
     FileColours(const vulkan::Device& device, const Document& document, std::span<const std::string> channels,
                 bool unlit = false);
 
@@ -58,7 +58,7 @@ class FileColours {
     vulkan::Pass pass_;
     passes::ShowPush push_;
     std::size_t channels_;
-    std::vector<float> last_row_; ///< of the band before
+    std::vector<float> last_row_; ///< last row of the previous band
     vulkan::Buffer values_;
     vulkan::Buffer colours_;
 };

@@ -33,7 +33,7 @@ struct Quantity {
     std::string_view name;  // start of its function's name: NAME_of_wave, NAME_of_view or NAME_of_body
     std::string_view plane; // from a GaborField `field`, and `removed` if filtered
     std::string_view space; // from a GaborField3d `field`
-    std::string_view sky;   // above a horizon
+    std::string_view sky;   // the quantity above a horizon
 };
 
 namespace quantities {
@@ -97,14 +97,14 @@ std::vector<Wave> waves_of(const render::Request& request, std::size_t table) {
     return render::values_of<Wave>(pixel_plan(request).tables.at(table));
 }
 
-// Declares the sums. `type`: of the quantity; in space a gradient has another one.
+// Declares the sums. `type` is the GLSL type of the quantity, which for a gradient in space is not `of.type`.
 std::string sums(const Quantity& of, std::string_view type) {
     if (&of == &quantities::colour)
         return "    vec3 wave, z = vec3(0.0), removed = vec3(0.0);\n";
     return fmt::format("    {0} sum = {0}(0.0);\n", type);
 }
 
-// The factor of a wave's derivatives, which are per radius of its kernels.
+// The factor of a wave's derivatives, which the drop-in returns per radius of the wave's kernels.
 std::string per_radius(double amplitude, float radius) {
     return literal(amplitude / radius);
 }
@@ -113,7 +113,7 @@ std::string per_radius(double amplitude, const passes::vec2& radius) {
     return vec2(amplitude / radius.x, amplitude / radius.y);
 }
 
-// Adds a wave, a passes::PixelsWave or SolidWave; `call` computes its quantity.
+// Adds a wave to the sums. `call` is the GLSL expression of the wave's quantity.
 template <typename Wave>
 std::string added(const Quantity& of, const Wave& wave, const std::string& call) {
     if (&of == &quantities::colour) {
@@ -143,7 +143,7 @@ std::string_view summed(const Quantity& of) {
     return &of == &quantities::colour ? "    return noise_colour(z, removed);\n}\n" : "    return sum;\n}\n";
 }
 
-// The function for one wave, in its own kernel radii.
+// The GLSL function for one wave, in the wave's own kernel radii.
 std::string of_wave(const render::Request& request, const Quantity& of) {
     const std::string_view sharp = "    GaborField field = gabor_field(place, kernel, seed);\n";
     const std::string_view filtered =
@@ -201,7 +201,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
                 fmt::format("    vec2 dx = {};\n    vec2 dy = {};\n", vec2(1 / scale, 0), vec2(0, 1 / scale));
     }
 
-    // The middle of the first pixel, or the place of the camera.
+    // The middle of the first pixel or, in perspective, the place of the camera.
     const auto corner = [&](const Coordinate& middle, int pixels, double cells) {
         return render::cell_at(horizon ? middle : middle.moved((0.5 - pixels / 2.0) / scale), cells);
     };
@@ -242,7 +242,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
     return text.append(summed(of));
 }
 
-// Calls the kind of noise in space that a wave needs.
+// The beginning of a call to the kind of noise in space that a wave needs.
 std::string field_in_space(const render::Request& request, const passes::SolidWave& wave) {
     const bool on_surface = render::along_surface(request);
     const std::string frequency = literal(wave.frequency);
@@ -290,9 +290,10 @@ std::string of_space(const render::Request& request, const Quantity& of) {
     return text.append(summed(of));
 }
 
-constexpr double eye_distance = 4; // from a body, in radii of the sphere, as in passes/body.glsl
+constexpr double eye_distance =
+    4; // from the middle of a body, in radii of the sphere, as in passes/body.glsl
 
-// The push constants of the window's picture.
+// The push constants of the pass that draws the window's picture.
 template <typename Push>
 Push push_of(const Document& document, Extent extent) {
     const Drawing drawing = drawing_of(document);
@@ -312,13 +313,13 @@ std::string axes_of(const render::Request& request, const Push& push) {
                        vec3(sin_yaw * cos_pitch, -cos_yaw * cos_pitch, sin_pitch));
 }
 
-// Where the sky is: above bodies in the picture, and in front of planes.
+// The direction of the sky: up in the picture for bodies, towards the eye for planes.
 std::string up_of(const render::Request& request) {
     return std::holds_alternative<render::Body>(request.view) ? "vec3(0.0, -1.0, 0.0)"
                                                               : "vec3(0.0, 0.0, 1.0)";
 }
 
-// Where a point of a body is in the picture: from its middle, in units of its longer side.
+// The place of a point in the picture, measured from the picture's middle in units of its longer side.
 std::string place_of(const render::Request& request, const passes::SolidPush& push, Extent extent) {
     const double longer = std::max(extent.width, extent.height);
     const double pixel = double{push.pixel} * longer;
@@ -330,12 +331,12 @@ std::string place_of(const render::Request& request, const passes::SolidPush& pu
                             (push.first_row + extent.height / 2.0) / longer));
 }
 
-// In the 8 bits that the window's shader has for it.
+// The place of a stop, rounded to the 8 bits that the window's shader has for it.
 double shown_place(const ColourStop& stop) {
     return std::round(255 * double{stop.at}) / 255;
 }
 
-// The user's colour map.
+// A GLSL function for the user's colour map.
 std::string own_colours(const std::vector<ColourStop>& ramp) {
     const auto colour = [](const ColourStop& stop) {
         return vec3(double{stop.colour[0]}, double{stop.colour[1]}, double{stop.colour[2]});
@@ -360,7 +361,7 @@ std::string lighting(const render::Request& request) {
                        embedded("passes/light.glsl"));
 }
 
-// The colours that the window shows.
+// The GLSL functions for the colours that the window shows.
 std::string of_colours(const Document& document, const Quantity& of, Extent extent) {
     const render::Request& request = document.request;
     const bool space = render::in_space(request);
@@ -456,7 +457,7 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
     return text + fmt::format("    return {};\n}}\n", shown);
 }
 
-// The material with its parameters.
+// A GLSL function for the material with its parameters.
 std::string material_function(const render::Request& request) {
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');
@@ -493,7 +494,8 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)
     return text + fmt::format("    return gabor_{}_at(pixel, m, {}u);\n}}\n\n", function, request.seed);
 }
 
-// What the window shows of a `relief`, whose `normal` and `slope` are those in the picture.
+// The GLSL expression for what the window shows of a `relief`. `normal` and `slope` are along the axes of the
+// picture.
 std::string material_colour(const Document& document) {
     const auto [right, below] = render::light_direction(document.request);
     switch (document.look) {

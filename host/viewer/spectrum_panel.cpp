@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t no_lobe = static_cast<std::size_t>(-1);
 constexpr double floor_decibels = -50;
-constexpr int cells_across = 72; // of the drawing of the spectrum
+constexpr int cells_across = 72; // of the drawing of the spectrum, per side
 
 // Maps wave vectors, in cycles per kernel radius, to the screen.
 struct Plane {
@@ -38,8 +38,8 @@ double window_power(double f) {
     return std::pow(std::sin(x) / (x * (1 - 4 * f * f)), 2);
 }
 
-// The power spectrum of the lobes' noise in the cells of the drawing, row by row: in each the strongest, so
-// that narrow lobes show.
+// The power spectrum of the lobes' noise in the cells of the drawing, row by row: Each cell has its strongest
+// power, so that narrow lobes show.
 std::vector<double> power_in_cells(const std::vector<noise::Lobe>& lobes, double reaches) {
     const double cell = 2 * reaches / cells_across;
     std::vector<double> powers(cells_across * cells_across);
@@ -63,7 +63,7 @@ std::vector<double> power_in_cells(const std::vector<noise::Lobe>& lobes, double
 }
 
 void draw_power(ImDrawList& draw, const Plane& plane, const std::vector<noise::Lobe>& lobes) {
-    static std::vector<noise::Lobe> drawn; // a spread may be a sum of hundreds of waves
+    static std::vector<noise::Lobe> drawn; // kept, because a spread may consist of hundreds of waves
     static double reached = 0;
     static std::vector<double> powers;
     if (drawn != lobes || reached != plane.reaches)
@@ -132,7 +132,7 @@ struct Handle {
     ImVec2 at;
 };
 
-// The handle at a point of the screen.
+// Returns the handle at a point of the screen, if any.
 std::optional<Handle> handle_at(const Plane& plane, const std::vector<noise::Lobe>& lobes, ImVec2 point) {
     std::optional<Handle> best;
     float closest = 0.8f * ImGui::GetFontSize();
@@ -174,9 +174,9 @@ bool remove_lobe(Session& session, std::vector<noise::Lobe>& lobes) {
     return true;
 }
 
-// Handles the mouse in the frequency plane, the last item. Returns whether lobes changed.
+// Handles the mouse in the frequency plane, which must be the last item. Returns whether lobes changed.
 bool edit_plane(Session& session, const Plane& plane, std::vector<noise::Lobe>& lobes) {
-    static std::optional<Handle> grabbed; // its place is relative to the pointer
+    static std::optional<Handle> grabbed; // `at` is relative to the pointer
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && !handle_at(plane, lobes, mouse)) {
         noise::Lobe lobe;
@@ -199,7 +199,7 @@ bool edit_plane(Session& session, const Plane& plane, std::vector<noise::Lobe>& 
     return true;
 }
 
-// The list beside the drawing. Returns whether lobes changed.
+// Draws the list of lobes beside the frequency plane. Returns whether lobes changed.
 bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
     bool changed = false;
     ImGui::BeginGroup();
@@ -215,7 +215,7 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
         add_lobe(session, lobes, lobe);
         changed = true;
     }
-    tooltip("Add a lobe; it costs as much as another noise");
+    tooltip("Add a lobe; each lobe costs as much as one noise");
     if (lobes.size() > 1 && session.selected_lobe < lobes.size()) {
         if (ImGui::SmallButton("remove"))
             changed |= remove_lobe(session, lobes);
@@ -232,7 +232,7 @@ bool lobe_sliders(const Document& document, noise::Lobe& lobe, bool one_of_many)
                                  noise::Lobe().*p.member);
         tooltip(fmt::format("{} ({})", p.help, p.unit));
     };
-    // The power last: for a single lobe, the next row takes its place.
+    // The power comes last: for a single lobe, the next row takes its place.
     constexpr auto is_power = [](const render::LobeParameter& p) { return p.member == &noise::Lobe::power; };
     for (const render::LobeParameter& p : render::lobe_parameters())
         if (!is_power(p) && has_effect(document, p.name))
@@ -253,7 +253,7 @@ void spectrum_panel(Session& session) {
     ImGui::InvisibleButton("frequency plane", {side, side});
     const bool dragging = ImGui::IsItemActive();
 
-    // The plane reaches past all lobes, and does not change while one is dragged.
+    // The plane extends beyond all lobes. Its size does not change while a lobe is dragged.
     double highest = 0;
     for (const noise::Lobe& lobe : lobes)
         highest = std::max(highest, lobe.frequency * (1 + lobe.frequency_spread));

@@ -158,7 +158,7 @@ const Target* Swapchain::acquire(Extent wanted) {
         return &targets_[index];
     } catch (const vk::OutOfDateKHRError&) {
         rebuild(wanted);
-        return nullptr; // the next frame is shown
+        return nullptr; // skips this frame
     }
 }
 
@@ -183,8 +183,9 @@ void save_png(const vulkan::Device& device, Extent extent, const std::filesystem
     const auto height = static_cast<std::uint32_t>(extent.height);
     const std::uint32_t largest = state.physical.getProperties().limits.maxFramebufferWidth;
     if (width > largest || height > largest)
-        throw RequestError(fmt::format("a screenshot of {} x {} pixels: {} draws up to {} x {}", width,
-                                       height, device.info().name, largest, largest));
+        throw RequestError(
+            fmt::format("a screenshot of {} x {} pixels is too large: {} draws at most {} x {}", width,
+                        height, device.info().name, largest, largest));
     const vk::raii::Image image(
         state.device,
         vk::ImageCreateInfo({}, vk::ImageType::e2D, target_format, {width, height, 1}, 1, 1,

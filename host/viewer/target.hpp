@@ -9,7 +9,7 @@
 
 namespace gabor::viewer {
 
-/// An image to draw into, of a swapchain or to read back.
+/// An image to draw into: one of a swapchain, or one to read back.
 struct Target {
     vk::Image image;
     vk::raii::ImageView view = nullptr;
@@ -43,7 +43,7 @@ class Swapchain {
 
     /// Returns the next image to draw into, or nothing while the window has no pixels.
     const Target* acquire(Extent wanted);
-    /// Submits commands that draw into it, and shows it.
+    /// Submits commands that draw into the acquired image, and shows the image.
     void present(vk::CommandBuffer commands);
     /// Waits for the last submission.
     void wait();
@@ -57,7 +57,7 @@ class Swapchain {
     vk::raii::SwapchainKHR swapchain_ = nullptr;
     std::vector<Target> targets_;
     vk::raii::Semaphore acquired_;
-    std::vector<vk::raii::Semaphore> drawn_; ///< one per image, since presentation keeps it
+    std::vector<vk::raii::Semaphore> drawn_; ///< one per image, because presentation still uses it
     vk::raii::Fence done_;
     bool under_way_ = false;
     std::uint32_t current_ = 0;

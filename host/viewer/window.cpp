@@ -111,7 +111,8 @@ bool Window::shown() const {
 }
 
 float Window::density() const {
-    constexpr float usual_height = 1080; // of a screen, for desktops that state no scale
+    // The height of a screen that needs no scaling, in pixels. Used if the desktop reports no scale.
+    constexpr float usual_height = 1080;
     float x = 1;
     float y = 1;
     glfwGetWindowContentScale(window_, &x, &y);

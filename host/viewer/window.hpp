@@ -27,13 +27,13 @@ class Window {
 
     GLFWwindow* handle() const { return window_; }
     vulkan::Presentation presentation() const;
-    Placement placement() const; ///< outside full screen
+    Placement placement() const; ///< placement of the window when it is not full screen
     bool full_screen() const;
     void set_full_screen(bool full);
-    Extent pixels() const; ///< of the framebuffer
-    bool shown() const;    ///< neither minimized nor hidden
+    Extent pixels() const; ///< size of the framebuffer
+    bool shown() const;    ///< whether it is neither minimized nor hidden
     float density() const; ///< the desktop's scale of text, or one that suits the screen's height
-    /// Whether the user has asked to close it since the last call.
+    /// Whether the user has asked to close the window since the last call.
     bool take_close_request();
 
   private:
