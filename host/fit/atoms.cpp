@@ -17,8 +17,8 @@ double correlation_slope(double t) {
     return -(1 - std::cos(pi * u) + (2 - u) * pi / 2 * std::sin(pi * u)) / 3;
 }
 
-// Of samples at lags of 0 ... count - 1 spacings, from an autocovariance C(0), C(1) ... of pixels, C(-t) =
-// C(t)*.
+// Returns the autocovariance of samples at lags of 0 ... count - 1 spacings. `pixels` is the autocovariance
+// C(0), C(1) ... of the pixels, with C(-t) = C(t)*.
 Complexes sampled(const Scale& scale, const Complexes& pixels, Eigen::Index count) {
     if (scale.spacing == 1)
         return pixels.head(count);
@@ -37,11 +37,11 @@ const Eigen::ArrayXd& lag_window(const Scale& scale, int axis) {
     return scale.lag_window[static_cast<std::size_t>(axis)];
 }
 
-// The lags at which a kernel contributes to a window's spectrum: its autocovariance reaches 2 radii.
+// The lags at which a kernel contributes to a window's spectrum. Its autocovariance extends to 2 radii.
 struct Lags {
-    Eigen::Index count;    ///< of samples
-    Eigen::ArrayXd pixels; ///< 0, 1 ...
-    Complexes wave;        ///< at these
+    Eigen::Index count;    ///< number of lags between samples
+    Eigen::ArrayXd pixels; ///< the lags 0, 1 ... between pixels
+    Complexes wave;        ///< the wave at these lags
 
     Lags(const Scale& scale, double frequency, double radius) {
         const Eigen::Index reach = scale.averaging.size() - 1;
@@ -70,7 +70,7 @@ AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius
     const Lags lags(scale, frequency, radius);
     const auto transformed = [&](const Complexes& covariance) {
         Complexes seen = sampled(scale, covariance, lags.count) * lag_window(scale, axis).head(lags.count);
-        seen.tail(lags.count - 1) *= 2; // opposite lags
+        seen.tail(lags.count - 1) *= 2; // includes the opposite lags
         return Eigen::ArrayXd(scale.cosine.leftCols(lags.count) * seen.real().matrix() +
                               scale.sine.leftCols(lags.count) * seen.imag().matrix());
     };

@@ -12,8 +12,9 @@ constexpr double smallest_radius = 0.75;
 /// the autocorrelation of the lattice's noise along each axis, averaged over a cell, without its wave.
 double kernel_correlation(double t);
 
-/// What a scale's estimate expects along an axis, 0 for x and 1 for y, of a wave of `frequency` cycles per
-/// pixel under kernels of a radius in pixels, and its derivatives. At all frequencies of the grid.
+/// The expected estimate of a scale along an axis, 0 for x and 1 for y, and its derivatives, at all
+/// frequencies of the grid. The noise has a wave of `frequency` cycles per pixel, and kernels whose radius is
+/// in pixels.
 ///
 /// Averages of weights a(p) give samples the autocovariance sum_u A(u) C(t - u), with A(u) = sum_p a(p) a(p +
 /// u), and windows of weights w(p) see a stationary noise of autocovariance C(t) as sum_t C(t) L(t) e^(-2 pi
@@ -25,8 +26,8 @@ struct AxisAtom {
 };
 AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius, bool with_derivatives);
 
-/// The same at lags 0 ... scale.lags() - 1: what the inverse transform of the estimate expects, a complex
-/// autocovariance of samples along an axis.
+/// The expected inverse transform of that estimate: the complex autocovariance of samples along an axis, at
+/// lags 0 ... scale.lags() - 1.
 Eigen::ArrayXcd axis_autocovariance(const Scale& scale, int axis, double frequency, double radius);
 
 } // namespace gabor::fit

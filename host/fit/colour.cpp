@@ -15,7 +15,7 @@ void normalize(std::vector<Wave>& waves) {
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(components, components);
     for (const Wave& wave : waves)
         covariance += (wave.weight * wave.weight.adjoint()).real();
-    // A few lobes may have almost nothing of a component: amplify it by a factor of at most 4.
+    // If the lobes have almost nothing of a component, amplifies it by a factor of at most 4.
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
     const Eigen::VectorXd gains = solver.eigenvalues().cwiseMax(1.0 / 16).cwiseInverse().cwiseSqrt();
     const Eigen::MatrixXd root =

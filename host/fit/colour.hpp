@@ -6,16 +6,16 @@
 
 namespace gabor::fit {
 
-/// The factors of components of variance 1: their deviations to the power 0.8. Weak ones count for a little
-/// more than their power, to keep hues.
+/// The factors of the components, which have variance 1: their standard deviations to the power 0.8. So weak
+/// components count for a little more than their power, which keeps hues.
 Eigen::VectorXd component_scales(const Exemplar& exemplar);
 
-/// Makes the covariance of the components the unit matrix with the least change, as far as possible: a single
-/// wave has at most two independent components.
+/// Changes the weights as little as possible so that the covariance of the components becomes the identity
+/// matrix. This succeeds only partly with few waves: each has at most two independent components.
 void normalize(std::vector<Wave>& waves);
 
-/// From waves in components to colours. In the first component waves have no quadrature: phases common to all
-/// components do not matter.
+/// Returns the colour of waves that are given in components. Since phases common to all components do not
+/// matter, waves have no quadrature in the first component.
 noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves);
 
 } // namespace gabor::fit

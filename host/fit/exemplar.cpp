@@ -19,14 +19,14 @@ namespace {
 
 // A deviation smaller than the rounding error of 16 bits counts as 0.
 constexpr double least_deviation = 1e-5;
-// Components of less than this share of the first one's deviation are left out.
+// Components with less than this share of the first component's deviation are left out.
 constexpr double least_share = 0.01;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason) {
     throw RequestError(fmt::format("'{}' {}", path.string(), reason));
 }
 
-/// Reads rows of a picture in the order red, green, blue, and as one channel where these are the same.
+/// Reads rows of a picture as red, green and blue, or as one channel if the picture is grey.
 class Rows {
   public:
     /// Pixels brighter than `limit` are fireflies.
@@ -88,7 +88,7 @@ class Brightness {
     }
 
   private:
-    // The first half of a float's bits, so that keys are in the order of values.
+    // The upper half of a float's bits, arranged so that keys are in the order of values.
     static std::uint32_t key(float value) {
         const auto bits = std::bit_cast<std::uint32_t>(value);
         return (bits >> 31 ? ~bits : bits | 0x80000000u) >> 16;
@@ -109,8 +109,8 @@ class Brightness {
     std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(1 << 16);
 };
 
-// The first pass: size, mean, trend and covariance. If it finds fireflies with an infinite limit, it returns
-// nothing and sets the limit that leaves them out.
+// The first pass finds size, mean, trend and covariance. If the limit is infinite and there are fireflies, it
+// returns nothing and sets the limit that leaves them out.
 std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& limit, const Advance& advance) {
     Rows rows(path, false, limit);
     const auto& format = rows.format();
@@ -163,7 +163,7 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
     exemplar.components = solver.eigenvectors().rowwise().reverse().leftCols(kept);
     for (Eigen::Index c = 0; c < kept; ++c) {
         auto component = exemplar.components.col(c);
-        component *= std::copysign(deviations[c], component.sum()); // positive is brighter
+        component *= std::copysign(deviations[c], component.sum()); // positive values are brighter
     }
     return exemplar;
 }
@@ -189,7 +189,7 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
     Rows rows(path, exemplar.channels == 1, limit);
     Structure structure(exemplar.width);
     Eigen::MatrixXf values(count, exemplar.width);
-    std::vector<float> strongest(static_cast<std::size_t>(exemplar.width)); // component
+    std::vector<float> strongest(static_cast<std::size_t>(exemplar.width)); // the strongest component
     for (int y = 0; y < exemplar.height; ++y) {
         const std::span<float> row = rows.next();
         exemplar.trend.subtract(y, row);

@@ -21,18 +21,18 @@ constexpr int least_side = 2 * window_side;
 struct Exemplar {
     int width = 0;
     int height = 0;
-    int channels = 0;       ///< 1 where red, green and blue are the same
+    int channels = 0;       ///< 1 if red, green and blue are equal everywhere
     bool linear = false;    ///< whether values are linear light, as in OpenEXR, instead of sRGB
-    double transparent = 0; ///< share of pixels that are more transparent than opaque, which were left out
-    double fireflies = 0;   ///< share of pixels far brighter than all others, which were left out
+    double transparent = 0; ///< share of the pixels left out because they are more transparent than opaque
+    double fireflies = 0;   ///< share of the pixels left out because they are far brighter than all others
     Trend trend;            ///< of each channel
     Eigen::VectorXd mean;   ///< of each channel
     Eigen::MatrixXd
         components; ///< a column for each, as long as its deviation: channels = mean + components * values
     Spectra spectra{1};                          ///< of the components
-    std::vector<Autocovariance> autocovariances; ///< of the channels together, on the scales of the spectra
+    std::vector<Autocovariance> autocovariances; ///< of all channels, one for each scale of the spectra
     std::vector<Quantiles> quantiles;            ///< of the components
-    double structure = 0;                        ///< of the first component: see Structure
+    double structure = 0;                        ///< excess of the first component: see Structure
 };
 
 /// Reads the file twice and keeps only one window's rows in memory. Throws RequestError if the file cannot be

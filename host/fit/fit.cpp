@@ -11,10 +11,9 @@ namespace gabor::fit {
 
 namespace {
 
-// Whether chance explains the error, in an estimate from a picture of that size: relative errors fall with
-// the number of windows along a side. Larger pictures have 64 windows a side, which overlap by half and are
-// worth 28 that overlap wholly. Strong frequencies and autocorrelations only need to be within chance or too
-// close to see.
+// Whether chance explains the error of an estimate from a picture of that size. Relative errors fall with the
+// number of windows along a side; the 64 windows of large pictures, which overlap by half, count as 28. For
+// strong frequencies and autocorrelations, an error too small to see is also accepted.
 bool is_chance(const FitError& error, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
     const double windows = std::min(side / window_side, 28.0);
@@ -22,8 +21,7 @@ bool is_chance(const FitError& error, const Exemplar& exemplar) {
            error.autocorrelation < std::max(2 * error.chance, 0.03);
 }
 
-// Gives lobes around frequency 0 the least frequency that a preset accepts, in units of the first lobe. At
-// this scale any value looks the same.
+// Gives lobes around frequency 0 the lowest frequency that a preset accepts. It looks the same as 0.
 void keep_from_zero(std::vector<Wave>& waves) {
     const double least = 0.0011 / unit_of(waves);
     for (Wave& wave : waves)
@@ -49,7 +47,7 @@ void add_lobe(const TargetSpectra& target, const Search& search, std::vector<Wav
     drop_empty(waves);
 }
 
-// Each lobe was the best choice before later ones were added: now another may be better in its place.
+// Replaces lobes that are no longer the best choice since later ones were added.
 void exchange_lobes(const TargetSpectra& target, const Search& search, std::vector<Wave>& waves,
                     const Advance& advance) {
     const std::size_t count = waves.size();
@@ -80,7 +78,7 @@ double unit_of(const std::vector<Wave>& waves) {
 FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     const Eigen::VectorXd scales = component_scales(exemplar);
     const Spectra spectra = exemplar.spectra.mapped(scales.asDiagonal());
-    // So wide that the texture can be tiled at the picture's size.
+    // Limits the kernels' radius so that the texture can be tiled at the picture's size.
     const TargetSpectra target(spectra, std::min(exemplar.width, exemplar.height) / 2.0);
     const auto unscaled = [&](std::vector<Wave> of) {
         for (Wave& wave : of)

@@ -17,7 +17,8 @@ struct SpectrumRows {
     double sum(const Eigen::ArrayXd& values) const {
         return (values.segment(begin, measure.size()) * measure).sum();
     }
-    // Sums over all entries of the matrices: those off the diagonal occur twice.
+    // Sums squares over all entries of the matrices. Entries off the diagonal are stored once but occur
+    // twice.
     double squares(const Spectra& spectra) const {
         double result = 2 * sum(spectra.imaginary.rowwise().squaredNorm().array());
         Eigen::Index column = 0;
@@ -27,7 +28,7 @@ struct SpectrumRows {
     }
 };
 
-// Frequencies below 1 / window_side cycles per pixel.
+// The rows of frequencies below 1 / window_side cycles per pixel.
 SpectrumRows low_rows(const Scale& scale) {
     SpectrumRows rows{scale.begin, measures({scale})};
     const double limit = static_cast<double>(scale.grid) * scale.spacing / window_side;

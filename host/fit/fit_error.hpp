@@ -7,17 +7,16 @@ namespace gabor::fit {
 
 /// How far a sum of waves is from an exemplar.
 struct FitError {
-    double l1 =
-        0; ///< sum of |model - estimate| of the total power in windows of 64 pixels, relative to its sum
-    double l2 =
-        0; ///< root of the sum of squared differences of all cross-spectra, relative to that of the estimate
-    double low = 0;       ///< l1 of waves longer than 64 pixels, in the largest windows; 0 if there are none
-    int furthest_lag = 0; ///< pixels: a quarter of the exemplar
+    double l1 = 0;  ///< sum of |model - estimate| over the total power spectrum in windows of 64 pixels,
+                    ///< relative to the estimate
+    double l2 = 0;  ///< root of the sum of squared differences of all cross-spectra, relative to the estimate
+    double low = 0; ///< l1 for waves longer than 64 pixels, in the largest windows; 0 without such windows
+    int furthest_lag = 0;       ///< pixels: a quarter of the exemplar
     double autocorrelation = 0; ///< largest difference up to that lag
     double chance = 0; ///< standard deviation of an autocorrelation by chance, in an exemplar of this size
 };
 
-/// Of waves in the exemplar's components.
+/// Compares waves, given in the exemplar's components, with the exemplar.
 FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves);
 
 } // namespace gabor::fit

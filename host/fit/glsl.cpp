@@ -39,8 +39,8 @@ std::string vector(Of of) {
     return vector(of(std::size_t{0}), of(std::size_t{1}), of(std::size_t{2}));
 }
 
-// Shares of the variance that components' polynomials have in their parts of degree 1 to 5: n! a_n^2 for a
-// sum a_n He_n.
+// The shares of a component's variance in the parts of its polynomial with degrees 1 to 5: n! a_n^2 for a sum
+// a_n He_n.
 std::array<double, 6> degree_shares(const std::array<double, 6>& c) {
     return {0,
             std::pow(c[1] + 3 * c[3] + 15 * c[5], 2),
@@ -118,7 +118,8 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
         lobes += (i % in_line == 0 ? "\n    " : " ") +
                  lobe_call(name, i, fitted.waves[i], colour.weights[i], complex);
 
-    // What is left of the variance, from the polynomials' parts: those of degree n keep (1 - removed)^n.
+    // Computes how much variance is left from the parts of the polynomials: a part of degree n keeps (1 -
+    // removed)^n.
     double variance = 0;
     std::array<double, 3> variances{};
     for (std::size_t c = 0; c < 3; ++c)

@@ -10,8 +10,8 @@ namespace gabor::fit {
 /// The name of the function for a file NAME.glsl. Throws RequestError if GLSL does not allow it.
 std::string function_name(const std::filesystem::path& file);
 
-/// A function of GLSL, vec3 NAME_colour(vec3 z, vec3 removed): the colour of components after a filter has
-/// removed these shares of their variance.
+/// The GLSL function vec3 NAME_colour(vec3 z, vec3 removed). It returns the colour of the components z after
+/// a filter has removed these shares of their variance.
 std::string colour_function(const std::string& name, const noise::Colour& colour);
 
 /// GLSL to put after gabor_lattice.glsl and gabor_spectrum.glsl:

@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Index;
 
-// All frequencies of the first scale's grid, from the stored half: values at opposite frequencies are equal,
-// or opposite in sign.
+// Returns the values at all frequencies of the first scale's grid, from the stored half. The value at an
+// opposite frequency is multiplied by `opposite`, 1 or -1.
 Eigen::MatrixXf whole_plane(const Scale& scale, const Eigen::ArrayXd& half, float opposite) {
     const int grid = scale.grid;
     Eigen::MatrixXf plane(grid, grid);
@@ -50,7 +50,7 @@ float largest_eigenvalue(const Eigen::Matrix3cf& m, int rows) {
     return middle + 2 * size * std::cos(std::acos(cosine) / 3);
 }
 
-// Radii in steps of a factor of 2.
+// Radii from `from` to `to`, each twice the one before.
 std::vector<double> radii(double from, double to) {
     std::vector<double> result;
     for (double radius = from; radius < 1.01 * to; radius *= 2)
@@ -94,14 +94,15 @@ std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Residual& 
 Search::Axis Search::axis_of(const Scale& scale, int which, double largest_radius, int lowest) {
     Axis axis;
     for (const double radius : radii(2, std::min<double>(largest_radius, scale.length()))) {
-        // How far apart frequencies need to be tried: lobes of narrow kernels are wide.
+        // The distance between the frequencies to try. Narrow kernels have wide lobes, so few frequencies are
+        // enough.
         const int stride = std::max(1, static_cast<int>(16 / radius));
         for (int k = lowest / stride * stride; k <= scale.grid / 2; k += stride) {
             axis.frequency.push_back(k);
             axis.radius.push_back(radius);
         }
     }
-    axis.frequency.push_back(0); // white
+    axis.frequency.push_back(0); // white noise
     axis.radius.push_back(smallest_radius);
     const auto count = std::ssize(axis.frequency);
     axis.atoms.resize(count, scale.grid);
@@ -177,7 +178,7 @@ Wave Search::best(const TargetSpectra& target, const Residual& left) const {
             wave.radius = {rx, ry};
         }
 
-    // The same over all scales, and peaks of those.
+    // Computes the gain over all scales, and tries the peaks of the other scales.
     Gain most = gain(target, left, wave.frequency, wave.radius);
     for (std::size_t s = 1; s < target.scales->size(); ++s) {
         const Scale& scale = (*target.scales)[s];

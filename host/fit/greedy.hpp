@@ -11,18 +11,18 @@ class Search {
   public:
     explicit Search(const TargetSpectra& target);
 
-    /// That wave, with the weights that fit best while others stay as they are. Tried are all frequencies of
-    /// the first scale with radii that its windows can tell, and the highest peaks of the other scales with
-    /// larger radii, in steps of a factor of 2 along each axis.
+    /// Returns that wave, with the weights that fit best while other waves stay unchanged. Tries all
+    /// frequencies of the first scale with the radii that its windows can resolve, and the highest peaks of
+    /// the other scales with larger radii. Radii double from step to step along each axis.
     Wave best(const TargetSpectra& target, const Residual& left) const;
 
   private:
     // The atoms of all frequencies and radii along an axis: one row for each.
     struct Axis {
-        std::vector<int> frequency; ///< on the grid
+        std::vector<int> frequency; ///< indices on the grid
         std::vector<double> radius;
         Eigen::MatrixXf atoms;
-        Eigen::MatrixXf mirrored; ///< times those of the opposite frequency
+        Eigen::MatrixXf mirrored; ///< atoms times those of the opposite frequencies
     };
     static Axis axis_of(const Scale& scale, int which, double largest_radius, int lowest);
 

@@ -10,7 +10,7 @@ namespace gabor::fit {
 
 namespace {
 
-constexpr double reach = 8; ///< deviations
+constexpr double reach = 8; ///< standard deviations
 constexpr std::size_t bins = 4096;
 constexpr std::size_t degree = 5;
 using Coefficients = std::array<double, degree + 1>;
@@ -35,7 +35,7 @@ Coefficients ends(double p) {
     return values;
 }
 
-// Of a sum a_n He_n; by He_n' = n He_(n - 1).
+// Tells whether the sum of a_n He_n rises from -4 to 4. Uses He_n' = n He_(n - 1).
 bool rises(const Coefficients& a) {
     for (double z = -4; z <= 4; z += 0.0625) {
         const Coefficients he = hermite(z);

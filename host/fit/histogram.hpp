@@ -12,13 +12,13 @@ class Quantiles {
     Quantiles();
     void add(float value);
 
-    /// The monotone polynomial of degree 5 that takes the standard normal law to the law of the values as
-    /// nearly as one of mean 0 and variance 1 can: coefficients of 1, z, ... z^5.
+    /// Returns the coefficients of 1, z, ... z^5 of a rising polynomial. It maps the standard normal
+    /// distribution to the distribution of the values as closely as is possible with mean 0 and variance 1.
     ///
-    /// Hermite's polynomials He_n are orthogonal under the normal law, so that the nearest polynomial has the
-    /// coefficients a_n = E[Q(z) He_n(z)] / n! of the quantiles Q(z). Cut off it may fall; a_n t^(n - 1), t
-    /// <= 1, is its smoothing by a normal filter (Mehler's formula), which rises everywhere once t is small
-    /// enough.
+    /// The Hermite polynomials He_n are orthogonal under the normal distribution, so the nearest polynomial
+    /// has the coefficients a_n = E[Q(z) He_n(z)] / n! of the quantiles Q(z). Truncated at degree 5, it may
+    /// fall. The coefficients a_n t^(n - 1), t <= 1, smooth it with a normal filter (Mehler's formula), and
+    /// it rises everywhere once t is small enough.
     std::array<double, 6> polynomial() const;
 
   private:

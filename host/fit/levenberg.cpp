@@ -18,12 +18,12 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double root_2 = std::numbers::sqrt2;
-constexpr double largest_stretch = 99; // of the 100 that presets take
+constexpr double largest_stretch = 99; // presets accept at most 100
 // For each wave: its atom, and the derivatives by both frequencies and by the logarithms of both radii.
 constexpr int functions = 5;
 
-// An atom on the grid has a part for the wave and a mirrored one for its opposite. Real parts of
-// cross-spectra have their sum, imaginary ones their difference.
+// An atom on the grid has a part for the wave and a mirrored part for its opposite. The real parts of
+// cross-spectra contain the sum of the two, the imaginary parts their difference.
 struct Parts {
     Eigen::MatrixXd sum;
     Eigen::MatrixXd difference;
@@ -41,7 +41,8 @@ void put(Parts& parts, Index column, const Scale& scale, const Eigen::ArrayXd& x
     }
 }
 
-// One column for each wave, or `functions` of them with derivatives, times the weight of each frequency.
+// Returns one column for each wave or, with derivatives, `functions` columns. They are multiplied by the
+// weight of each frequency.
 Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_derivatives,
                const Eigen::ArrayXd& weight) {
     const Index each = with_derivatives ? functions : 1;
@@ -67,8 +68,8 @@ Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_d
     return parts;
 }
 
-// The stored entries of a Hermitian matrix, those off the diagonal times the root of 2, so that the sum of
-// their squares is that of the matrix.
+// The stored entries of a Hermitian matrix. Entries off the diagonal are multiplied by the root of 2, so that
+// the sum of the squares is that of the whole matrix.
 struct Entries {
     Eigen::RowVectorXd real;
     Eigen::RowVectorXd imaginary;
@@ -87,7 +88,7 @@ Entries entries(const Eigen::MatrixXcd& matrix) {
     return result;
 }
 
-// One parameter: the function of its wave, and the cross-spectra, by which the model changes with it.
+// A parameter. When it changes, the model changes by this function of its wave times `change`.
 struct Parameter {
     Index wave;
     Index function;
@@ -210,7 +211,7 @@ std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Fr
         const Eigen::Array2d turn(step[at], step[at + 1]);
         const double most_turn = std::max(1.0, 2 * (turn * wave.radius.array()).matrix().norm());
         wave.frequency.array() += turn / most_turn;
-        wave.frequency.array() -= (wave.frequency.array() + 0.5).floor(); // aliases of one another
+        wave.frequency.array() -= (wave.frequency.array() + 0.5).floor(); // wraps around to an alias
         for (Index axis = 0; axis < 2; ++axis)
             wave.radius[axis] =
                 std::clamp(wave.radius[axis] * std::exp(std::clamp(step[at + 2 + axis], -0.5, 0.5)),

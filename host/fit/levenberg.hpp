@@ -8,26 +8,26 @@
 
 namespace gabor::fit {
 
-/// Waves around one wave vector in several channels. With the complex noise z of such a wave, E[z(p + t)
-/// z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius.x) g(t.y / radius.y), channel c has Re(weight_c z):
-/// cross-spectra weight_c weight_d*.
+/// Waves around one wave vector in several channels. If z is the complex noise of such a wave, with E[z(p +
+/// t) z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius.x) g(t.y / radius.y), channel c is Re(weight_c z),
+/// and the cross-spectra are proportional to weight_c weight_d*.
 struct Wave {
     Eigen::Vector2d frequency; ///< cycles per pixel
     Eigen::Vector2d radius;    ///< pixels, along x and y
     Eigen::VectorXcd weight;   ///< of each channel; real if there is only one
 };
 
-/// The spectra that waves are fitted to, as least squares see them: each frequency divided by the root of the
-/// power there, P + 0.01 mean P. Plain least squares would leave weak frequencies empty, and weights 1 / P
-/// follow where the estimate is low by chance. Scales with few windows count less, or lobes would be spent on
-/// peaks that are chance.
+/// The spectra that waves are fitted to, weighted for least squares: each frequency is divided by the root of
+/// P + 0.01 mean P, where P is the power there. Unweighted least squares would leave weak frequencies empty,
+/// and dividing by P would follow the estimate where it is low by chance. Scales with few windows count less;
+/// otherwise lobes would be spent on peaks that occur by chance.
 struct TargetSpectra {
     int channels;
     Scales scales;
-    Eigen::MatrixXd real; ///< of each pair, times `weight`; twice the square for those off the diagonal
+    Eigen::MatrixXd real; ///< a column for each pair, times `weight` and, off the diagonal, the root of 2
     Eigen::MatrixXd imaginary;
     Eigen::ArrayXd weight; ///< root of the weight of each frequency in the sum of squares
-    double largest_radius; ///< allowed for waves
+    double largest_radius; ///< largest radius allowed for waves
 
     TargetSpectra(const Spectra& spectra, double largest_radius);
 };
@@ -41,7 +41,7 @@ struct Residual {
 };
 Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves);
 
-/// How much another such wave, with the best weights, reduces the residual; and those weights.
+/// How much an additional wave with the best weights reduces the residual, and these weights.
 struct Gain {
     double cost = 0;
     Eigen::VectorXcd weight;
@@ -49,7 +49,7 @@ struct Gain {
 Gain gain(const TargetSpectra& target, const Residual& left, const Eigen::Vector2d& frequency,
           const Eigen::Vector2d& radius);
 
-/// The spectra that waves have, as the estimate would see them.
+/// The expected estimate of the waves' spectra.
 Spectra model(const std::vector<Wave>& waves, int channels, const Scales& scales = first_scale());
 
 /// Which parameters may change: only weights, or also frequencies and radii.

@@ -5,7 +5,7 @@
 
 namespace gabor::fit {
 
-/// The texture as a picture of the exemplar's size and scale.
+/// Returns the request that draws the texture with the exemplar's size and scale.
 render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted);
 
 } // namespace gabor::fit

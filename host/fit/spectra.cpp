@@ -14,7 +14,7 @@ namespace gabor::fit {
 
 namespace {
 
-// Side of the windows of larger scales, in samples, and the smallest one worth an estimate.
+// The side of the windows of larger scales, in samples, and the smallest side that is worth an estimate.
 constexpr int large_window = 256;
 constexpr int least_window = 32;
 // Decimates by 4 with a triangle filter of eight samples.
@@ -33,7 +33,7 @@ Eigen::ArrayXd autocorrelation(const Eigen::ArrayXd& values) {
     return result;
 }
 
-// Those of averages of averages.
+// The weights of pixels in a sample, which is an average of averages.
 Eigen::ArrayXd averaging_weights(int spacing) {
     Eigen::ArrayXd weights = Eigen::ArrayXd::Ones(1);
     for (int s = 1; s < spacing; s *= decimation) {
@@ -96,7 +96,7 @@ class Power {
         }
         return values_[y * (grid_ / 2 + 1) + x];
     }
-    /// The mean of squares of 3 x 3 frequencies.
+    /// The mean power in a square of 3 x 3 frequencies.
     double around(int x, int y) const {
         double sum = 0;
         for (int dy = -1; dy <= 1; ++dy)
@@ -110,12 +110,12 @@ class Power {
     Eigen::ArrayXd values_;
 };
 
-// The rows of a scale's frequencies that windows of the previous scale cannot resolve: long waves, and
-// frequencies around peaks above the spectrum that those windows see.
+// The rows of a scale's frequencies that windows of the previous scale cannot resolve: those of long waves,
+// and those around peaks that rise above the spectrum seen by these windows.
 std::vector<Eigen::Index> unresolved(const Scale& scale, const Power& fine, const Scale& before,
                                      const Power& coarse) {
     constexpr double peak = 2.5;
-    constexpr double highest = 0.2; // cycles per sample: more is dampened by averages
+    constexpr double highest = 0.2; // cycles per sample; averaging attenuates higher frequencies
     constexpr std::size_t most = 4096;
     const int grid = scale.grid;
     const int low = 4 * grid * scale.spacing / before.length();
@@ -165,7 +165,7 @@ std::vector<Scale> scales_of(int width, int height) {
     std::vector<Scale> scales{first_scale()->front()};
     int side = std::min(width, height);
     for (int spacing = 1; side / 2 >= least_window; spacing *= decimation, side = decimated(side)) {
-        const int window = std::min(large_window, side / 32 * 16); // sides with a fast transform
+        const int window = std::min(large_window, side / 32 * 16); // these sides have a fast transform
         if (spacing * window >= 1.5 * scales.back().length())
             scales.push_back(make_scale(spacing, window, window));
         if (side < static_cast<int>(triangle.size()))
@@ -257,7 +257,7 @@ class SpectraEstimate::Welch {
         : scale_(&scale), channels_(channels), margin_(scale.window / 2),
           segments_(width + scale.window, height + scale.window, channels + 1, scale.window,
                     (scale.window + 2) /
-                        3), // squares of three windows a third apart add up to the same everywhere
+                        3), // squares of windows a third of their side apart add up to a constant
           padded_(static_cast<std::size_t>((width + scale.window) * (channels + 1))), rows_left_(height),
           window_(static_cast<std::size_t>(scale.grid) * static_cast<std::size_t>(scale.grid)),
           transform_(scale.grid), transformed_(static_cast<std::size_t>(channels)),
@@ -284,7 +284,7 @@ class SpectraEstimate::Welch {
     int windows() const { return windows_; }
     /// The factor that turns sums over windows into cross-spectra.
     double unit() const { return scale_->spacing * scale_->spacing / power_; }
-    /// The weighted sum of the channels' power in a row, of all windows.
+    /// The weighted sum of the channels' power in a row, summed over all windows.
     double power(Eigen::Index row, const Eigen::VectorXd& weights) const {
         double sum = 0;
         Eigen::Index column = 0;
@@ -299,8 +299,8 @@ class SpectraEstimate::Welch {
     const Eigen::MatrixXd& imaginary() const { return imaginary_; }
 
   private:
-    /// For windows with these beginnings along an axis of `length` samples, returns the sum and the sum of
-    /// squares of their weights within the picture.
+    /// For windows that begin at `begins` along an axis of `length` samples, returns the sum and the sum of
+    /// squares of the weights that lie within the picture.
     std::vector<std::array<double, 2>> seen_weights(const std::vector<int>& begins, int length) const {
         std::vector<std::array<double, 2>> result;
         for (const int begin : begins) {
@@ -363,16 +363,16 @@ class SpectraEstimate::Welch {
 
     const Scale* scale_;
     int channels_;
-    int margin_; ///< around the picture
+    int margin_; ///< samples added on each side of the picture
     statistics::Segments segments_;
     std::vector<float> padded_; ///< a row with its margins
     int rows_left_;
-    std::array<std::vector<std::array<double, 2>>, 2> weight_; ///< of columns and lines of windows
+    std::array<std::vector<std::array<double, 2>>, 2> weight_; ///< seen_weights of columns and of rows
     std::size_t band_ = 0;
-    double power_ = 0;          ///< of the windows
+    double power_ = 0;          ///< sum of the windows' squared weights
     std::vector<float> window_; ///< the rest of the grid stays 0
     statistics::Transform transform_;
-    std::vector<Eigen::ArrayXcf> transformed_; ///< of each channel
+    std::vector<Eigen::ArrayXcf> transformed_; ///< transform of each channel
     Eigen::MatrixXd real_;
     Eigen::MatrixXd imaginary_;
     int windows_ = 0;
@@ -384,7 +384,7 @@ class SpectraEstimate::Decimation {
     Decimation(int width, int values)
         : values_(values), columns_(decimated(width)), sums_(2, Eigen::ArrayXf::Zero(columns_ * values)) {}
 
-    /// The next row. Returns the row of averages that it completes, if any.
+    /// Adds the next row. Returns the row of averages that it completes, if any.
     std::optional<std::span<const float>> add_row(std::span<const float> row) {
         Eigen::ArrayXf across = Eigen::ArrayXf::Zero(columns_ * values_);
         for (int x = 0; x < columns_; ++x)
@@ -401,7 +401,7 @@ class SpectraEstimate::Decimation {
         std::swap(sums_[0], complete_);
         std::swap(sums_[0], sums_[1]);
         sums_[1].setZero(columns_ * values_);
-        if (row_ == decimation) // only the second half of a triangle
+        if (row_ == decimation) // has only the second half of a triangle
             return {};
         return std::span<const float>(complete_.data(), static_cast<std::size_t>(complete_.size()));
     }
@@ -409,7 +409,7 @@ class SpectraEstimate::Decimation {
   private:
     int values_;
     Eigen::Index columns_;
-    std::vector<Eigen::ArrayXf> sums_; ///< of incomplete rows, the older one first
+    std::vector<Eigen::ArrayXf> sums_; ///< sums of incomplete rows, the older one first
     Eigen::ArrayXf complete_;
     int row_ = 0;
 };

@@ -18,10 +18,10 @@ constexpr int window_side = 64;
 /// Windows of one size, and the frequencies at which their estimate is compared with a model. Scales after
 /// the first keep only frequencies of long waves and those near peaks that smaller windows cannot resolve.
 struct Scale {
-    int spacing;     ///< pixels from one sample to the next: 1, 4, 16 ... by averages over twice as many
+    int spacing;     ///< pixels from one sample to the next: 1, 4, 16 ...; samples are averages
     int window;      ///< samples along each axis
     int grid;        ///< frequency k is k / grid cycles per sample, negative ones last
-    double area = 1; ///< of a frequency's cell, relative to the first scale's
+    double area = 1; ///< area of a frequency's cell, relative to the first scale
     /// n / (n + 100) for an estimate from n independent windows: its squared error is 1 / n, and a sum of few
     /// lobes misses a tenth of the power anyway.
     double confidence = 1;
@@ -38,8 +38,8 @@ struct Scale {
     /// Along x and y: sum_p w(p) w(p + t) for t = 0 ... window - 1, relative to t = 0. Only the parts of the
     /// windows within the picture count.
     std::array<Eigen::ArrayXd, 2> lag_window = {};
-    Eigen::ArrayXd averaging = {}; ///< the same for the weights of the averages, in pixels, along either axis
-    Eigen::MatrixXd cosine = {};   ///< of 2 pi k t / grid: a row for each frequency, a column for each lag
+    Eigen::ArrayXd averaging = {}; ///< the same for the weights of pixels in a sample, along either axis
+    Eigen::MatrixXd cosine = {};   ///< cosine of 2 pi k t / grid: row k for a frequency, column t for a lag
     Eigen::MatrixXd sine = {};
 
     /// The longest waves that fit a window, in pixels.
@@ -53,8 +53,8 @@ using Scales = std::shared_ptr<const std::vector<Scale>>;
 /// not wrap around.
 const Scales& first_scale();
 
-/// The scales that a picture of this size has, the smallest windows first, each with all its frequencies. The
-/// largest windows are half as long as its shorter side.
+/// The scales for a picture of this size, the smallest windows first, each with all its frequencies. The
+/// largest windows are half as long as the picture's shorter side.
 std::vector<Scale> scales_of(int width, int height);
 
 /// The stored entries of a Hermitian matrix of channels: Re(c, d) for c <= d, and Im(c, d) for c < d.
@@ -83,10 +83,11 @@ struct Spectra {
     Spectra mapped(const Eigen::MatrixXd& map) const;
 };
 
-/// The autocovariance summed over channels, as the windows of a scale see it, with their weight at each lag.
+/// The autocovariance summed over channels as the windows of a scale see it, including the windows' weight at
+/// each lag.
 struct Autocovariance {
     Eigen::MatrixXd forward;  ///< at lags (x, y) of samples, in column x and row y
-    Eigen::MatrixXd backward; ///< at (-x, y)
+    Eigen::MatrixXd backward; ///< at lags (-x, y)
 };
 
 /// The weight of each row of Spectra in an integral over its scale, in cells of the first scale.
@@ -106,9 +107,10 @@ class SpectraEstimate {
     /// windows with less than nine tenths of their pixels are left out.
     void add_row(std::span<const float> row, std::span<const float> seen);
 
-    /// Call after the last row. Scales without windows are left out. Throws RequestError if none is left.
+    /// Returns the spectra; call it after the last row. Scales without windows are left out. Throws
+    /// RequestError if none is left.
     Spectra spectra() const;
-    /// For each of their scales, with a weight for each channel.
+    /// Returns the autocovariance on each scale of `spectra`, with a weight for each channel.
     std::vector<Autocovariance> autocovariances(const Eigen::VectorXd& weights) const;
 
   private:

@@ -12,7 +12,8 @@ Structure::Structure(int width) : row_(static_cast<std::size_t>(width)) {
     derivatives_.resize(row_.size() - 3);
 }
 
-// Of means of 2 x 2 pixels: no noise of single pixels, and no direction preferred.
+// Derivatives are taken from means of 2 x 2 pixels, which suppress the noise of single pixels and prefer no
+// direction.
 void Structure::add_row(std::span<const float> row) {
     std::swap(rows_[2], rows_[1]);
     std::swap(rows_[1], rows_[0]);
@@ -37,7 +38,7 @@ void Structure::add_row(std::span<const float> row) {
 }
 
 double Structure::excess() const {
-    // A derivative that is 0 everywhere has no kurtosis, and one below a normal distribution's only means few
+    // A derivative that is 0 everywhere has no kurtosis, and a negative excess only means that there are few
     // waves.
     double largest = 0;
     for (const double value :

@@ -13,19 +13,19 @@ class Structure {
   public:
     explicit Structure(int width);
 
-    /// The next row of one channel, NaN where a pixel does not count.
+    /// Adds the next row of one channel. Pixels that do not count are NaN.
     void add_row(std::span<const float> row);
 
-    /// How far derivatives are from normal: the excess kurtosis of those along x and y, which edges and
-    /// isolated objects have, or twice the skewness of the Laplacian, which ridges, creases and cells have.
-    /// The larger of them, and 0 for a Gaussian texture or a few waves.
+    /// How far derivatives are from normal: the largest of the excess kurtoses along x and y, which edges and
+    /// isolated objects raise, and twice the skewness of the Laplacian, which ridges, creases and cells
+    /// raise. It is 0 for a Gaussian texture or a few waves.
     double excess() const;
 
     /// Above this limit, noise visibly loses structure: grass has 1.7, gravel 2.3, bricks 17.
     static constexpr double limit = 1;
 
   private:
-    std::vector<float> rows_[3]; ///< means of 2 x 2 pixels: the last ones, the newest first
+    std::vector<float> rows_[3]; ///< the last rows of means of 2 x 2 pixels, the newest first
     std::vector<float> row_;     ///< the last row of pixels
     int count_ = 0;
     statistics::Moments across_;

@@ -15,7 +15,7 @@ double place(int i, int n) {
     return (2.0 * i + 1) / n - 1;
 }
 
-// The polynomials along a row at v, in terms of 1, x, x^2.
+// The six polynomials along the row at v, as coefficients of 1, x, x^2.
 Eigen::Matrix<double, 6, 3> polynomials_at(double v) {
     Eigen::Matrix<double, 6, 3> m;
     m.col(0) << 1, 0, v, 0, 0, v * v;
@@ -99,9 +99,9 @@ Survey PixelSums::survey() const {
 
 // Regresses the logarithm of each block's deviation on that of its light.
 void PixelSums::find_contrast(Survey& survey) const {
-    constexpr double least_correlation = 0.3; // chance has about 1 / blocks
+    constexpr double least_correlation = 0.3; // chance gives about 1 / blocks
     Trend& trend = survey.trend;
-    std::vector<Eigen::Vector3d> found; // logarithms of light and of deviation, variance
+    std::vector<Eigen::Vector3d> found; // logarithm of light, logarithm of deviation, variance
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (int i = 0; i < blocks * blocks; ++i) {
         const Block& block = blocks_[static_cast<std::size_t>(i)];

@@ -8,24 +8,25 @@
 namespace gabor::fit {
 
 /// Uneven light: in each channel, the quadratic polynomial of x and y with the least squared distance from
-/// the picture. Where it also changes the contrast, deviations are in proportion to (light / mean
+/// the picture. If the light also changes the contrast, deviations are proportional to (light / mean
 /// light)^contrast.
 struct Trend {
     int width = 0;
     int height = 0;
     Eigen::Matrix<double, 6, Eigen::Dynamic>
-        coefficients;    ///< of 1, x, y, x^2, x y, y^2, in [-1, 1] over the picture
+        coefficients;    ///< of 1, x, y, x^2, x y, y^2, where x and y go from -1 to 1 over the picture
     double contrast = 0; ///< from 0 (light adds) to 1 (light multiplies)
 
-    /// Subtracts it from row y, channels interleaved, and evens the contrast.
+    /// Subtracts the trend from row y, whose channels are interleaved, and evens the contrast.
     void subtract(int y, std::span<float> row) const;
-    /// Returns the sum of its channels at a place in [-1, 1], divided by their mean over the picture.
+    /// Returns the sum of the trend's channels at a place in [-1, 1], divided by the mean of that sum over
+    /// the picture.
     double light(double u, double v) const;
     /// Returns the factor that evens the contrast at that place.
     double gain(double u, double v) const;
 };
 
-/// What one pass over a picture finds.
+/// The result of one pass over a picture.
 struct Survey {
     Trend trend;
     Eigen::VectorXd mean;
@@ -39,14 +40,14 @@ class PixelSums {
 
     /// Adds the next row from the top. Pixels whose `seen` is 0 do not count.
     void add_row(std::span<const float> row, std::span<const float> seen);
-    /// Call after the last row. At least one pixel must have been seen.
+    /// Returns the survey; call it after the last row. At least one pixel must have been seen.
     Survey survey() const;
 
   private:
-    static constexpr int blocks = 16; ///< along each side of the picture, to tell how its contrast changes
+    static constexpr int blocks = 16; ///< along each side of the picture, to measure how its contrast changes
     struct Block {
         double count = 0;
-        double sum = 0; ///< of the sums of channels
+        double sum = 0; ///< sum over pixels of the sum of their channels
         double squares = 0;
     };
     void find_contrast(Survey& survey) const;
@@ -54,9 +55,9 @@ class PixelSums {
     int height_;
     int row_ = 0;
     Eigen::Matrix<double, 3, Eigen::Dynamic> powers_;   ///< 1, x, x^2 of each column
-    Eigen::MatrixXd values_;                            ///< the row
-    Eigen::Matrix<double, 6, 6> gram_;                  ///< of the polynomials
-    Eigen::Matrix<double, 6, Eigen::Dynamic> products_; ///< of the polynomials and the channels
+    Eigen::MatrixXd values_;                            ///< the current row
+    Eigen::Matrix<double, 6, 6> gram_;                  ///< products of the polynomials
+    Eigen::Matrix<double, 6, Eigen::Dynamic> products_; ///< products of the polynomials and the channels
     Eigen::MatrixXd squares_;                           ///< of the channels
     std::vector<Block> blocks_ = std::vector<Block>(blocks * blocks);
 };

@@ -41,9 +41,8 @@ std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& f
                                     "be too weak or too strong.",
                                     window_side, error.low));
     if (error.autocorrelation > std::max(autocorrelation_limit, 4 * error.chance))
-        lines.push_back(fmt::format("Something in the photograph repeats, or goes on for longer than the "
-                                    "noise can: their autocorrelations "
-                                    "differ by {:.2f}.",
+        lines.push_back(fmt::format("Something in the photograph repeats, or extends further than the noise "
+                                    "can follow: their autocorrelations differ by {:.2f}.",
                                     error.autocorrelation));
     return lines;
 }
