@@ -1,6 +1,6 @@
 """Generates the parts of shaders/nodes that come from the drop-ins: WGSL modules for Bevy, TSL for three.js, and the library of
-MaterialX's nodes, for languages without structs or unsigned integers, with a few functions of gabor_lattice.glsl in GLSL, in the
-Open Shading Language and in MDL. tools/translate calls it."""
+MaterialX's nodes in GLSL, OSL and MDL. The library has a few functions of gabor_lattice.glsl, rewritten for languages without
+structs or unsigned integers. tools/translate calls this module."""
 
 import ast
 import json
@@ -39,7 +39,7 @@ def arguments(text, opening):
 
 
 def each_call(text, name, rewritten):
-    """Rewrites each call of a function that matches a pattern, given its name and arguments."""
+    """Replaces each call of a function whose name matches the pattern `name` by the result of rewritten(name, arguments)."""
     pattern, result, place = re.compile(rf"(?<![\w.])(?<!struct )({name})\("), "", 0
     while match := pattern.search(text, place):
         end, parts = arguments(text, match.end() - 1)
@@ -179,7 +179,7 @@ def mdl_function(match):
 
 
 def mdl_variants():
-    """The nodes of each type, because MaterialX 1.39 imports no module for nodes within the graphs that other targets use."""
+    """The nodes of each type. MaterialX 1.39 needs all, because it imports no module for nodes within other targets' graphs."""
     for dim, place, direction in (("2d", "float2 texcoord", "float orientation"),
                                   ("3d", "float3 position", "float3 direction")):
         inputs = f"{place}, float frequency, {direction}, int seed"
