@@ -38,8 +38,8 @@ inline bool is_in_range(const std::string& call, int point, float value) {
         return true;
     const bool unlimited = has("gradient") || has("field") || has("3d(") || has("node_position") ||
                            has("gabor_er") || has("gabor_terrain") || (kind == 0 && is_sine);
-    // Compares integers, since compilers may assume that there is no NaN. Its bits are larger than any
-    // number's.
+    // Compares integers, because compilers may assume that there is no NaN. As an integer, NaN is larger than
+    // any number.
     return (std::bit_cast<std::uint32_t>(value) & 0x7fffffffu) <=
            std::bit_cast<std::uint32_t>(unlimited ? std::numeric_limits<float>::max() : 200.0f);
 }

@@ -1,7 +1,7 @@
-// Compares the results of the drop-ins' C++ translations with a file in this folder, or writes it if
-// GABOR_GOLDEN=write, and checks that results for any arguments are finite: functions FILE. A line of the
-// file has a call and 16 numbers, each a sum over 4 points. `functions FIRST COUNT` writes the results at so
-// many points to stdout, as floats, call after call at each point.
+// `functions FILE` compares the results of the drop-ins' C++ translations with a file in this folder, or
+// writes the file if GABOR_GOLDEN=write. It also checks that results for arbitrary arguments are finite. A
+// line of the file has a call and 16 numbers, each a sum over 4 points. `functions FIRST COUNT` writes the
+// results at COUNT points from FIRST on to stdout, as floats, call after call at each point.
 
 #include "file.hpp"
 

@@ -1,6 +1,6 @@
-// The functions of golden/functions.glsl on the device: their golden values, and thousands of others, which
-// must be those of the C++ that tests/functions compares with the reference. After an intended change of
-// pixels, rewrite the files and review the diff:
+// Compares the functions of golden/functions.glsl on the device with their golden values, and at thousands of
+// other points with the translation to C++, which tests/functions compares with the reference. After an
+// intended change of pixels, rewrite the files and review the diff:
 //
 //     GABOR_GOLDEN=write ctest --preset dev -R '^golden_'
 
@@ -49,7 +49,7 @@ const Set others[]{{"noise_pure", golden_noise_pure_spirv}, {"noise_paper", gold
                    {"direction", golden_direction_spirv},   {"lattice_3d", golden_lattice_3d_spirv},
                    {"erosion", golden_erosion_spirv}};
 
-// The first 64 points are golden, the next 4096 have any arguments.
+// The first 64 points have golden values, the next 4096 have arbitrary arguments.
 constexpr std::size_t compared = 64 * 65, groups = 65 + 256, points = 64 * groups;
 
 // The results of each call of a set at each point.
@@ -73,24 +73,24 @@ class Values {
     gabor::vulkan::Buffer buffer_;
 };
 
-// What the translation to C++ gives at the points to compare: call after call at each point.
+// Returns the results of the translation to C++ at the points to compare, call after call at each point.
 std::vector<float> translated(const Set& set, std::size_t calls) {
     const std::string command =
         fmt::format(GABOR_FUNCTIONS_FOLDER "/golden_{} {} {}", set.name, compared, points - compared);
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-    std::vector<float> values(calls * (points - compared) + 1); // one more would show
+    std::vector<float> values(calls * (points - compared) + 1); // one more, to notice too many
     values.resize(std::fread(values.data(), sizeof(float), values.size(), pipe.get()));
     REQUIRE(values.size() == calls * (points - compared));
     return values;
 }
 
-// How much more than others a result changes with the rounding of its arguments.
+// How much more sensitive than others a result is to the rounding of its arguments.
 double sensitivity(const std::string& call, std::size_t point) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
     if ((has("filtered") || has(".w") || call == "removed") &&
         point % 16 == 15) // pixels a thousand times as long as wide
         return 1000;
-    if (has("gabor_er") && point / 4 % 4 == 3) // far away its octaves round their place
+    if (has("gabor_er") && point / 4 % 4 == 3) // far away, places in its octaves are rounded
         return 400;
     // the phase of small numbers, and sums of many waves
     return has("phasor") || has("SPREAD") ? 4 : 1;
@@ -107,8 +107,8 @@ void check(std::span<const Set> sets) {
                 rows.see(values.calls()[call], double{values.at(call, point)});
         }
         INFO(set.name);
-        // SwiftShader's sine and arctangent are off by 2e-4. Far away, the octaves of erosion round their
-        // places.
+        // SwiftShader's sine and arctangent are off by 2e-4. Far away, places in the octaves of erosion are
+        // rounded.
         const double tolerance = device.info().name.find("SwiftShader") == std::string::npos ? 5e-5 : 5e-4;
         CHECK(rows.compare(set.file(), tolerance, set.name == std::string("erosion") ? 0.02 : tolerance));
         const std::size_t count = values.calls().size();
@@ -133,7 +133,7 @@ void check(std::span<const Set> sets) {
 
 } // namespace
 
-TEST_CASE("functions of the noise give the values of this version, and finite ones for any arguments",
+TEST_CASE("functions of the noise give the values of this version, and finite values for any arguments",
           "[golden][core]") {
     check(core);
 }

@@ -138,7 +138,7 @@ bool is_in_range(const std::array<float, channels>& values) {
 }
 
 // Compares filtered pixels of 1/64 unit at random places with the mean of sharp samples under a normal
-// density that deviates by half a pixel.
+// density with a standard deviation of half a pixel.
 void compare(const Material& material, const std::vector<float>& numbers) {
     INFO(material.name);
     constexpr int places = 1000, strata = 12, samples = strata * strata;
@@ -302,7 +302,7 @@ TEST_CASE("every material repeats after its period without a seam", "[material]"
                 seam += step(at(-near, y), at(near, y)) + step(at(x, -near), at(x, near));
                 elsewhere += step(at(x - near, y), at(x + near, y)) + step(at(x, y - near), at(x, y + near));
             }
-            fmt::print("  {:<14} {:<9} steps at the seam {:.2f} of those elsewhere\n", material.name,
+            fmt::print("  {:<14} {:<9} steps at the seam {:.2f} times those elsewhere\n", material.name,
                        filter ? "filtered" : "", seam / elsewhere);
             // In weaves, the seam is an edge between two threads.
             CHECK(seam < 2.5 * elsewhere);

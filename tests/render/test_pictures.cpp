@@ -70,7 +70,7 @@ noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixe
     noise::Place<2> place;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double standard = request.recipe.radius, pixels = request.scale * radius[axis];
-        const double length = (axis ? request.height : request.width) / pixels; // of the picture
+        const double length = (axis ? request.height : request.width) / pixels; // in kernel radii
         if (std::get<render::Plane>(request.view).tileable)
             place.period[axis] = static_cast<std::int32_t>(length * standard);
         place.radius[axis] = place.period[axis] ? place.period[axis] / length : standard;
@@ -447,7 +447,7 @@ TEST_CASE("a filtered spectrum is the sum of its filtered lobes", "[render]") {
     }
 }
 
-TEST_CASE("filtering a plane requires the lattice recipe, and tiles two of the widest kernel radii",
+TEST_CASE("filtering a plane requires the lattice recipe, and a tile requires two of the widest kernel radii",
           "[request]") {
     render::Request request{.recipe = noise::find_recipe("one"), .filter = true};
     CHECK_THROWS_WITH(render::check(request), Catch::Contains("lattice recipe"));

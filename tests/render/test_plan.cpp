@@ -46,7 +46,7 @@ std::vector<passes::Line> columns(const Request& request, Viewport viewport) {
     return values_of<passes::Line>(plan(request, viewport).tables.at(0));
 }
 
-// The distance in kernel cells from one line to the next, also across the end of the world.
+// The distance in kernel cells from one line to the next, also where cells wrap around.
 double step(const passes::Line& from, const passes::Line& to) {
     const auto cells = static_cast<std::uint32_t>(to.cell) - static_cast<std::uint32_t>(from.cell);
     return static_cast<double>(static_cast<std::int32_t>(cells)) + double{to.local} - double{from.local};
@@ -81,7 +81,7 @@ TEST_CASE("a window uses one block size for all scales, and single pixels at sma
     CHECK_FALSE(uses_blocks(request, viewport));
 }
 
-TEST_CASE("a window filters with one pipeline at all scales, and a picture with that of its scale") {
+TEST_CASE("a window filters with one pipeline at all scales, and a picture with one for its scale") {
     Request request{.lobes = {{.frequency = 2}, {.frequency = 5, .radius = 0.05}}, .filter = true};
     Viewport viewport = viewport_of(request, {0, 0, 64, 64});
     const auto constants = [&] { return plan(request, viewport).steps.front().constants; };
@@ -178,7 +178,7 @@ TEST_CASE("every parameter of terrain changes its plan") {
     }
 }
 
-TEST_CASE("a landscape is seen from as far, whether it is wide or tall") {
+TEST_CASE("a wide landscape is seen from as far away as a tall one") {
     const auto distance = [](const char* width, const char* height) {
         const Request request = request_of({{"view", "landscape"}, {"width", width}, {"height", height}});
         return values_of<passes::TerrainPush>(whole(request).steps.front().push).at(0).distance;
@@ -229,7 +229,7 @@ TEST_CASE("a place belongs to the cell given by the sum of its whole and fractio
     CHECK(local == Approx(0.85));
 }
 
-TEST_CASE("a plane in perspective is drawn from where its camera stands") {
+TEST_CASE("a plane in perspective is drawn from the position of its camera") {
     Request request = request_of({{"material", "wood"}, {"view", "horizon"}});
     Viewport viewport = viewport_of(request, {0, 0, 150, 113});
     viewport.camera.x = {2, 0.25};
@@ -244,7 +244,7 @@ TEST_CASE("a plane in perspective is drawn from where its camera stands") {
     CHECK(wave.camera.y == 0.125f);
 }
 
-TEST_CASE("columns continue across the end of the world") {
+TEST_CASE("columns continue where cells wrap around") {
     for (const char* recipe : {"one", "lattice"}) {
         const Request request{.scale = 32, .recipe = noise::find_recipe(recipe)};
         const double cells = double{request.recipe.radius};
@@ -275,7 +275,7 @@ TEST_CASE("zooming in brings sample places closer together, and a coarse view sp
     }
 }
 
-TEST_CASE("a coarse view filters its waves for its pixels") {
+TEST_CASE("a coarse view filters its waves for its larger pixels") {
     const Request request{.scale = 32, .lobes = {{.frequency = 4}}};
     Viewport viewport = viewport_of(request, {0, 0, 64, 64});
     const auto amplitude = [&](int stride) {

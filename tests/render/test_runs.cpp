@@ -29,7 +29,7 @@ TEST_CASE("runs cover every pixel once, within one set of cells", "[runs]") {
     }
 }
 
-TEST_CASE("a part is cut where the whole is, at any scale", "[runs]") {
+TEST_CASE("a part is cut at the same pixels as the whole, at any scale", "[runs]") {
     std::mt19937 random(5);
     for (int round = 0; round < 20000; ++round) {
         const auto uniform = [&](double low, double high) {

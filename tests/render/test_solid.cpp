@@ -184,7 +184,7 @@ void compare(const vulkan::Device& device, const Request& request, Blocks blocks
                 const auto where = [&] { return fmt::format("pixel {}, {}", x, y); };
                 if (channels[c] == "A")
                     REQUIRE(found > 0);
-                else if (channels[c] == "phase") // of a wave as long as the intensity
+                else if (channels[c] == "phase") // compares complex numbers with this phase
                     of["phase"].see(
                         std::abs(std::polar(std::abs(value), 2 * std::numbers::pi * found) - value), 0, tight,
                         where);
@@ -216,7 +216,7 @@ TEST_CASE("each pixel of a slice is the noise at its centre", "[solid]") {
     }
 }
 
-TEST_CASE("each pixel of a sphere or a torus is the noise where its ray hits", "[solid]") {
+TEST_CASE("each pixel of a sphere or a torus is the noise where its ray hits the body", "[solid]") {
     const vulkan::Device device;
     for (const Shape shape : {Shape::sphere, Shape::torus})
         for (const bool solid : {false, true})

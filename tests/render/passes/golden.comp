@@ -1,8 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The functions of golden/functions.glsl, GABOR_OF_SET: call k at point i of n becomes values[n k + i]. The first 64 points
-// are golden, the next 4096 have any arguments, the others are compared with C++.
+// Evaluates the functions of golden/functions.glsl for GABOR_OF_SET. The result of call k at point i of n is
+// values[n k + i]. The first 64 points have golden values, the next 4096 have arbitrary arguments, and the
+// others are compared with C++.
 
 #include "../../golden/sets.h"
 #if defined GOLDEN_NOISE
