@@ -9,7 +9,7 @@ inline noise::Vector<3> random_unit(Draw& draw) {
     return noise::unit(wide(draw.uniform<gabor_vec3>(-1, 1)));
 }
 
-/// Arguments of functions in space. The steps of a pixel are those of the filter.
+/// Arguments of functions in space. The steps to the next pixels, dx and dy, determine the filter.
 struct Sample3d {
     noise::Place<3> place;
     gabor_vec3 p{0, 0, 0}; ///< position in kernel radii, for functions that take one

@@ -49,8 +49,8 @@ inline Statistic sum_of(std::string name, double deviation, std::vector<Term> te
             }};
 }
 
-/// Compares statistics over this share of the samples with the normal law. Each call of `instance()` returns
-/// the numbers of another instance as an array.
+/// Compares statistics with the normal law, using this share of the samples. Each call of `instance()`
+/// returns the numbers of another instance as an array.
 template <typename Instance>
 void check_laws(double share, const Instance& instance, const std::vector<Statistic>& statistics) {
     std::vector<statistics::Moments> moments(statistics.size());
@@ -163,7 +163,7 @@ class Laws {
         const double error = std::sqrt(cvms.variance() / count);
         fmt::print("  {}, {:.3g} values: mean {:.5f}, variance {:.5f}\n"
                    "    {} each: chi-square of means {:.2f}, of variances {:.2f}, the furthest {:+.5f}; cvm "
-                   "{:.4f} +- {:.4f} on average, {:.3f} at the worst, {}\n",
+                   "{:.4f} +- {:.4f} on average, {:.3f} at worst, {}\n",
                    title, n * count, together.mean(), together.variance(), n, means, variances, furthest,
                    cvms.mean(), error, cvms.maximum(), worst);
         INFO(title);

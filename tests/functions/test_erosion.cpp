@@ -255,7 +255,7 @@ double cells(auto terrains, double cell) {
     return (most - least) / mean;
 }
 
-// The RMS of the slope minus finite differences of the height, relative to the RMS of the differences.
+// The RMS difference between the slope and finite differences of the height, relative to their RMS.
 double slope_error(auto terrains) {
     constexpr float step = 1.0f / 2048;
     double error = 0, power = 0;

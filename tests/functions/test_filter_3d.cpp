@@ -209,7 +209,7 @@ TEST_CASE("functions of a position are filtered like fields, and surface noise l
     test::check(of, 3);
 }
 
-TEST_CASE("isotropic noise in space and on surfaces is filtered within 2 % up to 0.3 radii",
+TEST_CASE("the filter of isotropic noise in space and on surfaces errs by at most 2 % up to 0.3 radii",
           "[space][filter][law]") {
     fmt::print(
         "  RMSE and largest error in percent of the deviation, RMSE of the gradient, error of the removed "
@@ -259,8 +259,7 @@ TEST_CASE("the removed variance of isotropic noise is right for any pixel", "[sp
 }
 
 // The method is the same as for the filter in the plane.
-TEST_CASE("the noise filtered in space has no jumps in place, in size or in rotation of the pixel",
-          "[space][filter]") {
+TEST_CASE("the noise filtered in space has no jumps as the pixel moves, grows or turns", "[space][filter]") {
     constexpr int steps = 1 << 13;
     test::Draw draw(44);
     Differences of;

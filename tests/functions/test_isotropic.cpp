@@ -63,7 +63,7 @@ TEST_CASE("isotropic noise agrees with the reference in any cell, with any perio
     test::check(of, 6);
 }
 
-TEST_CASE("isotropic noise is filtered within 2 % up to 0.3 radii, and within 4 % up to 0.4",
+TEST_CASE("the filter of isotropic noise errs by at most 2 % up to 0.3 radii, and 4 % up to 0.4",
           "[isotropic][filter]") {
     constexpr int count = 150;
     Draw draw(64);

@@ -63,7 +63,7 @@ struct Anywhere : Sample3d {
     }
 };
 
-// In single precision, waves turn by up to 2 pi F per radius.
+// Waves turn by up to 2 pi F per radius, so the rounding of positions has an effect proportional to F.
 double tolerance(double frequency) {
     return 2e-5 * std::max(1.0, frequency / 4);
 }
@@ -153,8 +153,8 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
                                       surface.field(s.here).value.imag(), tight, s);
         of["gabor_noise_surface_isotropic"].see(n.gabor_noise_surface_isotropic(s.p, s.normal, f, s.seed),
                                                 surface_isotropic.field(s.here).value.imag(), tight, s);
-        // Tiles are compared where floats resolve them: p rounds by 10^-6, and the wave turns by 2 pi F per
-        // radius.
+        // Tiles are compared where floats resolve them: p is rounded by 10^-6, and the wave turns by 2 pi F
+        // per radius.
         const auto p = draw.uniform<gabor_vec3>(-8, 8), tile = draw.uniform<gabor_vec3>(0.5, 9);
         of["gabor_noise_3d_tiled"].see(n.gabor_noise_3d_tiled(p, tile, f, s.direction, s.seed),
                                        wave.field(test::lattice_tile(3, p, tile)).value.imag(),
@@ -208,7 +208,7 @@ TEST_CASE("waves of surface noise are tangent, have the requested frequency, and
         }
         REQUIRE(power == Approx(1).margin(1e-9));
     }
-    fmt::print("frequency on the surface: {:.9f} to {:.9f} of that asked for\n", shortest, longest);
+    fmt::print("frequency on the surface: {:.9f} to {:.9f} of the requested one\n", shortest, longest);
     CHECK(shortest > 1 - 1e-9);
     CHECK(longest < 1 + 1e-9);
 }

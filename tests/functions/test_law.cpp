@@ -203,9 +203,9 @@ TEST_CASE("the lattice noise is normal at each of 16 x 16 places of a cell", "[l
     check_cell(test::Lattice4());
 }
 
-TEST_CASE(
-    "the lattice noise, its gradient, quadrature, phasor and four, and pairs of places are jointly normal",
-    "[law]") {
+TEST_CASE("the lattice noise, its gradient, quadrature and phasor, four noises, and pairs of places are "
+          "jointly normal",
+          "[law]") {
     check_joint(test::Lattice3());
     check_joint(test::Lattice4());
 }
@@ -354,8 +354,8 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
           Where{"in space, elsewhere", other}, Where{"on a surface", other, {0.8f, 0, 0.6f}},
           Where{"at a pole", node, {0, 0, 1}}, Where{"between two frames", middle, {0.6f, 0, 0.8f}}}) {
         Draw draw(42);
-        // To the variance of the derivative along an axis or a tangent, the waves contribute 4/3 pi^2 F^2 in
-        // space and 2 pi^2 F^2 on a surface, and the windows pi^2 / 3. One tangent is in x and z, the other
+        // The variance of the derivative along an axis or a tangent has 4/3 pi^2 F^2 in space, or 2 pi^2 F^2
+        // on a surface, from the waves, and pi^2 / 3 from the windows. One tangent is in x and z, the other
         // is y.
         const bool on_surface = normal.z != 0;
         const double slope = std::sqrt(pi * pi / 3 + pi * pi * (on_surface ? 2 : 4.0 / 3));

@@ -136,7 +136,7 @@ TEST_CASE("periods of the sparse noise in space and time agree with the referenc
             const std::uint32_t seed = draw.word();
             const Reference reference(n.recipe, frequency, orientation, seed);
             const double tight = 2 * tolerance(frequency); // fewer, larger impulses per radius
-            // A position rounds by 10^-6, and the wave turns by 2 pi F per radius.
+            // A position is rounded by 10^-6, and the wave turns by 2 pi F per radius.
             const double rounded = 3e-5 * (1 + frequency);
             for (int i = 0; i < 1 << 10; ++i) {
                 Sample s{any_place(draw, n.recipe), draw.uniform<gabor_vec2>(-8, 8), frequency, orientation,

@@ -332,8 +332,7 @@ TEST_CASE("the filter errs by at most 1 % up to a third of a radius, and 2 % up 
 
 // Along a path, the filtered noise changes by about its slope times the step. If the path is as dense as
 // single precision allows, any other change is rounding or a jump.
-TEST_CASE("the filtered noise has no jumps in place, in size or in rotation of the footprint",
-          "[spectrum][filter]") {
+TEST_CASE("the filtered noise has no jumps as the footprint moves, grows or turns", "[spectrum][filter]") {
     constexpr int steps = 1 << 14;
     Draw draw(33);
     Differences of;

@@ -121,7 +121,7 @@ TEST_CASE("Seeking overwrites earlier data", "[output_file]") {
     CHECK(read_file(folder / "out") == "table: 12..");
 }
 
-TEST_CASE("An older file stays until commit and is replaced then", "[output_file]") {
+TEST_CASE("An existing file stays until commit and is then replaced", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
     write_file(path, "a longer old content");
@@ -211,7 +211,7 @@ TEST_CASE("A symbolic link stays, and the file that it points to is replaced", "
     CHECK_THROWS_AS(OutputFile(folder / "circle"), RequestError);
 }
 
-TEST_CASE("A device is written into and never replaced", "[output_file]") {
+TEST_CASE("A device is written to and never replaced", "[output_file]") {
     replace("/dev/null", "gone");
     CHECK(fs::is_character_file("/dev/null"));
 

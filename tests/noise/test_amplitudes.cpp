@@ -22,7 +22,7 @@ std::uint32_t seed_of(std::uint32_t i) {
     return noise::lattice_lobe_seed(12345, static_cast<int>(i));
 }
 
-// The largest count that can be chance if `expected` is the mean.
+// The largest count that chance can explain if `expected` is the mean.
 double most(double expected) {
     return expected + 6 * std::sqrt(expected) + 6;
 }

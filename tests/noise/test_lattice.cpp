@@ -1,5 +1,5 @@
-// Computes the law of the lattice noise without sampling, from the equations, the windows and the amplitudes'
-// law.
+// Computes the distribution of the lattice noise without sampling, from the equations, the windows and the
+// distribution of the amplitudes.
 
 #include "../largest.hpp"
 #include "draws.hpp"
@@ -152,8 +152,7 @@ TEST_CASE("the lattice noise is normal at every place of a cell", "[lattice]") {
                 pooled = std::max(pooled, one.pooled);
             }
             fmt::print("{} taps, frequency {}: cvm at 16 x 16 places and 4 orientations {:.4f} on average, "
-                       "{:.3f} at "
-                       "the worst; pooled {:.4f}\n",
+                       "{:.3f} at worst; pooled {:.4f}\n",
                        taps, frequency, all.mean, all.worst, pooled);
             // With two taps, only a node's own amplitude counts at its place.
             CHECK(all.mean < (taps == 2 ? 0.4 : 0.002));
@@ -216,10 +215,9 @@ TEST_CASE("the covariance of the lattice noise depends little on the place", "[l
                 squares += variance / (lags * lags);
             }
         }
-        fmt::print(
-            "{} taps: covariance differs from place to place by {:.2f} % rms over all lags, {:.1f} % at "
-            "most, of the variance\n",
-            taps, 100 * std::sqrt(squares), 100 * largest);
+        fmt::print("{} taps: covariance differs from place to place by {:.2f} % of the variance (rms over "
+                   "all lags), and by at most {:.1f} %\n",
+                   taps, 100 * std::sqrt(squares), 100 * largest);
         rms.check("  rms at the worst lag");
     }
 }
@@ -322,8 +320,8 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
 }
 
 // A word is its column's word times its row's, modulo 2^32, and all words are odd. Since multiplication is
-// commutative, three words at the corners of a rectangle determine the fourth. This checks whether amplitudes
-// show it.
+// commutative, three words at the corners of a rectangle determine the fourth. This checks that the
+// amplitudes do not reveal it.
 TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do their leading bits",
           "[lattice][randomness]") {
     struct Sides {
@@ -347,7 +345,7 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
                                        lattice_word(x + sides.x, y + sides.y, seed),
                                        lattice_word(x, y + sides.y, seed)};
                 if (words[0] * words[2] != words[1] * words[3])
-                    FAIL("the words are no longer products: say above what they are");
+                    FAIL("the words are no longer products: update the comment above");
                 std::array<std::complex<double>, 4> a;
                 std::size_t high_bits = 0, low_bits = 0;
                 for (std::size_t k = 0; k < 4; ++k) {
@@ -383,7 +381,7 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
 }
 
 // The number of draws is limited, because a column's or row's word is one of 2^22, and longer sequences cover
-// these too evenly for chance.
+// these more evenly than chance would.
 TEST_CASE("the leading bits of both parts of node words are uniform, along rows and columns and over seeds",
           "[lattice][randomness]") {
     constexpr std::uint64_t count = 1 << 21;

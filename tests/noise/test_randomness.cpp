@@ -23,7 +23,7 @@ using gabor::noise::impulse_word;
 
 namespace {
 
-// In standard deviations; among a few thousand values, a larger value is not chance.
+// A limit in standard deviations, which a few thousand values do not exceed by chance.
 constexpr double far = 5.5;
 
 struct Input {

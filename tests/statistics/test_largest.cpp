@@ -1,4 +1,4 @@
-// Tests the accumulator that other tests compare with: one wrong point in a million must fail.
+// Tests the accumulator with which other tests compare: one wrong point in a million must fail.
 
 #include "../largest.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A million equal points, with one `value` instead of `expected` among them.
+// A million correct points, except one that has `value` instead of `expected`.
 Largest with(double value, double expected = 0) {
     Largest largest;
     for (int i = 0; i < 1'000'000; ++i)

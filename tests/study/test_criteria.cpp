@@ -33,7 +33,7 @@ TEST_CASE("the variance is 1 with every ingredient", "[criteria]") {
             check({Points::stratified, Weights::bernoulli, kernel, envelope, 3, 0});
 }
 
-TEST_CASE("Gaussianity is as calibrated", "[criteria]") {
+TEST_CASE("Gaussianity has its calibrated values", "[criteria]") {
     const vulkan::Device device;
     const auto check = [&](const Ingredients& it, std::uint64_t samples, double expected) {
         Noise noise(device, it);
@@ -90,7 +90,7 @@ TEST_CASE("complex normal amplitudes on a grid are normal at each place", "[crit
     CHECK(values.moments.excess_kurtosis() == Approx(0).margin(0.03));
 }
 
-TEST_CASE("the recommended noise has the expected contrast and places", "[criteria]") {
+TEST_CASE("the recommended noise has the expected contrast and stationarity", "[criteria]") {
     const vulkan::Device device;
     Noise noise(device, recommended);
     const statistics::InstanceStationarity windows = measure_windows(single(noise), 1 << 12, 1);
@@ -103,7 +103,7 @@ TEST_CASE("the recommended noise has the expected contrast and places", "[criter
     CHECK(places.largest_mean() < 1.3 * places.chance_largest_mean());
 }
 
-TEST_CASE("an instance that repeats has mean 0 if its kernel is a sine", "[criteria]") {
+TEST_CASE("a repeating instance has mean 0 if its kernel is a sine", "[criteria]") {
     const vulkan::Device device;
     for (const Kernel kernel : {Kernel::sine, Kernel::cosine}) {
         Noise noise(device,
@@ -118,7 +118,7 @@ TEST_CASE("an instance that repeats has mean 0 if its kernel is a sine", "[crite
     }
 }
 
-TEST_CASE("a row of each table has finite numbers, the same for the same seed and others for another",
+TEST_CASE("a row of each table has finite numbers, equal for equal seeds and different for other seeds",
           "[criteria]") {
     const vulkan::Device device;
     Effort effort = Effort::quick();

@@ -21,7 +21,7 @@ using namespace gabor;
 
 namespace {
 
-constexpr int pictures = 12; // made from different nodes, so independent
+constexpr int pictures = 12; // independent, because they use different nodes
 
 // The side of each picture, in pixels.
 int picture_side() {

@@ -83,7 +83,7 @@ void write(const Table& table, const std::filesystem::path& folder) {
 
 } // namespace
 
-TEST_CASE("a table counts as finished only under the conditions that it was measured under", "[table]") {
+TEST_CASE("a table counts as finished only under the conditions of its measurement", "[table]") {
     int measured = 0;
     const Table table = counted(measured);
     const ScratchFolder folder;
