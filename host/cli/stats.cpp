@@ -84,7 +84,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
     try {
         return render::known_variance(render::from_json(parameters), channel);
     } catch (const RequestError&) {
-        return {}; // not written by gabor
+        return {}; // the file was not written by gabor
     }
 }
 

@@ -25,13 +25,13 @@ struct Exemplar {
     bool linear = false;    ///< whether values are linear light, as in OpenEXR, instead of sRGB
     double transparent = 0; ///< share of the pixels left out because they are more transparent than opaque
     double fireflies = 0;   ///< share of the pixels left out because they are far brighter than all others
-    Trend trend;            ///< of each channel
-    Eigen::VectorXd mean;   ///< of each channel
+    Trend trend;            ///< trend of each channel
+    Eigen::VectorXd mean;   ///< mean of each channel
     Eigen::MatrixXd
         components; ///< a column for each, as long as its deviation: channels = mean + components * values
-    Spectra spectra{1};                          ///< of the components
-    std::vector<Autocovariance> autocovariances; ///< of all channels, one for each scale of the spectra
-    std::vector<Quantiles> quantiles;            ///< of the components
+    Spectra spectra{1};                          ///< spectra of the components
+    std::vector<Autocovariance> autocovariances; ///< sums over the channels, one for each scale
+    std::vector<Quantiles> quantiles;            ///< quantiles of each component
     double structure = 0;                        ///< excess of the first component: see Structure
 };
 

@@ -14,7 +14,7 @@ namespace gabor::fit {
 struct Wave {
     Eigen::Vector2d frequency; ///< cycles per pixel
     Eigen::Vector2d radius;    ///< pixels, along x and y
-    Eigen::VectorXcd weight;   ///< of each channel; real if there is only one
+    Eigen::VectorXcd weight;   ///< weights of the channels; real if there is only one channel
 };
 
 /// The spectra that waves are fitted to, weighted for least squares: each frequency is divided by the root of

@@ -30,7 +30,7 @@ struct Trend {
 struct Survey {
     Trend trend;
     Eigen::VectorXd mean;
-    Eigen::MatrixXd covariance; ///< of the channels, without the trend and with even contrast
+    Eigen::MatrixXd covariance; ///< covariance of the channels, without the trend and with even contrast
 };
 
 /// The sums that a survey needs.
@@ -58,7 +58,7 @@ class PixelSums {
     Eigen::MatrixXd values_;                            ///< the current row
     Eigen::Matrix<double, 6, 6> gram_;                  ///< products of the polynomials
     Eigen::Matrix<double, 6, Eigen::Dynamic> products_; ///< products of the polynomials and the channels
-    Eigen::MatrixXd squares_;                           ///< of the channels
+    Eigen::MatrixXd squares_;                           ///< products of the channels
     std::vector<Block> blocks_ = std::vector<Block>(blocks * blocks);
 };
 

@@ -90,7 +90,7 @@ struct Viewport {
     image::Rect region; ///< the values to draw, within the view
     int stride = 1;     ///< a value stands for stride x stride pixels; finer waves fade
     Blocks blocks = Blocks::fitted;
-    bool normals = false; ///< as for render::channels
+    bool normals = false; ///< `normals` of render::channels
 };
 
 /// The viewport of a region of the picture that gabor render draws.

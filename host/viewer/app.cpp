@@ -226,7 +226,7 @@ void App::paint(vk::CommandBuffer commands, const Area& view) {
         paint_photograph(commands, {0, 0, view.x, view.height});
 }
 
-// Paints the photograph over the place of the noise's picture, at the same scale.
+// Paints the photograph in the same place and at the same scale as the noise's picture.
 void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
     if (photograph_ != session_.fitter.photograph()) {
         photograph_ = session_.fitter.photograph();

@@ -18,7 +18,7 @@ enum class Output { value, gradient, phase, intensity, variance, phasor, lit, li
 /// Which property of a material the window shows.
 enum class Look { lit, colour, height, normal, roughness, metalness };
 
-/// A colour at a place between 0 and 1 of a colour map: red, green and blue as sRGB, from 0 to 1.
+/// A colour of a colour map, at a place from 0 to 1: red, green and blue as sRGB, from 0 to 1.
 struct ColourStop {
     float at;
     std::array<float, 3> colour;

@@ -12,7 +12,7 @@ namespace gabor::viewer {
 /// What the window draws of a document, from any camera.
 struct Drawing {
     render::Request request; ///< includes the channels of the output
-    bool normals = false;    ///< as in render::Viewport
+    bool normals = false;    ///< `normals` of render::Viewport
     bool operator==(const Drawing&) const = default;
 };
 

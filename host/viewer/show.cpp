@@ -22,7 +22,7 @@ namespace {
 constexpr std::int32_t coloured = 8;
 constexpr std::int32_t first_look = 9;
 
-// The channel that an output needs besides the noise; for a vector, the first one.
+// The channel that an output needs besides the noise. For a vector, the channel of its first component.
 std::string_view companion(Output output) {
     switch (output) {
     case Output::gradient:

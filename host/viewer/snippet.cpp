@@ -290,8 +290,8 @@ std::string of_space(const render::Request& request, const Quantity& of) {
     return text.append(summed(of));
 }
 
-constexpr double eye_distance =
-    4; // from the middle of a body, in radii of the sphere, as in passes/body.glsl
+// The distance from the eye to the middle of a body, in radii of the sphere, as in passes/body.glsl.
+constexpr double eye_distance = 4;
 
 // The push constants of the pass that draws the window's picture.
 template <typename Push>
@@ -387,7 +387,7 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
         text += fmt::format("float stripes_of_{0})\n{{\n    return {1};\n}}\n\n",
                             space ? "body(vec3 p, vec3 normal" : "view(vec2 pixel",
                             stripes(space ? "complex_of_body(p, normal)" : "complex_of_view(pixel)"));
-    text += "// What the viewer showed there.\n";
+    text += "// The colour that the viewer showed there.\n";
     text += space ? "vec3 colour_of_body(vec3 p, vec3 normal)\n{\n" : "vec3 colour_of_view(vec2 pixel)\n{\n";
     const auto push = space ? push_of<passes::SolidPush>(document, extent) : passes::SolidPush{};
     if (space && (lit || of.name == quantities::gradient.name))
@@ -522,7 +522,7 @@ std::string material_snippet(const Document& document, Extent extent) {
     const render::Request& request = document.request;
     const auto push = push_of<passes::MaterialPush>(document, extent);
     std::string text = fmt::format(
-        R"(// A material of Gabor noise, as gabor-viewer showed it: put after #version.
+        R"(// A material of Gabor noise, as gabor-viewer showed it. Put this after #version.
 #include "gabor_lattice.glsl" // or paste it here
 #include "gabor_spectrum.glsl" // and this one
 #include "gabor_materials.glsl" // and this one
@@ -537,7 +537,7 @@ std::string material_snippet(const Document& document, Extent extent) {
     const bool horizon = push.sky > 0;
     if (body)
         text += fmt::format(
-            R"(// What the viewer showed there, in a fragment shader. p: a point of the body, in units of the material.
+            R"(// The colour that the viewer showed there, for fragment shaders. p: a point of the body, in units of the material.
 // normal: of the surface there, of length 1.
 vec3 colour_of_body(vec3 p, vec3 normal)
 {{
@@ -550,8 +550,8 @@ vec3 colour_of_body(vec3 p, vec3 normal)
             axes_of(request, push), literal(eye_distance * double{push.unit}));
     else
         text += fmt::format(
-            R"(// What the viewer showed there. pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y
-// growing downwards.
+            R"(// The colour that the viewer showed there. pixel: the place in a picture of {} x {}, in pixels from its upper left
+// corner, y growing downwards.
 vec3 colour_of_view(vec2 pixel)
 {{
     vec3 normal = vec3(0.0, 0.0, 1.0);
@@ -609,7 +609,7 @@ std::string terrain_snippet(const Document& document, Extent extent) {
                           literal(double{push.distance}))
             : fmt::format("    vec3 light = seen_from_above(ground, {} + {} * pixel, {}).light;\n",
                           pair(push.corner), pixel, pixel);
-    return fmt::format(R"(// Eroded mountains, as gabor-viewer showed them: put after #version.
+    return fmt::format(R"(// Eroded mountains, as gabor-viewer showed them. Put this after #version.
 #include "gabor_lattice.glsl" // or paste it here
 #include "gabor_erosion.glsl" // and this one
 
@@ -640,7 +640,7 @@ std::string snippet(const Document& document, Extent extent) {
     const bool space = render::in_space(request);
     const noise::Recipe recipe = render::drawing_recipe(request);
     const Quantity& of = quantity(document);
-    std::string text = "// Gabor noise, as gabor-viewer showed it: put after #version.\n";
+    std::string text = "// Gabor noise, as gabor-viewer showed it. Put this after #version.\n";
     for (const noise::Macro& macro : noise::macros(recipe))
         text += fmt::format("#define {} {}\n", macro.name, macro.value);
     if (!request.paint.empty())

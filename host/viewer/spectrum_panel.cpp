@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t no_lobe = static_cast<std::size_t>(-1);
 constexpr double floor_decibels = -50;
-constexpr int cells_across = 72; // of the drawing of the spectrum, per side
+constexpr int cells_across = 72; // cells along a side of the drawn spectrum
 
 // Maps wave vectors, in cycles per kernel radius, to the screen.
 struct Plane {

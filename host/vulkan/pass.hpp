@@ -67,7 +67,7 @@ class Job {
         std::size_t bytes;
     };
 
-    /// A dispatch of the pass, or of another one with the same interface, with these push constants.
+    /// A dispatch of the pass, or of another pass with the same interface, with these push constants.
     struct Dispatch {
         std::span<const std::byte> push;
         Groups groups;

@@ -275,7 +275,7 @@ TEST_CASE("the sparse noises have the predicted Gaussianity", "[sparse][law]") {
     check(test::Paper(), 1 << 24, 0.07);
 }
 
-TEST_CASE("the sparse noise has mean 0 and variance 1 with periods and in time, and so has its quadrature",
+TEST_CASE("the sparse noise, also with periods and animated, and its quadrature have mean 0 and variance 1",
           "[sparse][law]") {
     const auto check = [](const std::string& name, const auto& noise) {
         Draw draw(4);

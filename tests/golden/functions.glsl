@@ -1,8 +1,8 @@
-// Calls every public function of the drop-ins at 64 points. Both C++ and GLSL compile this text, after the drop-ins and the
-// macros GOLDEN_..., which selects the set, and SEE(call), which records a call's result.
+// Calls every public function of the drop-ins at 64 points. This text is compiled as C++ and as GLSL, after
+// the drop-ins and two macros: GOLDEN_... selects the set, and SEE(call) records the result of a call.
 //
-// One point in four is on nodes and where windows end, and one in four is far away. Negative points have any floats as
-// arguments for which docs/gallery.md promises finite results.
+// One point in four is on nodes and where windows end, and one in four is far away. At negative points,
+// arguments are arbitrary floats for which docs/gallery.md promises finite results.
 
 struct Point {
     vec2 p;
@@ -70,7 +70,7 @@ const float MOST = 3.4e38f;
 #else
 const float MOST = 1.0f / 0.0f;
 #endif
-const float WORLD = 2.6e8f; // an eighth of 2^31, for lobes have more nodes per unit
+const float WORLD = 2.6e8f; // an eighth of 2^31, because lobes may have more nodes per unit
 
 // A point with some arguments of any size.
 Point any_of(Point s, int i) {
@@ -90,7 +90,7 @@ Point any_of(Point s, int i) {
         s.local = vec2(any_within(i, 107, 64.0f), any_within(i, 108, 64.0f));
         s.time = any_within(i, 109, 1.0e38f);
     }
-    if (kind == 2) { // as long as positions in nodes, or in cells, do not overflow
+    if (kind == 2) { // as far as positions in nodes or cells do not overflow
 #if defined GOLDEN_NOISE
         const float longest = 1.0e9f;
 #else
@@ -251,7 +251,7 @@ void see_all(int i) {
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
 #endif
 #if defined GOLDEN_SPECTRUM
-    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // since a lobe of another radius rounds its place
+    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // small, because lobes with another radius round their places
     GaborLobes lobes;
     lobes.count = 5; // only GABOR_LOBES are used
     lobes.lobe[0] = gabor_lobe(s.frequency, s.orientation, 1.0f, 2.0f);

@@ -329,7 +329,7 @@ TEST_CASE("colour pictures of space mix the values of grey ones", "[render]") {
                 const double y = grey[3 * i];
                 const double q = grey[3 * i + 1];
                 const double coverage = grey[3 * i + 2];
-                const auto law = [](double z) { return std::clamp(z, -4.0, 4.0); }; // like the polynomials
+                const auto law = [](double z) { return std::clamp(z, -4.0, 4.0); };
                 std::array expected{0.5 + law(y), law(q), law(0.6 * q + 0.8 * y), coverage};
                 if (coverage == 0) // the pixel is beside the body
                     expected.fill(0);

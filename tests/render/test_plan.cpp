@@ -69,7 +69,7 @@ TEST_CASE("the fastest pass that can draw a request is chosen") {
     CHECK(shader_of({{"material", "brushed-metal"}}) == "material@brushed_metal");
 }
 
-TEST_CASE("a window uses one block size for all scales, and single pixels at small scales") {
+TEST_CASE("a window uses blocks of one size at all scales, and no blocks at small scales") {
     Request request;
     Viewport viewport = viewport_of(request, {0, 0, 64, 64});
     viewport.blocks = Blocks::fixed;
@@ -187,7 +187,7 @@ TEST_CASE("a wide landscape is seen from as far away as a tall one") {
     CHECK(distance("300", "200") > distance("200", "200"));
 }
 
-TEST_CASE("a region has the columns of the whole") {
+TEST_CASE("the columns of a region are those of the whole picture") {
     for (const char* tileable : {"false", "true"}) {
         const Request request = request_of({{"scale", "13.7"}, {"tileable", tileable}});
         const std::vector<passes::Line> all = columns(request, viewport_of(request, {0, 0, 150, 1}));
@@ -214,7 +214,7 @@ TEST_CASE("the default camera reproduces the picture's position exactly") {
 
 TEST_CASE("a camera is as precise far away as nearby") {
     Camera camera;
-    // Moves far away and back, in steps too small for a single double so far away.
+    // Moves far away and, there, in steps that a single double could not represent.
     camera = camera.moved(2e9, -2e9);
     for (int i = 0; i < 1000; ++i)
         camera = camera.moved(1e-7, -1e-7);
