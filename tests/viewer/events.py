@@ -1,10 +1,11 @@
 """Drives a viewer as a user would: pointer, keys and dropped files, sent as display events. After each event it
-waits for what the viewer says, never for a fixed time."""
+waits for what the viewer says, never for a fixed time. Commands set, open and save what needs no events."""
 
 import contextlib
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import threading
@@ -14,14 +15,15 @@ import numpy as np
 
 from viewer import ViewerTest
 
-WATCHED_VIEWER = os.environ["GABOR_WATCHED_VIEWER"]
+DRIVEN_VIEWER = os.environ["GABOR_DRIVEN_VIEWER"]
 DROP_FILE = os.environ["GABOR_DROP_FILE"]
+COMMANDS = "set", "open", "save", "copy", "export", "screenshot", "window", "quit" # of driven_viewer.cpp
 PATIENCE = 120 # seconds: longer means a failure, even on a slow machine
 
 
 class EventsTest(ViewerTest):
     def open(self, *arguments, **changes):
-        self.process = self.start(*arguments, program=WATCHED_VIEWER, **changes)
+        self.process = self.start(*arguments, program=DRIVEN_VIEWER, **changes)
         self.addCleanup(self.process.kill)
         self.said = threading.Condition()
         self.state = None
@@ -42,9 +44,9 @@ class EventsTest(ViewerTest):
             self.ended = True
             self.said.notify()
 
-    def wait_for(self, condition, or_end=False):
+    def wait_for(self, condition, or_end=False, timeout=PATIENCE):
         """Waits until the viewer's report meets a condition, or, with `or_end`, until it exits."""
-        deadline = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + timeout
         with self.said:
             while self.ended or self.state is None or not condition(self.state):
                 if self.ended:
@@ -53,6 +55,29 @@ class EventsTest(ViewerTest):
                     self.fail(f"the viewer ended: {self.process.wait()}, {self.process.stderr.read()}")
                 if not self.said.wait(deadline - time.monotonic()):
                     self.fail(f"waited in vain; the viewer says {self.state}")
+
+    def command(self, line, timeout=PATIENCE):
+        """Waits until the viewer has obeyed."""
+        done = self.state["commands"]
+        self.process.stdin.write(line + "\n")
+        self.process.stdin.flush()
+        self.wait_for(lambda state: state["commands"] > done, or_end=line == "quit", timeout=timeout)
+
+    def play(self, script, *arguments, timeout=PATIENCE):
+        """Plays a script in another viewer, which has no saved settings and so always the same window. A line is a method
+        of this class with its arguments, or a command, which may take `timeout` seconds."""
+        outer = dict(vars(self))
+        shutil.rmtree(self.folder / "config", ignore_errors=True)
+        self.open(*arguments)
+        for line in filter(None, map(str.strip, script.splitlines())):
+            name, *words = line.split()
+            if name in COMMANDS:
+                self.command(line, timeout)
+            else:
+                getattr(self, name)(*(int(word) if word.isdigit() else word for word in words))
+        self.command("quit")
+        self.end()
+        vars(self).update(outer)
 
     def xdotool(self, *words):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True, stdout=subprocess.PIPE)
@@ -67,6 +92,15 @@ class EventsTest(ViewerTest):
     def point(self, x, y):
         self.xdotool("mousemove", "--window", self.window, x, y)
         self.wait_for(lambda state: state["pointer"] == [x, y])
+
+    def drag(self, x, y, to_x, to_y):
+        self.point(x, y)
+        self.xdotool("mousedown", 1)
+        self.frames(2)
+        for step in (0.2, 0.4, 0.6, 0.8, 1):
+            self.point(round(x + step * (to_x - x)), round(y + step * (to_y - y)))
+        self.xdotool("mouseup", 1)
+        self.frames(2)
 
     @contextlib.contextmanager
     def long_frame(self):
@@ -85,6 +119,14 @@ class EventsTest(ViewerTest):
         self.xdotool("mouseup", 1)
         self.wait_for(lambda state: state["clicks"] > before)
 
+    def double_click(self, x, y):
+        with self.long_frame(): # however slow frames are
+            self.xdotool("mousemove", "--window", self.window, x, y, "click", 1, "click", 1)
+
+    def resize(self, width, height):
+        self.xdotool("windowsize", "--sync", self.window, width, height)
+        self.wait_for(lambda state: state["size"] == [width, height])
+
     def turn_wheel(self, *buttons):
         for button in buttons:
             before = self.state["wheel"]
@@ -94,6 +136,20 @@ class EventsTest(ViewerTest):
     def frames(self, count):
         last = self.state["frames"] + count
         self.wait_for(lambda state: state["frames"] >= last)
+
+    def rest(self):
+        time.sleep(0.4) # so that two clicks are not a double click
+
+    def fine(self):
+        self.frames(3)
+        self.wait_for(lambda state: state["fine"])
+
+    def fitted(self):
+        self.frames(3)
+        self.wait_for(lambda state: not state["fitting"])
+
+    def says(self, *words):
+        self.wait_for(lambda state: " ".join(words) in state["message"])
 
     def drop(self, name):
         subprocess.run([DROP_FILE, str(self.window), self.folder / name], env=self.environment(), check=True,
@@ -129,8 +185,8 @@ class EventsTest(ViewerTest):
         status = self.process.wait(PATIENCE)
         self.listener.join()
         complaint = self.process.stderr.read()
-        self.process.stdout.close()
-        self.process.stderr.close()
+        for pipe in (self.process.stdin, self.process.stdout, self.process.stderr):
+            pipe.close()
         self.assertEqual((status, complaint), (expected, ""))
 
     def close(self):

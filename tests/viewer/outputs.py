@@ -4,9 +4,10 @@ import json
 
 import numpy as np
 
-from viewer import SHADERS, ViewerTest  # noqa: I001 (it finds the next two)
+from events import EventsTest  # noqa: I001 (it finds the next two)
 from exr import Exr
 from png import read_colour_png
+from viewer import SHADERS
 
 WIDTH, HEIGHT = 480, 320
 OUTPUTS = ("value", "gradient", "phase", "intensity", "variance", "stripes", "lit", "lit stripes")
@@ -24,7 +25,7 @@ COLOURED = {
                "mean": [0.5, 0.45, 0.4], "mixing": [[0.15, 0.05, 0], [0.1, -0.05, 0], [0.02, 0.12, 0]]}}
 
 
-class OutputsTest(ViewerTest):
+class OutputsTest(EventsTest):
     """Cases are parameters, an output, a colour map and a contrast."""
 
     @classmethod
@@ -41,9 +42,9 @@ class OutputsTest(ViewerTest):
             (self.folder / f"{number}.json").write_text(
                 json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters,
                             "viewer": {**shown, **parameters.get("viewer", {})}}))
-            script += [f"open {number}.json", "key ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png",
+            script += [f"open {number}.json", "keys ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png",
                        f"export {number}-out.exr", "exported"]
-        self.play("\n".join(script + ["quit"]), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
+        self.play("\n".join(script), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
 
     def check(self, cases, tolerances):
         self.take(cases)

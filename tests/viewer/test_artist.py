@@ -35,9 +35,8 @@ class Artist(EventsTest):
             screenshot normal.png
             set look 1
             screenshot colour.png
-            key ctrl+c
-            copy material.glsl
-            quit""", "--window", "480x320")
+            keys ctrl+c
+            copy material.glsl""", "--window", "480x320")
         for name in MATERIALS:
             self.gabor("render", "--like", f"{name}.json", "--png", "expected.png", "-o", "expected.exr")
             seen, expected = (read_colour_png(self.folder / f"{file}.png").astype(int) for file in (name, "expected"))
@@ -89,7 +88,7 @@ class Artist(EventsTest):
 
     def test_copied_code_has_a_valid_name_whatever_the_photograph_is_called(self):
         write_png(self.folder / "steel photo (1).png", colour_noise(160))
-        self.play("open steel photo (1).png\nfitted\nkey ctrl+c\ncopy code.glsl\nquit")
+        self.play("open steel photo (1).png\nfitted\nkeys ctrl+c\ncopy code.glsl")
         code = (self.folder / "code.glsl").read_text()
         self.assertIn("texture_steel_photo_1_colour", code)
         self.assertNotIn("__", code)
@@ -102,7 +101,7 @@ class Artist(EventsTest):
         for view in views:
             text = json.dumps({**cloth, "width": 160, "height": 120, "view": view, "filter": True})
             (self.folder / f"{view}.json").write_text(text)
-        self.play("\n".join(f"open {view}.json\nscreenshot {view}.png" for view in views) + "\nquit",
+        self.play("\n".join(f"open {view}.json\nscreenshot {view}.png" for view in views),
                   "--window", "480x320")
         for view in views:
             self.gabor("render", "--like", f"{view}.json", "--png", "expected.png", "-o", "expected.exr")

@@ -65,8 +65,8 @@ class Bodies(OutputsTest):
             shown = {"look": "lit", "contrast": 2, "normals": "OpenGL", "environment": "room", **parameters.get("viewer", {})}
             text = json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters, "viewer": shown})
             (self.folder / f"{number}.json").write_text(text)
-            script += [f"open {number}.json", "key ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png"]
-        self.play("\n".join(script + ["quit"]), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
+            script += [f"open {number}.json", "keys ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png"]
+        self.play("\n".join(script), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
         for number, (name, (parameters, tolerance)) in enumerate(cases.items()):
             with self.subTest(name):
                 seen = read_colour_png(self.folder / f"{number}.png").astype(int)

@@ -3,7 +3,6 @@
 import json
 import pathlib
 import signal
-import time
 import unittest
 
 from events import EventsTest
@@ -41,13 +40,12 @@ class Events(EventsTest):
         self.wait_for(lambda state: state["size"] == [1600, 1000])
         self.keys("F11")
         self.wait_for(lambda state: state["size"] == [640, 480])
-        self.xdotool("windowsize", "--sync", self.window, 600, 400)
-        self.wait_for(lambda state: state["size"] == [600, 400])
+        self.resize(600, 400)
         self.xdotool("windowunmap", "--sync", self.window)
         self.frames(3)
         self.xdotool("windowmap", "--sync", self.window)
         self.xdotool("windowfocus", "--sync", self.window)
-        self.keys("3", "c", "F1", "F1")
+        self.keys("3", "c", "F1", "F1", "Tab", "space", "space", "ctrl+y")
         self.assertEqual((self.document["viewer"]["output"], self.document["viewer"]["colours"]), ("phase", "viridis"))
         self.close()
         placement = self.remembered()["placement"]
@@ -65,7 +63,7 @@ class Events(EventsTest):
         with self.long_frame(): # a double click
             self.xdotool(*at, 90, 90, "click", 1, "click", 1, *at, 300, 100)
         self.assertEqual(self.document["viewer"]["camera"], first)
-        time.sleep(0.4)
+        self.rest()
         with self.long_frame(): # two clicks apart: a lobe is selected, and the button above is pressed
             self.xdotool(*at, 160, 60, "click", 1, *at, 500, 23, "click", 1, *at, 100, 100)
         self.assertTrue(self.state["gallery"])

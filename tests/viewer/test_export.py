@@ -4,29 +4,33 @@ import json
 import os
 import pathlib
 import random
+import signal
 import time
 import unittest
 
-from viewer import ViewerTest  # noqa: I001 (first: it adds the folder of the next one to sys.path)
+from events import EventsTest  # noqa: I001 (first: it adds the folder of the next one to sys.path)
 from atomic import can_hide_files, check_files, prepare
 
 PRESET = {"width": 2200, "height": 2200} # two bands
-# Enter confirms overwriting older files.
-SCRIPT = "export out/noise.exr\nkey enter\nsleep 60"
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 4))
 
 
-class Export(ViewerTest):
+class Export(EventsTest):
     def setUp(self):
         super().setUp()
         self.out = self.folder / "out"
         self.out.mkdir()
         (self.folder / "preset.json").write_text(json.dumps(PRESET))
 
-    def begin(self):
-        """A viewer whose export has just begun: it holds an unnamed file open in the folder."""
-        process = self.start_script(SCRIPT, "--preset", "preset.json", "--window", "480x320")
-        descriptors = pathlib.Path(f"/proc/{process.pid}/fd")
+    def begin(self, older=False):
+        """Opens a viewer whose export has just begun: it holds an unnamed file open in the folder."""
+        self.open("--preset", "preset.json", "--window", "480x320")
+        self.process.stdin.write("export out/noise.exr\n")
+        self.process.stdin.flush()
+        if older:
+            self.wait_for(lambda state: state["question"])
+            self.xdotool("key", "Return") # it may replace them
+        descriptors = pathlib.Path(f"/proc/{self.process.pid}/fd")
 
         def has_begun():
             try:
@@ -34,29 +38,28 @@ class Export(ViewerTest):
             except FileNotFoundError: # one file was just closed
                 return False
 
-        self.wait(process, has_begun)
-        return process
+        self.wait(has_begun)
 
-    def wait(self, process, condition):
+    def wait(self, condition):
         end = time.monotonic() + 60
         while not condition():
-            self.assertIsNone(process.poll(), f"the viewer ended: {process.returncode}")
+            self.assertFalse(self.ended)
             self.assertLess(time.monotonic(), end, "the export did not get this far")
             time.sleep(0.001)
 
-    def kill(self, process):
-        process.kill()
-        process.communicate(timeout=60)
+    def kill(self):
+        self.process.kill()
+        self.end(-signal.SIGKILL)
 
     def test_killed(self):
         if not can_hide_files(self.out):
             self.skipTest("needs a file system with O_TMPFILE")
         names = ("noise.exr", "noise.png")
-        process = self.begin()
+        self.begin()
         began = time.monotonic()
-        self.wait(process, lambda: all((self.out / name).exists() for name in names))
+        self.wait(lambda: all((self.out / name).exists() for name in names))
         duration = time.monotonic() - began
-        self.kill(process)
+        self.kill()
         complete = {name: (self.out / name).read_bytes() for name in names}
         self.gabor("render", "--like", "preset.json", "-o", "noise.exr", "--png", "noise.png")
         for name in names:
@@ -66,9 +69,9 @@ class Export(ViewerTest):
         whole = 0
         for turn in range(ROUNDS):
             prepare(self.out, names, older=turn % 2)
-            process = self.begin()
+            self.begin(older=turn % 2)
             time.sleep(duration * moments.choice([moments.uniform(0, 1), moments.uniform(0.7, 1.2)]))
-            self.kill(process)
+            self.kill()
             whole += len(check_files(self, self.out, complete, older=turn % 2)) == len(names)
         print(f"{ROUNDS} exports killed within {1.2 * duration:.2f} s, {whole} of them complete")
 

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from viewer import ViewerTest  # noqa: I001 (it finds the next two)
+from events import EventsTest  # noqa: I001 (it finds the next two)
 from exr import Exr
 from png import read_colour_png
 
@@ -13,7 +13,7 @@ LATER = {"recipe": "pure", "frequency": 6, "orientation": -77, "seed": 400000000
 SPELLED_OUT = {"recipe": "N=2,R=1.2,A=0.5,phases=64,window=1:0.5:0", "frequency": 3, "scale": 40}
 
 
-class Pictures(ViewerTest):
+class Pictures(EventsTest):
     def preset(self, name, **parameters):
         path = self.folder / name
         path.write_text(json.dumps({"width": 320, "height": 240, "scale": 24, **parameters}))
@@ -36,8 +36,7 @@ class Pictures(ViewerTest):
                 self.play(f"""
                     open preset.json
                     save again.json
-                    screenshot seen.png
-                    quit""")
+                    screenshot seen.png""")
                 self.assertEqual(json.loads((self.folder / "again.json").read_text()).items()
                                  & {**parameters, "scale": 24}.items(), {**parameters, "scale": 24}.items())
                 expected = self.render(preset)
@@ -50,11 +49,8 @@ class Pictures(ViewerTest):
     def test_exports_are_those_of_gabor_render(self):
         preset = self.preset("preset.json", **LATER)
         self.play("""
-            settle
             export out.exr
-            wait 3
-            settle
-            quit""", "--preset", preset, "--window", "480x320")
+            exported""", "--preset", preset, "--window", "480x320")
         self.render(preset, "--png", "noise.png")
         for mine, theirs in (("out.exr", "noise.exr"), ("out.png", "noise.png")):
             self.assertEqual((self.folder / mine).read_bytes(), (self.folder / theirs).read_bytes(), mine)
@@ -64,10 +60,8 @@ class Pictures(ViewerTest):
                              viewer={"output": "lit", "colours": "ember", "light": [30, 50]})
         self.play("""
             export out.exr
-            wait 3
-            settle
-            screenshot seen.png
-            quit""", "--preset", preset, "--window", "480x320")
+            exported
+            screenshot seen.png""", "--preset", preset, "--window", "480x320")
         self.render(preset, "--gradient")
         self.assertEqual((self.folder / "out.exr").read_bytes(), (self.folder / "noise.exr").read_bytes())
         seen, written = (read_colour_png(self.folder / name).astype(int) for name in ("seen.png", "out.png"))
@@ -80,25 +74,24 @@ class Pictures(ViewerTest):
         preset = self.preset("preset.json", **SPELLED_OUT)
         self.play("""
             open preset.json
-            expect message opened
+            says opened
             save again.json
             open missing.json
-            expect message cannot read
-            quit""")
+            says cannot read""")
         self.assertEqual({**json.loads((self.folder / "again.json").read_text()), **json.loads(preset.read_text())},
                          json.loads((self.folder / "again.json").read_text()))
         self.play("""
             set output 3
             set colours 2
             set contrast 3
-            scroll 200 200 2
+            point 200 200
+            turn_wheel 4 4
             save shown.json
             set output 0
             set colours 0
-            key home
+            keys Home
             open shown.json
-            save back.json
-            quit""")
+            save back.json""")
         shown = (self.folder / "shown.json").read_bytes()
         self.assertEqual(json.loads(shown)["viewer"]["output"], "intensity")
         self.assertEqual((self.folder / "back.json").read_bytes(), shown)

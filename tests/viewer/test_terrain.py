@@ -19,8 +19,8 @@ class Copied(OutputsTest):
         script = []
         for name, parameters in VIEWS.items():
             (self.folder / f"{name}.json").write_text(json.dumps(parameters))
-            script += [f"open {name}.json", "key ctrl+c", f"copy {name}.glsl", f"screenshot {name}.png"]
-        self.play("\n".join(script + ["quit"]), "terrain.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
+            script += [f"open {name}.json", "keys ctrl+c", f"copy {name}.glsl", f"screenshot {name}.png"]
+        self.play("\n".join(script), "terrain.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
         for name in VIEWS:
             with self.subTest(name):
                 seen = read_colour_png(self.folder / f"{name}.png").astype(int)
@@ -68,7 +68,7 @@ class Terrain(EventsTest):
         text = json.dumps(VIEWS["terrain"])
         (self.folder / "hills.json").write_text(text)
         names = ("octaves 2", "gully_frequency 4", "strength 0.4", "onset 2", "branching 0", "extent 100")
-        self.play("\n".join(f"set {name}\nfine\nscreenshot {name.split()[0]}.png" for name in names) + "\nquit",
+        self.play("\n".join(f"set {name}\nfine\nscreenshot {name.split()[0]}.png" for name in names),
                   "hills.json", *WINDOW)
         pictures = [read_colour_png(self.folder / f"{name.split()[0]}.png").astype(int) for name in names]
         for earlier, later in zip(pictures[:-2], pictures[1:-1]):

@@ -1,71 +1,28 @@
-"""The viewer's window, driven by scripts: what works and what it refuses."""
+"""The viewer's window: what works and what it refuses."""
 
 import json
 import unittest
 
 import numpy as np
 
-from viewer import SCRIPTED_VIEWER, ViewerTest  # noqa: I001 (it finds the next one)
+from events import EventsTest  # noqa: I001 (it finds the next one)
 from png import read_colour_png
 
 
-class Window(ViewerTest):
+class Window(EventsTest):
     def setUp(self):
         super().setUp()
         (self.folder / "plain.json").write_text("{}") # a noise, not the material shown on first start
 
-    def test_everything_by_script(self):
-        self.play("""
-            fine
-            drag 300 300 420 360
-            scroll 200 200 3
-            scroll 200 200 -5
-            key tab
-            wait 10
-            key 2
-            key 3
-            key c
-            key v
-            wait 3
-            key v
-            wait 3
-            key v
-            wait 3
-            key v
-            key n
-            key F1
-            wait 3
-            key F1
-            key space
-            wait 20
-            key space
-            key ctrl+z
-            key ctrl+y
-            resize 700 500
-            wait 5
-            resize 1280 800
-            minimize
-            wait 3
-            restore
-            hide
-            wait 3
-            show
-            wait 3
-            settle
-            window last.png
-            quit""")
-        self.assertEqual(read_colour_png(self.folder / "last.png").shape, (800, 1280, 3))
-
     def test_keys_work_from_the_start(self):
         # Tab must not move the focus into a field of the panel, which would then receive the keys.
         self.play("""
-            wait 5
-            key tab
-            wait 3
-            key n
-            wait 3
-            save after.json
-            quit""", "plain.json")
+            frames 5
+            keys Tab
+            frames 3
+            keys n
+            frames 3
+            save after.json""", "plain.json")
         self.assertEqual(json.loads((self.folder / "after.json").read_text())["seed"], 1)
 
     def test_the_panel_works_with_the_mouse(self):
@@ -74,17 +31,16 @@ class Window(ViewerTest):
             fine
             save before.json
             click 1100 107
-            wait 3
+            frames 3
             click 1000 175
-            wait 3
+            frames 3
             save after.json
-            key ctrl+z
-            wait 3
+            keys ctrl+z
+            frames 3
             save undone.json
-            key ctrl+y
-            wait 3
-            save redone.json
-            quit""", "plain.json", "--window", "1280x800")
+            keys ctrl+y
+            frames 3
+            save redone.json""", "plain.json", "--window", "1280x800")
         materials = [json.loads((self.folder / f"{name}.json").read_text())["material"]
                      for name in ("before", "after", "undone", "redone")]
         self.assertEqual(materials, ["none", "fabric", "none", "fabric"])
@@ -92,13 +48,12 @@ class Window(ViewerTest):
     def test_a_name_of_another_document_asks(self):
         self.play("""
             save one.json
-            key n
+            keys n
             save two.json
             save one.json
-            wait 3
-            key escape
-            save two.json
-            quit""", "plain.json")
+            frames 3
+            keys Escape
+            save two.json""", "plain.json")
         seeds = [json.loads((self.folder / f"{name}.json").read_text())["seed"] for name in ("one", "two")]
         self.assertEqual(seeds, [0, 1])
 
@@ -109,25 +64,24 @@ class Window(ViewerTest):
             drag 1120 328 1042 256
             save moved.json
             click 990 392
-            sleep 0.4
+            rest
             drag 990 392 1000 372
-            key delete
+            keys Delete
             save same.json
-            doubleclick 1095 379
+            double_click 1095 379
             save added.json
-            key delete
+            keys Delete
             save removed.json
             click 1178 241
-            wait 3
+            frames 3
             click 1178 264
-            wait 3
+            frames 3
             save more.json
-            key ctrl+z
-            key ctrl+z
-            wait 3
-            doubleclick 1000 452
-            save reset.json
-            quit""", "plain.json", "--window", "1280x800")
+            keys ctrl+z
+            keys ctrl+z
+            frames 3
+            double_click 1000 452
+            save reset.json""", "plain.json", "--window", "1280x800")
 
         def lobes(name):
             saved = json.loads((self.folder / f"{name}.json").read_text())
@@ -145,10 +99,9 @@ class Window(ViewerTest):
 
     def test_the_frequency_plane_shows_the_power_of_the_lobes(self):
         self.play("""
-            move 300 300
-            wait 3
-            window lobe.png
-            quit""", "plain.json", "--window", "1280x800")
+            point 300 300
+            frames 3
+            window lobe.png""", "plain.json", "--window", "1280x800")
         plane = read_colour_png(self.folder / "lobe.png").astype(int)
         pixels = 78 / 4 # per cycle per kernel radius: places as in the test above
         cell = 2 * 2**2.5 / 72
@@ -174,15 +127,14 @@ class Window(ViewerTest):
             screenshot body.png
             set orientation 60
             screenshot turned.png
-            key t
-            expect message tileable first
+            keys t
+            says tileable picture
             set view flat
             set output 1
             screenshot normals.png
             set colours 3
             screenshot coloured.png
-            save after.json
-            quit""", "plain.json", "--window", "900x600")
+            save after.json""", "plain.json", "--window", "900x600")
         files = {name: (self.folder / f"{name}.png").read_bytes() for name in ("body", "turned", "normals", "coloured")}
         self.assertEqual(files["body"], files["turned"])
         self.assertEqual(files["normals"], files["coloured"])
@@ -192,15 +144,14 @@ class Window(ViewerTest):
         # Drags away and back: the picture must be the same.
         self.play("""
             set scale 8
-            move 1200 700
+            point 1200 700
             fine
             window here.png
             drag 100 300 600 300
             drag 600 500 100 500
-            move 1200 700
+            point 1200 700
             fine
-            window back.png
-            quit""", "plain.json", "--window", "1280x800")
+            window back.png""", "plain.json", "--window", "1280x800")
         # Above the window's message about the opened file.
         here, back = (read_colour_png(self.folder / f"{name}.png")[:720, :900].astype(int) for name in ("here", "back"))
         self.assertLessEqual(np.abs(here - back).max(), 1)
@@ -210,8 +161,7 @@ class Window(ViewerTest):
         self.play("""
             open brushed-metal
             fine
-            window metal.png
-            quit""", "plain.json", "--window", "1600x900")
+            window metal.png""", "plain.json", "--window", "1600x900")
         view = read_colour_png(self.folder / "metal.png")[:, :1230]
         burnt = (view.min(axis=2) >= 254).mean()
         print(f"{100 * burnt:.2f} % of the pixels are white")
@@ -222,11 +172,9 @@ class Window(ViewerTest):
 
     def test_wrong_requests(self):
         (self.folder / "wrong.json").write_text('{"frequncy": 4}')
-        (self.folder / "wrong.txt").write_text("dance\n")
         self.assert_fails(2, ["wrong.json", "frequncy", "frequency"], "--preset", "wrong.json")
         self.assert_fails(2, ["missing.json", "JSON"], "--preset", "missing.json")
         self.assert_fails(2, ["--window", "480x320"], "--window", "10x10")
-        self.assert_fails(2, ["dance", "drag"], "wrong.txt", program=SCRIPTED_VIEWER)
         self.assert_fails(2, ["--help"], "--nonsense")
 
 

@@ -39,8 +39,7 @@ class Workshop(EventsTest):
         self.keys("p", "Escape")
         self.assertFalse(self.state["gallery"])
         # In a small window names stay readable, and the pictures scroll.
-        self.xdotool("windowsize", "--sync", self.window, 640, 480)
-        self.wait_for(lambda state: state["size"] == [640, 480])
+        self.resize(640, 480)
         self.keys("p")
         self.point(200, 200)
         self.xdotool("click", "--repeat", 40, "--delay", 1, 5)

@@ -1,9 +1,17 @@
 // gabor-viewer that reports its state: a line of JSON on stdout after each frame. Real display events drive
-// it, as they drive gabor-viewer; the sender waits for its reports instead of a fixed time.
+// it, as they drive gabor-viewer; the sender waits for its reports instead of a fixed time. Commands on
+// stdin, one a line, do what needs no events:
+//
+//     set NAME VALUE                      a parameter of the preset, or output, look, colours, contrast
+//     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file
+//     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
+//     quit
 
 #include "viewer/app.hpp"
 #include "viewer/document_json.hpp"
 #include "viewer/photograph.hpp"
+
+#include "error.hpp"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -12,6 +20,9 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <poll.h>
 
 // As in GLFW/glfw3native.h, which would need X11 headers.
 extern "C" unsigned long glfwGetX11Window(GLFWwindow* window);
@@ -27,6 +38,7 @@ struct Seen {
     std::uint64_t keys = 0;   ///< pressed, except modifiers
     std::uint64_t clicks = 0; ///< buttons pressed and released
     double wheel = 0;
+    std::uint64_t commands = 0;
     std::array<bool, IM_ARRAYSIZE(ImGuiIO::KeysDown)> down{};
     bool button = false;
 
@@ -61,6 +73,7 @@ void tell(App& app, const Seen& seen) {
         {"keys", seen.keys},
         {"clicks", seen.clicks},
         {"wheel", seen.wheel},
+        {"commands", seen.commands},
         {"pointer", {io.MousePos.x, io.MousePos.y}},
         {"size", {io.DisplaySize.x, io.DisplaySize.y}},
         {"font", ImGui::GetFontSize()},
@@ -86,6 +99,58 @@ void tell(App& app, const Seen& seen) {
     std::fflush(stdout);
 }
 
+void set(Document& document, const std::string& name, const std::string& value) {
+    if (name == "output")
+        document.output = static_cast<Output>(std::stoi(value));
+    else if (name == "look")
+        document.look = static_cast<Look>(std::stoi(value));
+    else if (name == "colours")
+        document.colours = std::stoi(value);
+    else if (name == "contrast")
+        document.contrast = std::stof(value);
+    else
+        set_parameter(document, name, gabor::render::read(gabor::render::parameter(name), value));
+}
+
+/// Returns whether to continue. `rest` is the line after its first word.
+bool obey(App& app, const std::string& name, const std::string& rest) {
+    Session& session = app.session();
+    if (name == "quit")
+        return false;
+    if (name == "set") {
+        const std::size_t space = rest.find(' ');
+        set(session.document(), rest.substr(0, space), rest.substr(space + 1));
+    } else if (name == "open") {
+        open_file(session, rest);
+    } else if (name == "save") {
+        session.document().path = rest;
+        save_preset(session);
+    } else if (name == "copy") {
+        std::ofstream(rest) << ImGui::GetClipboardText();
+    } else if (name == "export") {
+        session.export_target.path = rest;
+        start_export(session);
+    } else if (name == "screenshot") {
+        app.save_picture(rest);
+    } else if (name == "window") {
+        app.save_window(rest);
+    } else {
+        throw gabor::RequestError(fmt::format("there is no command '{}'", name));
+    }
+    return true;
+}
+
+/// Obeys a command if there is one; the sender waits for each before it sends the next.
+bool listen(App& app, Seen& seen) {
+    pollfd input{0, POLLIN, 0};
+    std::string line;
+    if (poll(&input, 1, 0) != 1 || !std::getline(std::cin, line))
+        return true;
+    ++seen.commands;
+    const std::size_t space = line.find(' ');
+    return obey(app, line.substr(0, space), space == line.npos ? "" : line.substr(space + 1));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -94,6 +159,6 @@ int main(int argc, char** argv) {
         if (seen.frames > 0) // the result of the last one
             tell(app, seen);
         seen.add(ImGui::GetIO());
-        return true;
+        return listen(app, seen);
     });
 }
