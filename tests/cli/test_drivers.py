@@ -1,5 +1,5 @@
-"""A request gives the same pixels on every run, however lavapipe divides its work, and within the stated tolerance on
-another driver (SwiftShader). GABOR_OTHER_PROGRAM adds another compiler's build."""
+"""A request gives the same pixels however lavapipe divides its work, and within the stated tolerance on another driver
+(SwiftShader). GABOR_OTHER_PROGRAM adds another compiler's build."""
 
 import glob
 import os
@@ -22,10 +22,6 @@ class Drivers(ProgramTest):
     def render(self, *options, **settings):
         self.succeed("render", "-o", "out.exr", *COMMON, *options, **settings)
         return (self.folder / "out.exr").read_bytes()
-
-    def test_every_run_gives_the_same_bytes(self):
-        for options in REQUESTS:
-            self.assertEqual(len({self.render(*options) for _ in range(2)}), 1, options)
 
     @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe")
     def test_lavapipe_gives_the_same_bits_however_it_divides_its_work(self):

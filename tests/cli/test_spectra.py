@@ -318,7 +318,6 @@ class Space(SpectraTest):
 
 class Channels(SpectraTest):
     def test_a_slice_drawn_pixel_by_pixel_equals_the_blocks(self):
-        # tests/render/test_pixels.cpp checks the same in the plane.
         options = {"view": "slice", "depth": -3.3, "frequency": 1.3, "frequency_spread": 0.5, "size": "300x200", "scale": 20,
                    "orientation": 25, "time": 0.2}
         for spread in (40, 90):

@@ -10,8 +10,9 @@ import unittest
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "engines"))
+sys.path[:0] = (str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("engines", "cli"))
 import reference  # noqa: E402
+from exr import Exr  # noqa: E402
 
 
 class Reference(unittest.TestCase):
@@ -22,9 +23,7 @@ class Reference(unittest.TestCase):
             subprocess.run([os.environ["GABOR_PROGRAM"], "render", "-o", picture, f"--size={side}x{side}", "--scale=32",
                             f"--frequency={reference.FREQUENCY}", f"--seed={reference.SEED}", "--compression=none", "--recipe=one",
                             f"--orientation={math.degrees(reference.ORIENTATION)}"], check=True, timeout=50)
-            # In an uncompressed file, a row consists of its number, its size and its pixels, and the rows come last.
-            rows = picture.read_bytes()[-side * (8 + 4 * side):]
-        pixels = np.frombuffer(rows, "<f4").reshape(side, 2 + side)[:, 2:]
+            pixels = Exr(picture).pixels
         difference = np.abs(pixels - reference.values("one")[:side])
         place = np.unravel_index(difference.argmax(), difference.shape)
         print(f"largest difference {difference.max():.2g} at row and column {place}")

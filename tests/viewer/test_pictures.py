@@ -24,28 +24,6 @@ class Pictures(EventsTest):
         self.gabor("render", "--like", preset, "-o", "noise.exr", *more)
         return Exr(self.folder / "noise.exr").pixels
 
-    def test_bodies(self):
-        # The viewer does not blur the outline; inside it the noise equals that of gabor render.
-        for name, parameters in {
-            "sphere": {"view": "sphere", "orientation_spread": 90, "frequency": 3, "filter": True},
-            "torus": {"view": "torus", "solid": True, "orientation": 30, "frequency": 2, "seed": 5},
-        }.items():
-            with self.subTest(name):
-                preset = self.preset("preset.json", **parameters)
-                (self.folder / "again.json").unlink(missing_ok=True)
-                self.play(f"""
-                    open preset.json
-                    save again.json
-                    screenshot seen.png""")
-                self.assertEqual(json.loads((self.folder / "again.json").read_text()).items()
-                                 & {**parameters, "scale": 24}.items(), {**parameters, "scale": 24}.items())
-                expected = self.render(preset)
-                covered = Exr(self.folder / "noise.exr").channels["A"] == 1
-                seen = read_colour_png(self.folder / "seen.png").astype(int)
-                off = np.abs(seen[:, :, 0] - 255 * np.clip(0.5 + 0.25 * expected, 0, 1))[covered]
-                self.assertGreater(covered.mean(), 0.2)
-                self.assertLess(np.quantile(off, 0.99), 1.5, name)
-
     def test_exports_are_those_of_gabor_render(self):
         preset = self.preset("preset.json", **LATER)
         self.play("""
@@ -56,7 +34,7 @@ class Pictures(EventsTest):
             self.assertEqual((self.folder / mine).read_bytes(), (self.folder / theirs).read_bytes(), mine)
 
     def test_lit_bodies_are_exported_as_they_are_shown(self):
-        preset = self.preset("preset.json", view="torus", frequency=2, yaw=20,
+        preset = self.preset("preset.json", view="torus", frequency=2, yaw=20, filter=True,
                              viewer={"output": "lit", "colours": "ember", "light": [30, 50]})
         self.play("""
             export out.exr
