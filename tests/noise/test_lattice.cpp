@@ -180,48 +180,6 @@ TEST_CASE("the variances of the lattice noise and its derivatives are the same a
     }
 }
 
-TEST_CASE("the covariance of the lattice noise depends little on the place", "[lattice]") {
-    // For two points a lag apart, without the wave, this sums h(x - x_i) h(x + lag - x_i) along x and y.
-    constexpr int places = 24;
-    constexpr int lags = 64; // from 0 to 2 kernel radii
-    for (const int taps : {2, 3, 4}) {
-        std::vector<std::vector<double>> along(lags, std::vector<double>(places));
-        for (int lag = 0; lag < lags; ++lag) {
-            for (int k = 0; k < places; ++k) {
-                const double x = static_cast<double>(k) / places;
-                for (int node = -2 * taps; node <= 2 * taps; ++node)
-                    along[static_cast<std::size_t>(lag)][static_cast<std::size_t>(k)] +=
-                        lattice_window(taps, 2 * (x - node) / taps).value *
-                        lattice_window(taps, 2 * (x - node) / taps + 2.0 * lag / lags).value /
-                        lattice_energy(taps);
-            }
-        }
-        double largest = 0, squares = 0;
-        gabor::test::Largest rms;
-        for (const auto& x : along) {
-            for (const auto& y : along) {
-                double mean = 0, mean_square = 0;
-                for (const double a : x) {
-                    for (const double b : y) {
-                        mean += a * b / (places * places);
-                        mean_square += a * b * a * b / (places * places);
-                    }
-                }
-                for (const double a : x)
-                    for (const double b : y)
-                        largest = std::max(largest, std::abs(a * b - mean));
-                const double variance = std::abs(mean_square - mean * mean);
-                rms.see(std::sqrt(variance), 0, taps == 2 ? 0.30 : taps == 3 ? 0.045 : 0.012, "some lag");
-                squares += variance / (lags * lags);
-            }
-        }
-        fmt::print("{} taps: covariance differs from place to place by {:.2f} % of the variance (rms over "
-                   "all lags), and by at most {:.1f} %\n",
-                   taps, 100 * std::sqrt(squares), 100 * largest);
-        rms.check("  rms at the worst lag");
-    }
-}
-
 TEST_CASE("sidelobes of the lattice noise are at most -31 dB", "[lattice]") {
     for (const int taps : {3, 4}) {
         const auto amplitude = [&](double frequency) {

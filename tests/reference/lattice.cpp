@@ -157,6 +157,7 @@ Field<N> Lattice<N>::field(const Place<N>& place) const {
         }
     }
     Field<N> sum;
+    std::vector<Wave> waves;
     for (std::size_t number = 0; number < nodes; ++number) {
         std::array<std::uint32_t, N> words{};
         Vector<N> distance{}, slope;
@@ -171,7 +172,8 @@ Field<N> Lattice<N>::field(const Place<N>& place) const {
             for (std::size_t along = 0; along < N; ++along)
                 slope[along] *= along == axis ? line.slope : line.window;
         }
-        const std::vector<Wave> waves = waves_(words, number);
+        waves.clear();
+        waves_(words, number, waves);
         for (const auto& [wave, word] : waves) {
             const Complex amplitude =
                 place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
@@ -194,8 +196,8 @@ template class Lattice<3>;
 template <std::size_t N>
 Lattice<N> wave_noise(int taps, const Vector<N>& wave, std::uint32_t seed) {
     return {taps, seed,
-            [wave](const auto& lines, std::size_t) -> std::vector<typename Lattice<N>::Wave> {
-                return {{wave, node_word(lines)}};
+            [wave](const auto& lines, std::size_t, auto& waves) {
+                waves.push_back({wave, node_word(lines)});
             },
             length(wave), [wave](const Vector<N>& offset) { return std::cos(2 * pi * dot(wave, offset)); }};
 }
@@ -207,21 +209,19 @@ Vector<2> wave_along(double frequency, double orientation) {
     return {std::abs(frequency) * std::cos(orientation), std::abs(frequency) * std::sin(orientation)};
 }
 
-Lattice<2> map_noise(const std::array<Vector<2>, 9>& waves, std::uint32_t seed) {
-    return {3, seed, [waves](const auto& lines, std::size_t number) {
-                return std::vector<Lattice<2>::Wave>{{waves.at(number), node_word(lines)}};
+Lattice<2> map_noise(const std::array<Vector<2>, 9>& given, std::uint32_t seed) {
+    return {3, seed, [given](const auto& lines, std::size_t number, auto& waves) {
+                waves.push_back({given.at(number), node_word(lines)});
             }};
 }
 
 Lattice<2> isotropic_noise(double frequency, std::uint32_t seed) {
-    return {3, seed, [frequency](const auto& lines, std::size_t) {
+    return {3, seed, [frequency](const auto& lines, std::size_t, auto& waves) {
                 const auto words = isotropic_words(lines[0], lines[1]);
-                std::vector<Lattice<2>::Wave> waves;
                 for (std::size_t m = 0; m < 3; ++m)
                     waves.push_back(
                         {wave_along(frequency, pi / 6 * uniform(words[3]) + pi / 3 * static_cast<double>(m)),
                          words.at(m)});
-                return waves;
             }};
 }
 
@@ -241,12 +241,10 @@ std::array<Vector<3>, 3> isotropic_frame(std::uint32_t word) {
 // it, where t = 2 pi F |d|.
 Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed) {
     return {3, seed,
-            [frequency](const auto& lines, std::size_t) {
+            [frequency](const auto& lines, std::size_t, auto& waves) {
                 const auto words = isotropic_words(lines[0], lines[1] * lines[2]);
-                std::vector<Lattice<3>::Wave> waves;
                 for (const Vector<3>& along : isotropic_frame(words[3]))
                     waves.push_back({scaled(frequency, along), words.at(waves.size())});
-                return waves;
             },
             frequency,
             [frequency](const Vector<3>& offset) {
@@ -257,12 +255,12 @@ Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed) {
 
 Lattice<3> tangent_noise(double frequency, const std::array<Vector<3>, 2>& tangents, std::uint32_t seed) {
     return {3, seed,
-            [frequency, tangents](const auto& lines, std::size_t) {
+            [frequency, tangents](const auto& lines, std::size_t, auto& waves) {
                 const auto words = isotropic_words(lines[0], lines[1] * lines[2]);
                 const double angle = pi / 2 * uniform(words[3]);
                 const double x = frequency * std::cos(angle), y = frequency * std::sin(angle);
-                return std::vector<Lattice<3>::Wave>{{sum(x, tangents[0], y, tangents[1]), words[0]},
-                                                     {sum(-y, tangents[0], x, tangents[1]), words[1]}};
+                waves.push_back({sum(x, tangents[0], y, tangents[1]), words[0]});
+                waves.push_back({sum(-y, tangents[0], x, tangents[1]), words[1]});
             },
             frequency,
             [frequency, tangents](const Vector<3>& offset) {

@@ -81,10 +81,10 @@ class Lattice {
         Vector<N> wave;     ///< cycles per kernel radius
         std::uint32_t word; ///< selects the amplitude
     };
-    /// The waves of a node from the words of the lines through it, along each axis, and from its number among
-    /// those around a place, which rises with x, then y.
-    using Waves =
-        std::function<std::vector<Wave>(const std::array<std::uint32_t, N>& lines, std::size_t number)>;
+    /// Adds the waves of a node, from the words of the lines through it, along each axis, and from its number
+    /// among those around a place, which rises with x, then y.
+    using Waves = std::function<void(const std::array<std::uint32_t, N>& lines, std::size_t number,
+                                     std::vector<Wave>& waves)>;
 
     /// `taps` is GABOR_TAPS. `frequency` is that of the waves; `correlation` is their correlation at an
     /// offset, apart from that of the windows.

@@ -83,8 +83,13 @@ class StudyTest(ProgramTest):
         self.assertAlmostEqual(theory["lattice_4"], 0.0103, delta=0.001)
         self.assertEqual(theory["one"], 0)
         spectra = {row["noise"]: row for row in self.table("law_spectra")}
-        self.assertGreater(float(spectra["one"]["fourth_power"]), 5)
-        self.assertLess(float(spectra["lattice_3"]["fourth_power"]), 2.5)
+        # By chance, one of these peaks exceeds 2.5 in one of 2500 runs.
+        functions = ("value", "square", "magnitude", "fourth_power", "beyond_2.5")
+        for function in functions:
+            for noise in ("lattice_3", "lattice_4"):
+                self.assertLess(float(spectra[noise][function]), 2.5, f"{noise}, {function}")
+        for function in functions[2:]:
+            self.assertGreater(float(spectra["one"][function]), 5, function)
         self.assertEqual(set(self.files()), {"law_noises.png"} | {f"{name}.{ending}" for name in counts for ending in ("csv", "json")})
         subprocess.run([PLOT, self.folder], check=True, stdout=subprocess.DEVNULL, timeout=120)
         for name in counts:
