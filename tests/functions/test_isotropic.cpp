@@ -90,25 +90,3 @@ TEST_CASE("the filter of isotropic noise errs by at most 2 % up to 0.3 radii, an
         }
     }
 }
-
-TEST_CASE("filtered isotropic noise has the variance that its removed share implies",
-          "[isotropic][filter][law]") {
-    constexpr int count = 1 << 17;
-    Draw draw(65);
-    Largest variances;
-    for (const double deviation : {0.02, 0.1, 0.2, 0.5, 2.0}) {
-        for (const auto& [frequency, ratio] : {std::pair(0.0f, 1.0), {0.5f, 0.4}, {2.0f, 0.0}}) {
-            double squares = 0, kept = 0;
-            for (int i = 0; i < count; ++i) {
-                const test::Pixel pixel(deviation, ratio, draw.uniform(0, 3.2));
-                const auto found = n.gabor_noise_isotropic_filtered(
-                    draw.uniform<gabor_vec2>(-50, 50), pixel.dx, pixel.dy, frequency, draw.word());
-                squares += found.x * found.x;
-                kept = 1 - found.y;
-            }
-            variances.see(squares / count, kept, 0.01 + 4 * kept * std::sqrt(2.0 / count),
-                          [&] { return fmt::format("deviation {}, frequency {}", deviation, frequency); });
-        }
-    }
-    variances.check("variance left");
-}
