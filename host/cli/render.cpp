@@ -194,9 +194,10 @@ render::Files files_of(const RenderOptions& options) {
 
 // Renders a set of maps: 4 x 4 units of a material or 8 x 8 of terrain, unless a scale is given.
 void render_map_set(const RenderOptions& options) {
-    if (options.output || options.png || options.region || options.frames || options.level)
-        throw RequestError(
-            "--maps writes whole sets: it cannot be combined with -o, --png, --region, --frames or --level");
+    if (options.output || options.png || options.heightmap || !options.elevation.empty() || options.region ||
+        options.frames || options.level)
+        throw RequestError("--maps writes whole sets: it cannot be combined with -o, --png, --heightmap, "
+                           "--elevation, --region, --frames or --level");
     Work work = make_work(options);
     const bool terrain = render::has_terrain(work.request);
     if (!work.scaled)

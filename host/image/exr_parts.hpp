@@ -11,7 +11,6 @@
 #include <ImfIO.h>
 #include <ImfThreading.h>
 
-#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -37,38 +36,20 @@ Imf::FrameBuffer frame_buffer(Imf::PixelType type, const Value* values,
     return frame;
 }
 
-/// Lets OpenEXR write into an OutputFile. Remembers a failure, because the destructor of Imf::OutputFile,
-/// which writes the table of offsets, swallows exceptions.
+/// Lets OpenEXR write into an OutputFile. The destructor of Imf::OutputFile, which writes the table of
+/// offsets, swallows exceptions, but OutputFile::commit reports them.
 class ExrStream final : public Imf::OStream {
   public:
     explicit ExrStream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
 
     void write(const char* bytes, int count) override {
-        attempt([&] { file_.write(std::as_bytes(std::span(bytes, static_cast<std::size_t>(count)))); });
+        file_.write({bytes, static_cast<std::size_t>(count)});
     }
     std::uint64_t tellp() override { return file_.position(); }
-    void seekp(std::uint64_t position) override {
-        attempt([&] { file_.seek(position); });
-    }
-
-    void rethrow_failure() const {
-        if (failure_)
-            std::rethrow_exception(failure_);
-    }
+    void seekp(std::uint64_t position) override { file_.seek(position); }
 
   private:
-    template <class Action>
-    void attempt(Action action) {
-        try {
-            action();
-        } catch (...) {
-            failure_ = std::current_exception();
-            throw;
-        }
-    }
-
     OutputFile& file_;
-    std::exception_ptr failure_;
 };
 
 /// Returns the header in the form that OpenEXR takes.

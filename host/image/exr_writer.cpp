@@ -182,7 +182,6 @@ void ExrWriter::commit() {
         throw std::logic_error("ExrWriter::commit before the last row");
     s.lines.reset();
     s.tiles.reset();
-    s.stream.rethrow_failure();
     if (s.description.texture) {
         const std::string average = average_text(s.sums, static_cast<double>(s.description.window.pixels()));
         s.file.seek(average_place(s.header));

@@ -157,7 +157,7 @@ void OutputFile::open() {
 OutputFile::OutputFile(OutputFile&& other) noexcept
     : path_(std::move(other.path_)), target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})), descriptor_(std::exchange(other.descriptor_, -1)),
-      sequential_(other.sequential_), position_(other.position_) {}
+      sequential_(other.sequential_), position_(other.position_), error_(other.error_) {}
 
 OutputFile::~OutputFile() {
     if (descriptor_ >= 0)
@@ -174,7 +174,8 @@ void OutputFile::write(std::span<const std::byte> bytes) {
         if (written < 0) {
             if (errno == EINTR)
                 continue;
-            fail();
+            error_ = errno;
+            fail(error_);
         }
         position_ += static_cast<std::uint64_t>(written);
         bytes = bytes.subspan(static_cast<std::size_t>(written));
@@ -182,14 +183,14 @@ void OutputFile::write(std::span<const std::byte> bytes) {
 }
 
 void OutputFile::seek(std::uint64_t position) {
-    if (sequential_ && position != position_) {
-        errno = ESPIPE;
-        fail();
-    }
+    if (sequential_ && position != position_)
+        fail(ESPIPE);
     position_ = position;
 }
 
 void OutputFile::commit() {
+    if (error_ != 0)
+        fail(error_);
     if (!target_.empty())
         publish();
     ::close(std::exchange(descriptor_, -1));
@@ -197,7 +198,7 @@ void OutputFile::commit() {
 
 void OutputFile::publish() {
     if (::fsync(descriptor_) != 0)
-        fail();
+        fail(errno);
     if (temporary_.empty()) {
         const std::string data = fmt::format("/proc/self/fd/{}", descriptor_);
         const auto link_as = [&](const char* name) {
@@ -208,18 +209,18 @@ void OutputFile::publish() {
         // Only a named file can replace another, so for an instant there are two names.
         auto [name, result] = claim_name(target_, link_as);
         if (result < 0)
-            fail();
+            fail(errno);
         temporary_ = std::move(name);
     }
     if (::rename(temporary_.c_str(), target_.c_str()) != 0)
-        fail();
+        fail(errno);
     temporary_.clear();
     remove_abandoned(target_);
     sync_folder(folder_of(target_));
 }
 
-void OutputFile::fail() const {
-    throw std::runtime_error(fmt::format("cannot write {}: {}", path_.string(), reason(errno)));
+void OutputFile::fail(int error) const {
+    throw std::runtime_error(fmt::format("cannot write {}: {}", path_.string(), reason(error)));
 }
 
 const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {

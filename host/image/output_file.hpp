@@ -24,7 +24,8 @@ class OutputFile {
     OutputFile(OutputFile&& other) noexcept;
     OutputFile& operator=(OutputFile&&) = delete;
 
-    /// Writes at the current position. Throws std::runtime_error, naming the file, when the disk fails.
+    /// Writes at the current position. Throws std::runtime_error, naming the file, when the disk fails; after
+    /// that, `commit` fails too.
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
     std::uint64_t position() const { return position_; }
@@ -41,7 +42,7 @@ class OutputFile {
   private:
     void open();
     void publish();
-    [[noreturn]] void fail() const;
+    [[noreturn]] void fail(int error) const;
 
     std::filesystem::path path_;
     std::filesystem::path target_;    ///< file to replace; empty when writing directly to `path_`
@@ -49,6 +50,7 @@ class OutputFile {
     int descriptor_ = -1;
     bool sequential_ = false;
     std::uint64_t position_ = 0;
+    int error_ = 0; ///< why the last write failed; 0 if none has
 };
 
 /// Returns the path. Throws RequestError for a pipe: formats that are not written in order need a file.
