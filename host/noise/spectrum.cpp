@@ -76,6 +76,8 @@ Lobe with_round_kernel(Lobe lobe) {
     return lobe;
 }
 
+} // namespace
+
 std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed, bool in_space) {
     double power = 0;
     for (const Lobe& lobe : lobes)
@@ -86,16 +88,6 @@ std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed, bool in
             add_lobe(all, in_space ? with_round_kernel(lobes[i]) : lobes[i], lobes[i].power / power,
                      lobes.size() == 1 ? seed : lobe_seed(seed, static_cast<int>(i)), in_space);
     return all;
-}
-
-} // namespace
-
-std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed) {
-    return waves(lobes, seed, false);
-}
-
-std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed) {
-    return waves(lobes, seed, true);
 }
 
 std::array<double, 2> Wave::in_kernels() const {

@@ -25,11 +25,10 @@ struct Wave {
 
 /// Returns the noises whose sum has this power spectrum in the plane, as in shaders/gabor_spectrum.glsl. A
 /// single lobe uses the request's seed; several lobes have one seed each.
-std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed);
-
-/// Does the same in space, where an orientation spread of 90 degrees covers all directions, and smaller
-/// spreads stay in the plane z = 0. Kernels are round, with the geometric mean of both radii.
-std::vector<Wave> waves_in_space(std::span<const Lobe> lobes, std::uint32_t seed);
+///
+/// In space, an orientation spread of 90 degrees covers all directions, and smaller spreads stay in the plane
+/// z = 0. Kernels are round, with the geometric mean of both radii.
+std::vector<Wave> waves(std::span<const Lobe> lobes, std::uint32_t seed, bool in_space = false);
 
 /// Returns the different kernel radii of the waves, in order of appearance.
 std::vector<std::array<double, 2>> radii(std::span<const Wave> waves);

@@ -81,9 +81,7 @@ std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel,
 void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, DeviceKind device,
                const Constants& constants) {
     const noise::Recipe recipe = drawing_recipe(request);
-    const std::vector<noise::Wave> waves = in_space(request)
-                                               ? noise::waves_in_space(request.lobes, request.seed)
-                                               : noise::waves(request.lobes, request.seed);
+    const std::vector<noise::Wave> waves = noise::waves(request.lobes, request.seed, in_space(request));
     const double values_per_radius = request.scale * viewport.camera.zoom / viewport.stride;
     const image::Rect& region = viewport.region;
     std::vector<passes::Run> columns;

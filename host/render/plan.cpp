@@ -228,7 +228,7 @@ passes::vec2 half(const Viewport& viewport) {
 
 void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     std::vector<passes::SolidWave> waves;
-    for (const noise::Wave& wave : noise::waves_in_space(request.lobes, request.seed)) {
+    for (const noise::Wave& wave : noise::waves(request.lobes, request.seed, true)) {
         passes::SolidWave& made = waves.emplace_back(
             passes::SolidWave{.direction = direction(wave.angle),
                               .frequency = static_cast<float>(wave.frequency * wave.radius[0]),

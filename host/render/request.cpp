@@ -48,8 +48,7 @@ std::vector<std::string> channels(const Request& request, bool normals) {
         }
         return names;
     }
-    constexpr std::array noises{"Y", "second", "third", "fourth"};
-    std::vector<std::string> names(noises.begin(), noises.begin() + request.values);
+    std::vector<std::string> names(noise_channels.begin(), noise_channels.begin() + request.values);
     if (request.colour)
         names = {"R", "G", "B"};
     if (request.quadrature)

@@ -183,6 +183,9 @@ constexpr bool is_isotropic(const noise::Lobe& lobe) {
     return lobe.orientation_spread == 90;
 }
 
+/// The channels of independent noises.
+constexpr std::array<std::string_view, 4> noise_channels{"Y", "second", "third", "fourth"};
+
 /// The channels of a picture's pixels, in order, as EXR names them: `Y` is the noise; in space, the last
 /// channel, `A`, is the covered share of the pixel. If `normals` is set, a body also has normal.x, normal.y,
 /// normal.z and gradient.z before `A`, where x points right in the picture, y down and z towards the eye.

@@ -55,9 +55,8 @@ std::optional<double> known_variance(const Request& request, std::string_view ch
     const bool flat = std::holds_alternative<Plane>(request.view);
     if (!flat && !in_space(request))
         return {}; // the picture includes the sky
-    constexpr std::array noises{"Y", "second", "third", "fourth"};
     // With two phases, the kernels' cosines have a different variance.
-    const bool noise = std::ranges::find(noises, channel) != noises.end() ||
+    const bool noise = std::ranges::find(noise_channels, channel) != noise_channels.end() ||
                        (channel == "quadrature" && drawing_recipe(request).phases != 2);
     if (noise && !request.filter)
         return 1;
