@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 namespace gabor::viewer {
 
@@ -111,6 +112,11 @@ void control(Session& session, std::string_view name) {
         attempt(session, [&] { set_parameter(session.document(), name, *edited); });
 }
 
+void controls(Session& session, std::initializer_list<std::string_view> names) {
+    for (const std::string_view name : names)
+        control(session, name);
+}
+
 constexpr const char* output_tips[]{
     "The noise itself, of mean 0 and variance 1",
     "The gradient of the noise, as a normal map",
@@ -185,19 +191,14 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, f
 
 namespace {
 
-void noise_panel(Session& session) {
-    for (const char* name : {"material", "scale", "seed"})
-        control(session, name);
-}
-
-// Shows the lobes, or the paint that replaces them.
+// Paint stands in for the lobes.
 void waves_panel(Session& session) {
     if (has_effect(session.document(), "lobes"))
         spectrum_panel(session);
     control(session, "paint");
     if (has_effect(session.document(), "paint")) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("..."))
+        if (ImGui::Button("..."))
             ask_for_paint(session);
         tooltip("Choose a file");
     }
@@ -208,13 +209,11 @@ void material_panel(Session& session) {
     for (const render::Parameter& parameter : render::parameters())
         if (render::is_of_one_material(parameter))
             control(session, parameter.name);
-    for (const char* name : {"scale", "seed"})
-        control(session, name);
+    controls(session, {"scale", "seed"});
 }
 
 void terrain_panel(Session& session) {
-    for (const char* name : {"scale", "seed", "extent"})
-        control(session, name);
+    controls(session, {"scale", "seed", "extent"});
     for (const render::Parameter* parameter : render::erosion_parameters())
         control(session, parameter->name);
 }
@@ -251,14 +250,12 @@ void view_panel(Session& session) {
         resettable("contrast", document.contrast, least_contrast, most_contrast, "%.2f", Document().contrast);
         tooltip("Standard deviations from the mean to either end of the colour map; gabor render uses 2");
     }
-    for (const char* name : {"view", "tileable"})
-        control(session, name);
+    controls(session, {"view", "tileable"});
     if (has_effect(document, "tiles")) {
         ImGui::Checkbox("2 x 2 tiles", &session.tiles);
         tooltip("T: show four copies of the picture, to look for seams. This view sets its own scale.");
     }
-    for (const char* name : {"depth", "solid", "yaw", "pitch", "zoom", "filter"})
-        control(session, name);
+    controls(session, {"depth", "solid", "yaw", "pitch", "zoom", "filter"});
 }
 
 void light_panel(Session& session) {
@@ -317,8 +314,7 @@ void export_panel(Session& session) {
     const std::size_t forms = can_export_maps(request) ? std::size(exports) : std::size(exports) - 1;
     if (choose("as", as, std::span(exports).first(forms), export_tips))
         target.chosen = as;
-    for (const char* name : {"width", "height"})
-        control(session, name);
+    controls(session, {"width", "height"});
     if (as == ExportAs::frames) {
         ImGui::SliderInt("frames", &target.frames, 2, 240);
         target.frames = std::clamp(target.frames, 1, render::most_frames);
@@ -358,13 +354,7 @@ void export_panel(Session& session) {
     }
 }
 
-void laboratory_panel(Session& session) {
-    for (const char* name :
-         {"recipe", "quadrature", "gradient", "phasor", "values"}) // all but the recipe add channels
-        control(session, name);
-}
-
-// The buttons that are used most, at the top.
+// What is done most, at the top.
 void start_buttons(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float room = width - 2 * ImGui::GetStyle().ItemSpacing.x;
@@ -390,39 +380,38 @@ void start_buttons(Session& session) {
 
 void side_panel(Session& session) {
     start_buttons(session);
+    const render::Request& request = session.document().request;
+    const bool noise = !render::has_material(request), terrain = render::has_terrain(request);
     struct Section {
         const char* title;
         void (*panel)(Session&);
         bool open;
-        bool (*applies)(const Session&) = [](const Session&) { return true; };
+        bool applies = true;
     };
-    static constexpr auto request = [](const Session& s) -> const render::Request& {
-        return s.history.now.request;
-    };
-    constexpr std::array sections{
-        Section{"Noise", noise_panel, true,
-                [](const Session& s) { return !render::has_material(request(s)); }},
-        Section{"Material", material_panel, true,
-                [](const Session& s) {
-                    return render::has_material(request(s)) && !render::has_terrain(request(s));
-                }},
-        Section{"Terrain", terrain_panel, true,
-                [](const Session& s) { return render::has_terrain(request(s)); }},
-        Section{"Photograph", photograph_panel, true,
-                [](const Session& s) { return !s.fitter.path().empty(); }},
-        Section{"Spectrum", waves_panel, true,
-                [](const Session& s) { return !render::has_material(request(s)); }},
+    const std::array sections{
+        Section{"Noise",
+                [](Session& s) {
+                    controls(s, {"material", "scale", "seed"});
+                },
+                true, noise},
+        Section{"Material", material_panel, true, !noise && !terrain},
+        Section{"Terrain", terrain_panel, true, terrain},
+        Section{"Photograph", photograph_panel, true, !session.fitter.path().empty()},
+        Section{"Spectrum", waves_panel, true, noise},
         Section{"View", view_panel, true},
-        Section{"Light", light_panel, true, [](const Session& s) { return is_lit(s.history.now); }},
-        Section{"Animation", animation_panel, false,
-                [](const Session& s) { return has_effect(s.history.now, "time"); }},
+        Section{"Light", light_panel, true, is_lit(session.document())},
+        Section{"Animation", animation_panel, false, has_effect(session.document(), "time")},
         Section{"Export", export_panel, false},
         Section{"File", file_panel, false},
-        Section{"Laboratory", laboratory_panel, false}};
-    ImGui::BeginChild("sections"); // the sections scroll below the buttons
+        Section{"Laboratory",
+                [](Session& s) {
+                    controls(s, {"recipe", "quadrature", "gradient", "phasor", "values"});
+                },
+                false}};
+    ImGui::BeginChild("sections"); // which scroll below the buttons
     ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
     for (const Section& section : sections) {
-        if (!section.applies(session))
+        if (!section.applies)
             continue;
         const bool asked = session.exporting_asked && section.panel == export_panel;
         if (asked)

@@ -73,7 +73,7 @@ void ramp_editor(Session& session) {
     ImGui::ColorEdit3("colour", ramp[selected].colour.data(), ImGuiColorEditFlags_DisplayHex);
     if (ramp.size() > 2) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("remove"))
+        if (ImGui::Button("remove"))
             ramp.erase(ramp.begin() + static_cast<std::ptrdiff_t>(selected));
     }
 }

@@ -430,30 +430,23 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
 )",
                                   vec2(right, below), up_of(request));
     }
-    std::string shown;
-    switch (document.output) {
-    case Output::gradient:
-        shown = fmt::format("viewer_gradient(seen, {}, {}, {})", literal(slope_deviation(request)), contrast,
-                            literal(document.directx_normals ? -1 : 1));
-        break;
-    case Output::phase:
-        shown = fmt::format("viewer_phase(seen, {})", document.colours);
-        break;
-    case Output::phasor:
-        shown = mapped(stripes("seen"));
-        break;
-    case Output::intensity:
-        shown = mapped(fmt::format("viewer_intensity(seen, {})", contrast));
-        break;
-    case Output::variance:
-        shown = mapped("viewer_variance(seen)");
-        break;
-    case Output::value:
-    case Output::lit:
-    case Output::lit_phasor:
-        shown = mapped(fmt::format("viewer_value(seen, {})", contrast));
-        break;
-    }
+    const auto shown = [&] {
+        switch (document.output) {
+        case Output::gradient:
+            return fmt::format("viewer_gradient(seen, {}, {}, {})", literal(slope_deviation(request)),
+                               contrast, literal(document.directx_normals ? -1 : 1));
+        case Output::phase:
+            return fmt::format("viewer_phase(seen, {})", document.colours);
+        case Output::phasor:
+            return mapped(stripes("seen"));
+        case Output::intensity:
+            return mapped(fmt::format("viewer_intensity(seen, {})", contrast));
+        case Output::variance:
+            return mapped("viewer_variance(seen)");
+        default:
+            return mapped(fmt::format("viewer_value(seen, {})", contrast));
+        }
+    }();
     return text + fmt::format("    return {};\n}}\n", shown);
 }
 
