@@ -204,8 +204,8 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
     bool changed = false;
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < lobes.size(); ++i) {
-        const std::string text = fmt::format("{:.3g} at {:.0f}°##{}", lobes[i].frequency,
-                                             std::round(lobes[i].orientation) + 0.0, i);
+        const std::string text =
+            fmt::format("{:.3g}, {:.0f}°##{}", lobes[i].frequency, std::round(lobes[i].orientation) + 0.0, i);
         if (ImGui::Selectable(text.c_str(), i == session.selected_lobe))
             session.selected_lobe = i;
     }
