@@ -170,11 +170,6 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
 
 } // namespace
 
-Eigen::MatrixXd to_components(const Exemplar& exemplar) {
-    const Eigen::VectorXd variances = exemplar.components.colwise().squaredNorm();
-    return variances.cwiseInverse().asDiagonal() * exemplar.components.transpose();
-}
-
 Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance) {
     float limit = std::numeric_limits<float>::infinity();
     const auto half = [&, done = 0.0](double share) mutable { advance(done = std::max(done, share / 2)); };
@@ -183,7 +178,9 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
         first = first_pass(path, limit, half);
     Exemplar& exemplar = *first;
     const auto count = static_cast<int>(exemplar.components.cols());
-    const Eigen::MatrixXf map = to_components(exemplar).cast<float>();
+    const Eigen::VectorXd variances = exemplar.components.colwise().squaredNorm();
+    const Eigen::MatrixXf map =
+        (variances.cwiseInverse().asDiagonal() * exemplar.components.transpose()).cast<float>();
     SpectraEstimate estimate(exemplar.width, exemplar.height, count);
     exemplar.quantiles.resize(static_cast<std::size_t>(count));
     Rows rows(path, exemplar.channels == 1, limit);
@@ -211,7 +208,7 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
         advance((1 + static_cast<double>(y + 1) / exemplar.height) / 2);
     }
     exemplar.spectra = estimate.spectra();
-    exemplar.autocovariances = estimate.autocovariances(exemplar.components.colwise().squaredNorm());
+    exemplar.autocovariances = estimate.autocovariances(variances);
     exemplar.structure = structure.excess();
     return std::move(exemplar);
 }

@@ -39,7 +39,4 @@ struct Exemplar {
 /// read, or if the picture is too small, transparent or constant, or has a value that is not finite.
 Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance);
 
-/// The matrix that maps channels, after their trend is removed, to components.
-Eigen::MatrixXd to_components(const Exemplar& exemplar);
-
 } // namespace gabor::fit

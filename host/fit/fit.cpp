@@ -3,6 +3,7 @@
 #include "fit/atoms.hpp"
 #include "fit/colour.hpp"
 #include "fit/greedy.hpp"
+#include "noise/lobe.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,21 @@ bool is_chance(const FitError& error, const Exemplar& exemplar) {
            error.autocorrelation < std::max(2 * error.chance, 0.03);
 }
 
-// Gives lobes around frequency 0 the lowest frequency that a preset accepts. It looks the same as 0.
+// The unit of length of a preset, in pixels: the radius of the strongest lobe, or the nearest one that keeps
+// all radii from 0.01 to 100 units.
+double unit_of(const std::vector<Wave>& waves) {
+    double least = waves.front().radius.minCoeff();
+    double most = waves.front().radius.maxCoeff();
+    const double first = std::sqrt(least * most);
+    for (const Wave& wave : waves) {
+        least = std::min(least, wave.radius.minCoeff());
+        most = std::max(most, wave.radius.maxCoeff());
+    }
+    return std::max({2.0, std::min(first, 100 * least), most / 100});
+}
+
+// Gives lobes around frequency 0 the least frequency that a preset accepts, in units of the first lobe. At
+// this scale any value looks the same.
 void keep_from_zero(std::vector<Wave>& waves) {
     const double least = 0.0011 / unit_of(waves);
     for (Wave& wave : waves)
@@ -62,18 +77,14 @@ void exchange_lobes(const TargetSpectra& target, const Search& search, std::vect
     }
 }
 
-} // namespace
-
-double unit_of(const std::vector<Wave>& waves) {
-    double least = waves.front().radius.minCoeff();
-    double most = waves.front().radius.maxCoeff();
-    const double first = std::sqrt(least * most);
-    for (const Wave& wave : waves) {
-        least = std::min(least, wave.radius.minCoeff());
-        most = std::max(most, wave.radius.maxCoeff());
-    }
-    return std::max({2.0, std::min(first, 100 * least), most / 100});
+// Reduces the sum of absolute errors instead of squares.
+std::vector<Wave> with_absolute_errors(const TargetSpectra& target, std::vector<Wave> waves) {
+    for (int round = 0; round < 2; ++round)
+        refine(target.reweighed(waves), waves, FreeParameters::all, 10);
+    return waves;
 }
+
+} // namespace
 
 FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     const Eigen::VectorXd scales = component_scales(exemplar);
@@ -98,20 +109,40 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     refine(target, waves, FreeParameters::all, 30);
     exchange_lobes(target, search, waves, advance);
     refine(target, waves, FreeParameters::all, 100);
+    std::vector<Wave> closer = unscaled(with_absolute_errors(target, waves));
     waves = unscaled(std::move(waves));
+    // If the lobes can follow the spectrum exactly, squares find them best, and absolute errors gain little.
+    FitError error = compare(exemplar, waves);
+    const FitError after = compare(exemplar, closer);
+    if (after.l1 < 0.97 * error.l1 && after.l2 <= error.l2) {
+        waves = std::move(closer);
+        error = after;
+    }
     const auto power = [&](const Wave& wave) { return (exemplar.components * wave.weight).squaredNorm(); };
     std::ranges::sort(waves, std::greater(), power);
-    FittedNoise fitted{.waves = {}, .colour = {}, .error = compare(exemplar, waves), .variances = {}};
-    const Eigen::MatrixXd covariance = model(waves, static_cast<int>(scales.size())).covariance();
-    const Eigen::MatrixXd measured = exemplar.spectra.covariance();
-    for (Eigen::Index c = 0; c < scales.size(); ++c)
-        fitted.variances.push_back(covariance(c, c) / measured(c, c));
     normalize(waves);
     keep_from_zero(waves);
-    fitted.waves = std::move(waves);
-    fitted.colour = colour_of(exemplar, fitted.waves);
     advance(1);
-    return fitted;
+    return {waves, colour_of(exemplar, waves), error};
+}
+
+render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted) {
+    render::Request request;
+    request.width = exemplar.width;
+    request.height = exemplar.height;
+    request.scale = unit_of(fitted.waves);
+    request.lobes.clear();
+    for (const Wave& wave : fitted.waves) {
+        noise::Lobe lobe;
+        lobe.frequency = wave.frequency.norm() * request.scale;
+        lobe.orientation = noise::degrees(std::atan2(wave.frequency.y(), wave.frequency.x()));
+        lobe.radius = wave.radius.x() / request.scale;
+        lobe.stretch = wave.radius.y() / wave.radius.x();
+        lobe.power = (exemplar.components * wave.weight).squaredNorm() / exemplar.components.squaredNorm();
+        request.lobes.push_back(lobe);
+    }
+    request.colour = fitted.colour;
+    return request;
 }
 
 } // namespace gabor::fit

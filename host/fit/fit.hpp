@@ -4,6 +4,7 @@
 #include "fit/fit_error.hpp"
 #include "fit/levenberg.hpp"
 #include "noise/colour.hpp"
+#include "render/request.hpp"
 
 #include <vector>
 
@@ -16,8 +17,7 @@ constexpr int most_lobes = 16;
 struct FittedNoise {
     std::vector<Wave> waves; ///< the most powerful first, with weights in components of variance 1
     noise::Colour colour;
-    FitError error;                ///< measured before `normalize` corrects the covariance
-    std::vector<double> variances; ///< of the components before that, as shares of the exemplar's variances
+    FitError error; ///< before correction to the exemplar's exact covariance
 };
 
 /// Fits at most `lobes` lobes: fewer if more would only fit chance in an exemplar of that size.
@@ -26,8 +26,7 @@ struct FittedNoise {
 /// by least squares. Based on [GLLD12] Galerne, Lagae, Lefebvre, Drettakis, "Gabor noise by example", 2012.
 FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance);
 
-/// The unit of length of a preset with these lobes, in pixels: the radius of the strongest lobe, or the
-/// nearest length for which all radii are from 0.01 to 100 units.
-double unit_of(const std::vector<Wave>& waves);
+/// The texture as a picture of the exemplar's size and scale.
+render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted);
 
 } // namespace gabor::fit

@@ -79,8 +79,8 @@ FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     Spectra difference = found;
     difference.real -= estimate.real;
     difference.imaginary -= estimate.imaginary;
-    const Eigen::ArrayXd power = estimate.total();
-    const Eigen::ArrayXd apart = difference.total().abs();
+    const Eigen::ArrayXd power = total(estimate.real, estimate.channels);
+    const Eigen::ArrayXd apart = total(difference.real, difference.channels).abs();
     const std::vector<Scale>& scales = *estimate.scales;
     const SpectrumRows first{0, measures({scales.front()})};
     FitError error;

@@ -36,11 +36,6 @@ Eigen::MatrixXf whole_plane(const Scale& scale, const Eigen::ArrayXd& half, floa
 float largest_eigenvalue(const Eigen::Matrix3cf& m, int rows) {
     if (rows == 1)
         return m(0, 0).real();
-    if (rows == 2) {
-        const float middle = 0.5f * (m(0, 0).real() + m(1, 1).real());
-        const float apart = 0.5f * (m(0, 0).real() - m(1, 1).real());
-        return middle + std::sqrt(apart * apart + std::norm(m(0, 1)));
-    }
     const float middle = m.trace().real() / 3;
     const Eigen::Matrix3cf rest = m - middle * Eigen::Matrix3cf::Identity();
     const float size = std::sqrt(rest.squaredNorm() / 6);
@@ -62,13 +57,8 @@ std::vector<double> radii(double from, double to) {
 std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Residual& left, const Scale& scale) {
     constexpr std::size_t most = 8;
     constexpr int apart = 3;
-    Eigen::ArrayXd power = Eigen::ArrayXd::Zero(std::ssize(scale.frequencies));
-    Index column = 0;
-    for (const auto& [c, d] : real_pairs(target.channels)) {
-        if (c == d)
-            power += left.real.col(column).segment(scale.begin, power.size()).array();
-        ++column;
-    }
+    const Eigen::ArrayXd power =
+        total(left.real.middleRows(scale.begin, std::ssize(scale.frequencies)), target.channels);
     std::vector<Index> order(scale.frequencies.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::sort(order, std::greater(), [&](Index i) { return power[i]; });

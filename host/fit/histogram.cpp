@@ -10,8 +10,7 @@ namespace gabor::fit {
 
 namespace {
 
-constexpr double reach = 8; ///< standard deviations
-constexpr std::size_t bins = 4096;
+constexpr double reach = 8; ///< deviations
 constexpr std::size_t degree = 5;
 using Coefficients = std::array<double, degree + 1>;
 
@@ -48,13 +47,7 @@ bool rises(const Coefficients& a) {
     return true;
 }
 
-double middle_of(std::size_t bin) {
-    return (static_cast<double>(bin) + 0.5) * (2 * reach / bins) - reach;
-}
-
 } // namespace
-
-Quantiles::Quantiles() : counts_(bins) {}
 
 void Quantiles::add(float value) {
     const double place = (value + reach) / (2 * reach) * static_cast<double>(counts_.size());
@@ -70,9 +63,11 @@ std::array<double, 6> Quantiles::polynomial() const {
         if (counts_[bin] == 0)
             continue;
         below += counts_[bin];
+        const double middle =
+            (static_cast<double>(bin) + 0.5) * (2 * reach / static_cast<double>(counts_.size())) - reach;
         const Coefficients high = ends(static_cast<double>(below) / all);
         for (std::size_t n = 1; n <= degree; ++n)
-            projected[n] += middle_of(bin) * (low[n - 1] - high[n - 1]);
+            projected[n] += middle * (low[n - 1] - high[n - 1]);
         low = high;
     }
     double factorial = 1;

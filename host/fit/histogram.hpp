@@ -9,7 +9,6 @@ namespace gabor::fit {
 /// Counts values of variance about 1, to estimate their distribution.
 class Quantiles {
   public:
-    Quantiles();
     void add(float value);
 
     /// Returns the coefficients of 1, z, ... z^5 of a rising polynomial. It maps the standard normal
@@ -22,7 +21,7 @@ class Quantiles {
     std::array<double, 6> polynomial() const;
 
   private:
-    std::vector<std::uint64_t> counts_;
+    std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(4096);
 };
 
 } // namespace gabor::fit

@@ -239,18 +239,34 @@ Residual subtract(const TargetSpectra& target, const std::vector<Wave>& waves, c
 
 TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
     : channels(spectra.channels), scales(spectra.scales), real(spectra.real), imaginary(spectra.imaginary),
-      largest_radius(radius) {
-    const Eigen::ArrayXd total = spectra.total();
-    const double mean = spectra.covariance().trace();
-    weight = (measures(*scales) / (total + 0.01 * mean)).sqrt();
+      importance(measures(*scales)), largest_radius(radius) {
     for (const Scale& scale : *scales)
-        weight.segment(scale.begin, std::ssize(scale.frequencies)) *= std::sqrt(scale.confidence);
+        importance.segment(scale.begin, std::ssize(scale.frequencies)) *= scale.confidence;
+    weight = (importance / (total(spectra.real, channels) + 0.01 * spectra.covariance().trace())).sqrt();
     real.array().colwise() *= weight;
     imaginary.array().colwise() *= weight;
     imaginary *= root_2;
     Index column = 0;
     for (const auto& [c, d] : real_pairs(channels))
         real.col(column++) *= c == d ? 1 : root_2;
+}
+
+TargetSpectra TargetSpectra::reweighed(const std::vector<Wave>& waves) const {
+    const Residual left = residual(*this, waves);
+    Eigen::ArrayXd error =
+        (left.real.rowwise().squaredNorm() + left.imaginary.rowwise().squaredNorm()).array().sqrt() / weight;
+    error += 0.1 * (importance * error).sum() / importance.sum();
+    for (const Scale& scale : *scales) {
+        const auto rows = Eigen::seqN(scale.begin, std::ssize(scale.frequencies));
+        const double chance = std::sqrt((1 - scale.confidence) / (100 * scale.confidence));
+        error(rows) += chance * importance(rows) / weight(rows).square();
+    }
+    TargetSpectra result = *this;
+    const Eigen::ArrayXd change = (importance / error).sqrt() / weight;
+    result.real.array().colwise() *= change;
+    result.imaginary.array().colwise() *= change;
+    result.weight *= change;
+    return result;
 }
 
 Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves) {

@@ -26,10 +26,15 @@ struct TargetSpectra {
     Scales scales;
     Eigen::MatrixXd real; ///< a column for each pair, times `weight` and, off the diagonal, the root of 2
     Eigen::MatrixXd imaginary;
-    Eigen::ArrayXd weight; ///< root of the weight of each frequency in the sum of squares
-    double largest_radius; ///< largest radius allowed for waves
+    Eigen::ArrayXd importance; ///< of each frequency: its share of the plane times the scale's confidence
+    Eigen::ArrayXd weight;     ///< root of the weight of each frequency in the sum of squares
+    double largest_radius;     ///< allowed for waves
 
     TargetSpectra(const Spectra& spectra, double largest_radius);
+
+    /// Weighs each frequency by the inverse of the error that `waves` leave there plus the error that chance
+    /// makes, so that the next squares are nearly absolute values: iteratively reweighted least squares.
+    TargetSpectra reweighed(const std::vector<Wave>& waves) const;
 };
 
 /// The residual: the target minus the waves.

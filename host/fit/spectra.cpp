@@ -78,14 +78,7 @@ class Power {
   public:
     Power() = default;
     Power(const Scale& scale, const Eigen::MatrixXd& real, int channels)
-        : grid_(scale.grid), values_(Eigen::ArrayXd::Zero(real.rows())) {
-        Eigen::Index column = 0;
-        for (const auto& [c, d] : real_pairs(channels)) {
-            if (c == d)
-                values_ += real.col(column).array();
-            ++column;
-        }
-    }
+        : grid_(scale.grid), values_(total(real, channels)) {}
 
     double at(int x, int y) const {
         x = (x + grid_) % grid_;
@@ -207,7 +200,7 @@ Spectra::Spectra(int count, const Scales& of) : channels(count), scales(of) {
     imaginary = Eigen::MatrixXd::Zero(rows, std::ssize(imaginary_pairs(count)));
 }
 
-Eigen::ArrayXd Spectra::total() const {
+Eigen::ArrayXd total(const Eigen::MatrixXd& real, int channels) {
     Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(real.rows());
     Eigen::Index column = 0;
     for (const auto& [c, d] : real_pairs(channels)) {
@@ -427,7 +420,6 @@ SpectraEstimate::SpectraEstimate(int width, int height, int channels)
 }
 
 SpectraEstimate::~SpectraEstimate() = default;
-SpectraEstimate::SpectraEstimate(SpectraEstimate&&) noexcept = default;
 
 void SpectraEstimate::add_row(std::span<const float> row, std::span<const float> seen) {
     std::vector<float> samples;

@@ -75,16 +75,16 @@ struct Spectra {
 
     /// Sets all spectra to 0.
     explicit Spectra(int channels, const Scales& scales = first_scale());
-    /// The sum of the channels' power spectra.
-    Eigen::ArrayXd total() const;
     /// The covariance of the channels: their integral over the first scale.
     Eigen::MatrixXd covariance() const;
     /// Returns the spectra of the channels after this linear map.
     Spectra mapped(const Eigen::MatrixXd& map) const;
 };
 
-/// The autocovariance summed over channels as the windows of a scale see it, including the windows' weight at
-/// each lag.
+/// The sum of the channels' power spectra, from the real parts of Spectra.
+Eigen::ArrayXd total(const Eigen::MatrixXd& real, int channels);
+
+/// The autocovariance summed over channels, as the windows of a scale see it, with their weight at each lag.
 struct Autocovariance {
     Eigen::MatrixXd forward;  ///< at lags (x, y) of samples, in column x and row y
     Eigen::MatrixXd backward; ///< at lags (-x, y)
@@ -101,7 +101,6 @@ class SpectraEstimate {
     /// Width and height must be at least `window_side` pixels.
     SpectraEstimate(int width, int height, int channels);
     ~SpectraEstimate();
-    SpectraEstimate(SpectraEstimate&&) noexcept;
 
     /// Adds the next row, channels interleaved, with 0 for missing pixels. `seen` is 1 or 0 for each pixel:
     /// windows with less than nine tenths of their pixels are left out.

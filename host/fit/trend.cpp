@@ -32,10 +32,6 @@ double Trend::light(double u, double v) const {
     return (total[0] + u * (total[1] + u * total[3] + v * total[4]) + v * (total[2] + v * total[5])) / mean;
 }
 
-double Trend::gain(double u, double v) const {
-    return std::pow(std::max(light(u, v), 0.1), -contrast);
-}
-
 void Trend::subtract(int y, std::span<float> row) const {
     const double v = place(y, height);
     for (Eigen::Index c = 0; c < coefficients.cols(); ++c) {
@@ -52,7 +48,7 @@ void Trend::subtract(int y, std::span<float> row) const {
         return;
     const auto channels = static_cast<std::size_t>(coefficients.cols());
     for (int x = 0; x < width; ++x) {
-        const auto factor = static_cast<float>(gain(place(x, width), v));
+        const auto factor = static_cast<float>(std::pow(std::max(light(place(x, width), v), 0.1), -contrast));
         for (float& value : row.subspan(static_cast<std::size_t>(x) * channels, channels))
             value *= factor;
     }

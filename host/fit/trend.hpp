@@ -22,8 +22,6 @@ struct Trend {
     /// Returns the sum of the trend's channels at a place in [-1, 1], divided by the mean of that sum over
     /// the picture.
     double light(double u, double v) const;
-    /// Returns the factor that evens the contrast at that place.
-    double gain(double u, double v) const;
 };
 
 /// The result of one pass over a picture.

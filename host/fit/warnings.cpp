@@ -27,23 +27,25 @@ std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& f
     if (exemplar.structure > Structure::limit)
         lines.push_back(fmt::format(
             "The photograph has edges or objects, which no sum of waves can have: the noise keeps its "
-            "colours and "
-            "scales, and loses the objects (its derivatives are {:.1f} from normal). To keep them, blend "
-            "pieces of "
-            "the photograph and preserve its histogram: Heitz and Neyret 2018, Deliot and Heitz 2019.",
+            "colours "
+            "and scales, and loses the objects (derivatives are {:.1f} from normal). To keep them, blend "
+            "pieces "
+            "of the photograph and preserve its histogram: Heitz and Neyret 2018, Deliot and Heitz 2019.",
             exemplar.structure));
     if (error.l1 > l1_limit)
         lines.push_back(fmt::format(
             "The noise differs visibly from the photograph: {} lobes cannot follow its spectrum (L1 {:.2f}).",
             fitted.waves.size(), error.l1));
     if (error.low > low_limit)
-        lines.push_back(fmt::format("Waves longer than {} pixels are off by {:.2f} (L1): large features may "
-                                    "be too weak or too strong.",
-                                    window_side, error.low));
+        lines.push_back(
+            fmt::format("Large features may be too weak or too strong: waves longer than {} pixels "
+                        "are off by {:.2f} (L1).",
+                        window_side, error.low));
     if (error.autocorrelation > std::max(autocorrelation_limit, 4 * error.chance))
-        lines.push_back(fmt::format("Something in the photograph repeats, or extends further than the noise "
-                                    "can follow: their autocorrelations differ by {:.2f}.",
-                                    error.autocorrelation));
+        lines.push_back(
+            fmt::format("Something in the photograph repeats or continues further than the noise can "
+                        "(autocorrelations differ by {:.2f}).",
+                        error.autocorrelation));
     return lines;
 }
 

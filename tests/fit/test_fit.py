@@ -341,9 +341,16 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         write_png(self.folder / "sine.png", np.tile(0.5 + 0.3 * np.sin(np.arange(256) * 0.48), (256, 1)))
         self.fit("sine.png")
         self.assertNotIn("edges or objects", self.said)
+        self.assertIn("repeats", self.said)
+        self.assertNotIn("Large features", self.said)
+        grain = np.random.default_rng(1).standard_normal((256, 256)) + 0.5 * np.sin(np.arange(256) * 2 * np.pi / 100)
+        write_png(self.folder / "waves.png", 0.5 + 0.1 * grain, bits=16)
+        self.fit("waves.png", "--lobes", "1")  # the grain, without the long waves
+        self.assertIn("Large features", self.said)
+        self.assertNotIn("edges or objects", self.said)
         write_png(self.folder / "noise.png", colour_noise(256))
         self.fit("noise.png")
-        for words in ("edges or objects", "differs visibly", "repeats", "large features"):
+        for words in ("edges or objects", "differs visibly", "repeats", "Large features"):
             self.assertNotIn(words, self.said)
         written = self.fit("noise.png", "--lobes", "1")
         self.assertNotIn("NaN", json.dumps(written))
