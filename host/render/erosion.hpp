@@ -19,7 +19,7 @@ struct HeightMap {
     int width = 0;
     int height = 0;
     double pixel = 1;
-    double scale = 1; ///< height = offset + scale * value in the file
+    double scale = 1; ///< height = offset + scale * value read
     double offset = 0;
     bool tileable = false;
 };

@@ -13,7 +13,7 @@
 
 namespace gabor::render {
 
-/// A vec2, in the single precision of the passes.
+/// Converts a vector to single precision.
 inline passes::vec2 vec2_of(double x, double y) {
     return {static_cast<float>(x), static_cast<float>(y)};
 }
