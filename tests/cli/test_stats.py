@@ -232,7 +232,7 @@ class Laws(StatsTest):
         self.assertLess(self.stats()["smallest_cvm"], 0.5)
         self.assertNotIn("too small", self.succeed("stats", "in.exr"))
         self.render(scale=100)
-        self.assertIn("No intervals and no cvm: pixels correlate over", self.succeed("stats", "in.exr"))
+        self.assertIn("No intervals and no cvm: pixels are correlated over", self.succeed("stats", "in.exr"))
         self.render(size="300x7")
         self.assertIn("smaller than 16 x 16 pixels", self.succeed("stats", "in.exr"))
 
