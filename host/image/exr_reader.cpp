@@ -168,7 +168,7 @@ struct ExrReader::State {
     void read(const Imf::FrameBuffer& frame, int first, int last);
 
     std::vector<ExrRegion> regions; // sorted by their upper left corners
-    Imf::Header header;             // the header that a single file with the whole picture would have
+    Imf::Header header;             // as if one file held the whole picture
     int rows_read = 0;
     std::vector<float> rows;
 };
