@@ -55,8 +55,8 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
     chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
     const std::array layers{"VK_LAYER_KHRONOS_validation"};
     std::vector<const char*> extensions = presentation.instance_extensions;
-    // GPU-assisted validation makes shaders many times slower. It runs alone, because the other checks must
-    // not see its buffers.
+    // GPU-assisted validation makes shaders many times slower. It excludes the other checks, which must not
+    // see its buffers.
     using Check = vk::ValidationFeatureEnableEXT;
     const std::vector<Check> features =
         validation() == "gpu" ? std::vector{Check::eGpuAssisted}
