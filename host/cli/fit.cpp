@@ -23,7 +23,8 @@ struct FitOptions {
     std::optional<std::string> glsl;
 };
 
-// Returns a function that reports one part of the work, which moves the whole progress from `from` to `to`.
+// Returns a function that takes the progress of one part of the work and advances the total from `from` to
+// `to`.
 fit::Advance part_of(Progress& progress, double from, double to) {
     return [&progress, from, to, shown = std::uint64_t{0}](double share) mutable {
         check_interrupt();

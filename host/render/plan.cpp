@@ -440,7 +440,7 @@ bool uses_blocks(const Request& request, const Viewport& viewport) {
     if (viewport.blocks == Blocks::none || has_material(request) || !is_flat(request.view) ||
         !request.paint.empty() || request.filter || request.phasor || request.values > 1)
         return false;
-    // In isotropic noise in space, nodes have no wave in common.
+    // Nodes of isotropic noise in space share no wave.
     if (in_space(request) && std::ranges::any_of(request.lobes, is_isotropic))
         return false;
     const double cell = request.scale * viewport.camera.zoom / double{drawing_recipe(request).radius};

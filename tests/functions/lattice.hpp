@@ -137,8 +137,8 @@ inline std::string to_string(const Pixel& pixel) {
     return fmt::format("pixel ({}, {}), ({}, {})", pixel.dx.x, pixel.dx.y, pixel.dy.x, pixel.dy.y);
 }
 
-/// The standard deviation of one component of the gradient of isotropic noise. The waves contribute half of
-/// 4 pi^2 F^2 to its square, the windows pi^2 / 3.
+/// The standard deviation of one component of the gradient of isotropic noise. Its square is the sum of half
+/// of 4 pi^2 F^2, from the waves, and pi^2 / 3, from the windows.
 inline double isotropic_slope(double frequency) {
     using std::numbers::pi;
     return std::sqrt(2 * pi * pi * frequency * frequency + pi * pi / 3);
