@@ -64,9 +64,8 @@ class EventsTest(ViewerTest):
         self.wait_for(lambda state: state["commands"] > done, or_end=line == "quit", timeout=timeout)
 
     def play(self, script, *arguments, timeout=PATIENCE):
-        """Plays a script in another viewer, which has no saved settings and so always the same window. A line is a method
-        of this class with its arguments, or a command, which may take `timeout` seconds."""
-        outer = dict(vars(self))
+        """Plays a script in a viewer without saved settings, so that it always finds the same window. A line is a method of
+        this class with its arguments, or a command, which may take `timeout` seconds."""
         shutil.rmtree(self.folder / "config", ignore_errors=True)
         self.open(*arguments)
         for line in filter(None, map(str.strip, script.splitlines())):
@@ -77,7 +76,6 @@ class EventsTest(ViewerTest):
                 getattr(self, name)(*(int(word) if word.isdigit() else word for word in words))
         self.command("quit")
         self.end()
-        vars(self).update(outer)
 
     def xdotool(self, *words):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True, stdout=subprocess.PIPE)
