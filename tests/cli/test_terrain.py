@@ -31,14 +31,6 @@ class Terrain(ProgramTest):
             upper, lower = (np.take(hills["height"], range(start, hills[name].shape[axis] - 2 + start), axis) for start in (2, 0))
             np.testing.assert_allclose(middle, (upper - lower) / (2 * pixel), atol=0.002)
 
-    def test_every_gully_parameter_has_an_effect(self):
-        plain = self.drawn()["height"]
-        for option in ("octaves=3", "gully-frequency=2", "strength=0.3", "lacunarity=3", "gain=0.7", "onset=2", "detail=0.5",
-                       "sharpness=9", "ridge-rounding=2", "crease-rounding=2", "gully-weight=0.1", "branching=0", "preset=canyon",
-                       "scale=30", "extent=9", "tileable"):
-            with self.subTest(option):
-                self.assertGreater(np.abs(self.drawn(f"--{option}")["height"] - plain).max(), 0.005)
-
     def test_a_region_is_a_part_of_the_whole(self):
         whole, part = self.drawn(), self.drawn("--region=37,50,90,31")
         for name, values in part.items():
