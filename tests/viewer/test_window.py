@@ -161,8 +161,8 @@ class Window(EventsTest):
         self.play("""
             open brushed-metal
             fine
-            window metal.png""", "plain.json", "--window", "1100x700")
-        view = read_colour_png(self.folder / "metal.png")[:, :730]
+            window metal.png""", "plain.json", "--window", "1600x900")
+        view = read_colour_png(self.folder / "metal.png")[:, :1230]
         burnt = (view.min(axis=2) >= 254).mean()
         print(f"{100 * burnt:.2f} % of the pixels are white")
         self.assertLess(burnt, 0.01)
