@@ -17,11 +17,8 @@ class Window(EventsTest):
     def test_keys_work_from_the_start(self):
         # Tab must not move the focus into a field of the panel, which would then receive the keys.
         self.play("""
-            frames 5
             keys Tab
-            frames 3
             keys n
-            frames 3
             save after.json""", "plain.json")
         self.assertEqual(json.loads((self.folder / "after.json").read_text())["seed"], 1)
 
@@ -31,15 +28,11 @@ class Window(EventsTest):
             fine
             save before.json
             click 1100 107
-            frames 3
             click 1000 175
-            frames 3
             save after.json
             keys ctrl+z
-            frames 3
             save undone.json
             keys ctrl+y
-            frames 3
             save redone.json""", "plain.json", "--window", "1280x800")
         materials = [json.loads((self.folder / f"{name}.json").read_text())["material"]
                      for name in ("before", "after", "undone", "redone")]
@@ -51,7 +44,6 @@ class Window(EventsTest):
             keys n
             save two.json
             save one.json
-            frames 3
             keys Escape
             save two.json""", "plain.json")
         seeds = [json.loads((self.folder / f"{name}.json").read_text())["seed"] for name in ("one", "two")]
@@ -73,13 +65,10 @@ class Window(EventsTest):
             keys Delete
             save removed.json
             click 1178 241
-            frames 3
             click 1178 264
-            frames 3
             save more.json
             keys ctrl+z
             keys ctrl+z
-            frames 3
             double_click 1000 452
             save reset.json""", "plain.json", "--window", "1280x800")
 
@@ -100,7 +89,6 @@ class Window(EventsTest):
     def test_the_frequency_plane_shows_the_power_of_the_lobes(self):
         self.play("""
             point 300 300
-            frames 3
             window lobe.png""", "plain.json", "--window", "1280x800")
         plane = read_colour_png(self.folder / "lobe.png").astype(int)
         pixels = 78 / 4 # per cycle per kernel radius: places as in the test above
