@@ -188,7 +188,9 @@ class Artist(EventsTest):
             if name == "leather":
                 self.gabor("render", "--like", "leather.json", "-o", "leather.exr", "--png", "leather.png")
             else:
-                self.play("open relief.json\nexport relief.exr\nexported\nquit", *WINDOW)
+                self.command("open relief.json")
+                self.command("export relief.exr")
+                self.exported()
             self.assertLess(np.abs(read_colour_png(self.folder / f"{name}.png")[100:400, :240].astype(int) - overcast).mean(), 1)
             self.close()
 
