@@ -116,7 +116,7 @@ class Window(EventsTest):
             set orientation 60
             screenshot turned.png
             keys t
-            says tileable picture
+            says tileable first
             set view flat
             set output 1
             screenshot normals.png
