@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
+#include <cstring>
 #include <utility>
 
 namespace gabor::viewer {
@@ -47,6 +49,14 @@ std::vector<NoiseMap> noise_maps(const Document& document, bool coloured) {
     return maps;
 }
 
+// The absolute path, or one from ~ for files in the home folder.
+std::string path_from_home(const std::filesystem::path& path) {
+    const std::string whole = std::filesystem::absolute(path).lexically_normal().string();
+    const char* const home = std::getenv("HOME");
+    return home && *home && whole.starts_with(std::string(home) + '/') ? "~" + whole.substr(std::strlen(home))
+                                                                       : whole;
+}
+
 // Creates a folder. The destructor removes it again if it is still empty.
 struct NewFolder {
     explicit NewFolder(std::filesystem::path made) : path(std::move(made)) {
@@ -66,8 +76,13 @@ bool can_export_maps(const render::Request& request) {
            std::holds_alternative<render::Plane>(request.view);
 }
 
-ExportTarget ExportTarget::of(const render::Request& request) const {
+ExportTarget ExportTarget::of(const Document& document) const {
+    const render::Request& request = document.request;
     ExportTarget target = *this;
+    const std::string name = std::filesystem::path(document.path).replace_extension().string() +
+                             (document.photograph.empty() ? "" : "-noise"); // not the photograph itself
+    target.path = path.empty() ? name + ".exr" : path;
+    target.folder = folder.empty() ? name : folder;
     target.of_noise = !render::has_material(request);
     target.coloured = request.colour.has_value();
     target.as = chosen.value_or(target.of_noise ? ExportAs::picture : ExportAs::maps);
@@ -206,12 +221,15 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
     const std::string size =
         fmt::format("{} x {} pixels in {:.2f} s", request.width, request.height, seconds_since(start));
     if (target.as == ExportAs::maps)
-        result_ = fmt::format("wrote maps to the folder {}: {}", target.folder, size);
+        result_ = target.of_noise && target.coloured
+                      ? fmt::format("wrote {}: {}; a photograph's noise has no height",
+                                    path_from_home(paths_of(target).front()), size)
+                      : fmt::format("wrote maps to the folder {}: {}", path_from_home(target.folder), size);
     else if (target.as == ExportAs::texture)
-        result_ = fmt::format("wrote the texture {}: {}", target.path, size);
+        result_ = fmt::format("wrote the texture {}: {}", path_from_home(target.path), size);
     else
-        result_ = fmt::format("wrote {}{}: {}", all.front().exr->string(),
-                              frames > 1 ? " to " + all.back().exr->string() : "", size);
+        result_ = fmt::format("wrote {}{}: {}", path_from_home(*all.front().exr),
+                              frames > 1 ? " to " + all.back().exr->filename().string() : "", size);
 }
 
 } // namespace gabor::viewer

@@ -19,8 +19,8 @@ enum class ExportAs { picture, frames, texture, maps };
 
 /// Where an export goes and in what form.
 struct ExportTarget {
-    std::string path = "noise.exr"; ///< frames are numbered: NAME.0001.exr
-    std::string folder = "maps";    ///< folder for maps
+    std::string path;               ///< frames are numbered: NAME.0001.exr; empty for the document's name
+    std::string folder;             ///< folder for maps; empty for the document's name
     std::optional<ExportAs> chosen; ///< if not set, maps for a material and a picture for noise
     ExportAs as = ExportAs::picture;
     bool of_noise = false; ///< whether the maps show noise instead of a material
@@ -31,8 +31,8 @@ struct ExportTarget {
     bool directx = false;        ///< with maps, also write normals whose green points down
     std::size_t compression = 0; ///< compression of EXRs: an index in image::compression_names()
 
-    /// Returns this target with `as` and `of_noise` set for the request.
-    ExportTarget of(const render::Request& request) const;
+    /// Returns this target with its names, `as`, `of_noise` and `coloured` set for the document.
+    ExportTarget of(const Document& document) const;
     /// The path of the EXR, or the folder for maps.
     const std::string& name() const { return as == ExportAs::maps ? folder : path; }
 };

@@ -119,21 +119,21 @@ void ask_where_to_save(Session& session) {
 }
 
 void ask_where_to_export(Session& session) {
-    const bool maps = session.export_target.of(session.document().request).as == ExportAs::maps;
-    std::string& name = maps ? session.export_target.folder : session.export_target.path;
+    const ExportTarget target = session.export_target.of(session.document());
+    const bool maps = target.as == ExportAs::maps;
     ask(session,
         {.title = maps ? "Export maps to a folder" : "Export to a file",
          .action = "Export",
          .endings = maps ? std::vector<std::string>{} : std::vector<std::string>{".exr"},
-         .name = std::filesystem::path(name).filename().string(),
+         .name = std::filesystem::path(target.name()).filename().string(),
          .take =
-             [&session, &name](const std::string& path) {
-                 name = path;
+             [&session, maps](const std::string& path) {
+                 (maps ? session.export_target.folder : session.export_target.path) = path;
                  start_export(session);
              },
          .saves = !maps,
          .folder_wanted = maps},
-        name);
+        target.name());
 }
 
 void answer_dialog(Session& session) {
@@ -195,7 +195,8 @@ void dialog_window(Session& session) {
         ImGui::SetKeyboardFocusHere();
     const float buttons = 8 * em;
     ImGui::SetNextItemWidth(-buttons * 2 - 2 * ImGui::GetStyle().ItemSpacing.x);
-    const bool entered = ImGui::InputText("##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputText(
+        "##name", &dialog.name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (entered) // keep the focus for the next name after entering a folder
         ImGui::SetKeyboardFocusHere(-1);
     ImGui::SameLine();

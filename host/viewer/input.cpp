@@ -4,7 +4,7 @@
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -196,8 +196,11 @@ void keys(Session& session) {
         session.help = !session.help;
     if (pressed(GLFW_KEY_F11))
         session.full_screen = !session.full_screen;
-    if (pressed(GLFW_KEY_ESCAPE))
+    if (pressed(GLFW_KEY_ESCAPE)) {
+        if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) // colours or choices
+            return ImGui::ClosePopupToLevel(0, true);
         session.help = session.gallery = false;
+    }
     if (io.WantTextInput)
         return;
     for (const auto& [name, effect, key, act, control, without] : shortcuts)
@@ -251,6 +254,8 @@ void mouse(Session& session, float width, float height) {
 } // namespace
 
 void handle_input(Session& session, float width, float height) {
+    if (key_went_down() || ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1))
+        hide_message_soon(session);
     mouse(session, width, height);
     keys(session);
 }

@@ -16,6 +16,8 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
+#include <utility>
 
 namespace gabor::viewer {
 
@@ -145,6 +147,24 @@ void resettable(const char* label, float& value, float low, float high, const ch
         value = by_default;
 }
 
+// A field for a path. Draws the end of a path that is too long over its beginning, unless it is being edited.
+void path_field(const char* label, std::string& path, std::string shown) {
+    if (ImGui::InputText(label, &shown))
+        path = shown;
+    const ImVec2 pad = ImGui::GetStyle().FramePadding;
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    const ImVec2 from{corner.x + pad.x, corner.y + pad.y};
+    const ImVec2 to{corner.x + ImGui::CalcItemWidth() - pad.x, from.y + ImGui::GetFontSize()};
+    const float hidden = ImGui::CalcTextSize(shown.c_str()).x - (to.x - from.x);
+    if (hidden <= 0 || ImGui::IsItemActive())
+        return;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PushClipRect(from, to, true);
+    draw.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    draw.AddText({from.x - hidden, from.y}, ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
+    draw.PopClipRect();
+}
+
 // The forms of an export, in the order of ExportAs.
 constexpr std::string_view exports[]{"a picture", "an animation", "a texture", "a set of maps"};
 constexpr const char* export_tips[]{
@@ -152,9 +172,8 @@ constexpr const char* export_tips[]{
     "NAME.0001.exr and so on: the frames of one period, which loops",
     "A tiled EXR for renderers, with filtered mip-map levels. Its sides must be powers of two.",
     "A folder of images for other programs: base colour, normal and height; for a material, also roughness, "
-    "metalness, occlusion, an EXR with all of them, a MaterialX document and a glTF scene; for the noise of "
-    "a "
-    "photograph, only the base colour"};
+    "metalness, occlusion, an EXR with all of them, a MaterialX document and a glTF scene; for a "
+    "photograph's noise, only the base colour"};
 
 } // namespace
 
@@ -273,7 +292,7 @@ void light_panel(Session& session) {
 
 void file_panel(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::InputText("preset", &session.document().path);
+    path_field("preset", session.document().path, session.document().path);
     tooltip("The JSON file to save to; gabor render reads it too");
     const float third = (width - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     if (ImGui::Button("Open...", {third, 0}))
@@ -302,7 +321,7 @@ void file_panel(Session& session) {
                 session.ui_scale = scale;
         ImGui::EndCombo();
     }
-    tooltip("Size of panels and text");
+    tooltip("Size of panels and text; 100 % suits the desktop's scale or the height of the screen");
 }
 
 void export_panel(Session& session) {
@@ -310,9 +329,10 @@ void export_panel(Session& session) {
     const float half = (width - ImGui::GetStyle().ItemSpacing.x) / 2;
     const render::Request& request = session.document().request;
     ExportTarget& target = session.export_target;
-    ExportAs as = target.of(request).as;
+    const ExportTarget now = target.of(session.document());
+    ExportAs as = now.as;
     const std::size_t forms = can_export_maps(request) ? std::size(exports) : std::size(exports) - 1;
-    if (choose("as", as, std::span(exports).first(forms), export_tips))
+    if (choose("kind", as, std::span(exports).first(forms), export_tips))
         target.chosen = as;
     controls(session, {"width", "height"});
     if (as == ExportAs::frames) {
@@ -329,25 +349,25 @@ void export_panel(Session& session) {
     if (as == ExportAs::texture)
         ImGui::Checkbox("16-bit floats", &target.half);
     if (as == ExportAs::picture || as == ExportAs::frames) {
-        ImGui::Checkbox("PNG too", &target.png);
-        tooltip("Also write a PNG that looks like the window");
+        ImGui::Checkbox("also write PNG", &target.png);
+        tooltip("A PNG beside the EXR that looks like the window");
     }
     if (as == ExportAs::maps) {
-        ImGui::InputText("folder", &target.folder);
+        path_field("folder", target.folder, now.folder);
         tooltip("The folder to write the maps to");
     } else {
-        ImGui::InputText("file", &target.path);
+        path_field("file", target.path, now.path);
         tooltip("The EXR to write; an animation numbers its frames: NAME.0001.exr");
     }
     if (session.exporter.running()) {
-        ImGui::ProgressBar(static_cast<float>(session.exporter.progress()), {half, 0});
+        progress_bar(session.exporter.progress(), half);
         ImGui::SameLine();
         if (ImGui::Button("Cancel", {half, 0}))
             session.exporter.cancel();
     } else {
         if (ImGui::Button("Export now", {half, 0}))
             start_export(session);
-        tooltip("Ctrl E: render in the background, with the pixels of gabor render");
+        tooltip("Ctrl E: write the files; you can go on working meanwhile", {}, true);
         ImGui::SameLine();
         if (ImGui::Button("Export to...", {half, 0}))
             ask_where_to_export(session);
@@ -362,18 +382,19 @@ void start_buttons(Session& session) {
     const float other = (room - longest) / 2;
     if (ImGui::Button("Materials and presets", {width, 0}))
         session.gallery = !session.gallery;
-    tooltip("P: choose one by its picture");
+    tooltip("Choose a material or preset (P)", {}, true);
     if (ImGui::Button("Photograph", {longest, 0}))
         ask_for_photograph(session);
     tooltip("Fit a noise to a PNG, JPEG, TGA or EXR of a texture, at least 128 x 128 pixels. You can also "
-            "drop it on the window.");
+            "drop it on the window.",
+            {}, true);
     ImGui::SameLine();
     if (ImGui::Button("Copy code", {other, 0}))
         copy_glsl(session);
-    tooltip("Ctrl C: copy GLSL that draws this view");
+    tooltip("Ctrl C: copy GLSL that draws this view", {}, true);
     ImGui::SameLine();
     session.exporting_asked = ImGui::Button("Export", {other, 0});
-    tooltip("Pictures, animations, textures, and sets of maps");
+    tooltip("Pictures, animations, textures, and sets of maps", {}, true);
 }
 
 } // namespace
@@ -408,7 +429,9 @@ void side_panel(Session& session) {
                     controls(s, {"recipe", "quadrature", "gradient", "phasor", "values"});
                 },
                 false}};
-    ImGui::BeginChild("sections"); // which scroll below the buttons
+    ImGui::BeginChild("sections", {}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar); // below the buttons
+    if (!std::exchange(session.scrolled_back, true))
+        ImGui::SetScrollY(0);
     ImGui::PushItemWidth(-8.5f * ImGui::GetFontSize());
     for (const Section& section : sections) {
         if (!section.applies)
@@ -508,6 +531,10 @@ void question_window(Session& session) {
     ImGui::EndPopup();
 }
 
+void progress_bar(double done, float width) {
+    ImGui::ProgressBar(static_cast<float>(done), {width, 0}, fmt::format("{:.0f} %", 100 * done).c_str());
+}
+
 bool reset_asked(const char* label) {
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(label);
@@ -536,7 +563,12 @@ bool number_slider(const char* label, double& value, const render::Range& range,
     return moved;
 }
 
-void tooltip(std::string_view text, std::optional<float> top) {
+bool key_went_down() {
+    return std::ranges::find(ImGui::GetIO().KeysDownDuration, 0.0f) !=
+           std::end(ImGui::GetIO().KeysDownDuration);
+}
+
+void tooltip(std::string_view text, std::optional<float> top, bool aside) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
         return;
     constexpr double delay =
@@ -549,9 +581,14 @@ void tooltip(std::string_view text, std::optional<float> top) {
         since = ImGui::GetTime();
     place = here;
     frame = ImGui::GetFrameCount();
+    if (key_went_down()) // a shortcut was used; the pointer must rest on another item
+        since = std::numeric_limits<double>::infinity();
     if (ImGui::GetTime() - since < delay)
         return;
-    if (top)
+    if (aside)
+        ImGui::SetNextWindowPos({ImGui::GetWindowPos().x - ImGui::GetStyle().ItemSpacing.x, here.y},
+                                ImGuiCond_Always, {1, 0});
+    else if (top)
         ImGui::SetNextWindowPos({here.x, *top});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);

@@ -29,6 +29,9 @@ void message_overlay(const Session& session, float width, float height);
 /// Handles keys, and the mouse over a view of this size, unless a panel has taken them.
 void handle_input(Session& session, float width, float height);
 
+/// Shows the share that is done, from 0 to 1.
+void progress_bar(double done, float width);
+
 /// A slider over the usual part of a range. Any value in the range can be typed, and a double click resets
 /// the slider. Returns whether the value was changed.
 bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
@@ -57,8 +60,10 @@ std::string label_of(std::string_view name);
 void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, float wrap = 0);
 
 /// Explains the last item once the pointer rests on it. The text is beside the pointer, or at `top` if that
-/// is given.
-void tooltip(std::string_view text, std::optional<float> top = {});
+/// is given, or left of the window if `aside`.
+void tooltip(std::string_view text, std::optional<float> top = {}, bool aside = false);
+/// Whether a key was pressed in this frame.
+bool key_went_down();
 
 /// Where the window shows the pictures of the presets, in the order of the presets and in Dear ImGui's units.
 struct Gallery {

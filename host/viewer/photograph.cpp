@@ -40,6 +40,8 @@ void take(Session& session, FittedPreset fitted) {
         next.request.filter = before.filter;
         next.camera = in_radii(next.camera, next.request.scale / before.scale);
     } else {
+        session.export_target.chosen = session.export_target.of(session.document()).as; // as before
+        show_another(session);
         next.camera = render::default_camera(next.request);
         next.output = Output::value;
         next.contrast = Document().contrast;
@@ -114,7 +116,7 @@ void photograph_panel(Session& session) {
         fitter.close();
     tooltip("Close the photograph, and keep the noise");
     if (fitter.running())
-        ImGui::ProgressBar(static_cast<float>(fitter.progress()), {width, 0});
+        progress_bar(fitter.progress(), width);
     else if (session.fitted)
         for (const std::string& line : session.fitted->lines)
             ImGui::TextWrapped("%s", line.c_str());
@@ -129,8 +131,8 @@ void photograph_overlay(const Session& session, float width, float height) {
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
     label(draw, {margin, margin}, "photograph", text);
     label(draw, {middle + margin, margin},
-          session.fitted ? fmt::format("its noise, {} lobes", session.history.now.request.lobes.size())
-                         : "fitting its noise",
+          session.fitted ? fmt::format("fitted noise, {} lobes", session.history.now.request.lobes.size())
+                         : "fitting a noise",
           text);
     draw.AddLine({middle, 0}, {middle, height}, IM_COL32(12, 13, 15, 255), 3);
 }

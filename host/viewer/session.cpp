@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <utility>
 
 namespace gabor::viewer {
@@ -48,9 +49,9 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
         foreign.resize(most_named - 1);
         foreign.push_back(fmt::format("{} more", count - foreign.size()));
     }
-    session.question = {
-        fmt::format("Overwrite {}, which this document did not write?", fmt::join(foreign, " and ")),
-        {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
+    session.question = {fmt::format("Overwrite {}? This document's exports and saves did not create it.",
+                                    fmt::join(foreign, " and ")),
+                        {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
 }
 
 } // namespace
@@ -64,6 +65,10 @@ std::string lower_extension(const std::filesystem::path& path) {
 
 void notify(Session& session, std::string text, bool error) {
     session.message = {std::move(text), error, ImGui::GetTime() + message_seconds};
+}
+
+void hide_message_soon(Session& session) {
+    session.message.until = std::min(session.message.until, ImGui::GetTime() + message_seconds);
 }
 
 void attempt(Session& session, const std::function<void()>& action) {
@@ -154,6 +159,12 @@ bool is_foreign_exr(const std::string& path) {
 
 } // namespace
 
+void show_another(Session& session) {
+    session.export_target.path.clear();
+    session.export_target.folder.clear();
+    session.scrolled_back = false;
+}
+
 void open_file(Session& session, const std::string& path) {
     if (is_photograph(path) || is_foreign_exr(path))
         open_photograph(session, path);
@@ -169,6 +180,7 @@ void open_preset(Session& session, const std::string& path) {
         document.origin = file ? std::filesystem::absolute(path) : "";
         document.photograph.clear();
         session.fitter.close();
+        show_another(session);
         session.history.now = session.saved = document;
         if (file)
             add_recent(session, path);
@@ -195,7 +207,7 @@ void save_preset(Session& session) {
 void start_export(Session& session) {
     if (session.exporter.running())
         return;
-    const ExportTarget target = session.export_target.of(session.document().request);
+    const ExportTarget target = session.export_target.of(session.document());
     if (target.as != ExportAs::maps && lower_extension(target.path) != ".exr")
         return notify(session, "the name of an export must end in .exr", true);
     for (const auto& [path, stamp] : session.exporter.written())
@@ -212,6 +224,7 @@ void poll_exporter(Session& session) {
     if (session.exporter.running() || std::exchange(session.exported, true))
         return;
     notify(session, session.exporter.result(), session.exporter.failed());
+    session.message.until = std::numeric_limits<double>::infinity();
 }
 
 void copy_glsl(Session& session) {

@@ -51,6 +51,7 @@ struct Session {
     Exporter exporter;
     ExportTarget export_target;
     bool exported = true;         ///< whether the result of the last export has been shown
+    bool scrolled_back = true;    ///< whether the panel shows its top after another document was opened
     bool exporting_asked = false; ///< whether to open the export section
     Fitter fitter;
     std::optional<FittedPreset> fitted; ///< the last fit, to the photograph `fitted_path`
@@ -87,6 +88,8 @@ struct Session {
 /// Opens a preset, or fits a noise to a photograph.
 void open_file(Session& session, const std::string& path);
 void open_preset(Session& session, const std::string& path);
+/// Names the next export after the document, and scrolls the panel to its top.
+void show_another(Session& session);
 /// Saves the document to its path, with the extension .json.
 void save_preset(Session& session);
 void start_export(Session& session);
@@ -107,6 +110,8 @@ void continue_closing(Session& session);
 /// Runs an action; its exceptions become messages.
 void attempt(Session& session, const std::function<void()>& action);
 void notify(Session& session, std::string text, bool error = false);
+/// Lets the message of a finished export, which waits for the user's next action, disappear.
+void hide_message_soon(Session& session);
 /// The texts on the screen that name files, which may be in any script.
 std::vector<std::string_view> file_names(const Session& session);
 

@@ -248,7 +248,9 @@ void spectrum_panel(Session& session) {
     std::vector<noise::Lobe> lobes = session.document().request.lobes;
     if (lobes.size() == 1)
         session.selected_lobe = 0;
-    const float side = 0.68f * ImGui::GetContentRegionAvail().x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float side = std::min( // leaves room for the list
+        0.68f * room, room - ImGui::GetStyle().ItemSpacing.x - ImGui::CalcTextSize("0.0001, -180°").x);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("frequency plane", {side, side});
     const bool dragging = ImGui::IsItemActive();

@@ -97,7 +97,7 @@ class Events(EventsTest):
             self.assertTrue(complete or self.state["question"])
             self.keys(answer)
             self.end()
-            self.assertEqual(self.read("noise.exr") is not None, complete, answer)
+            self.assertEqual(self.read("body.exr") is not None, complete, answer)
 
     def test_files_of_other_programs_are_never_lost(self):
         self.gabor("render", "--size", "32x32", "--frequency", 7, "-o", "painted.exr")
@@ -110,7 +110,7 @@ class Events(EventsTest):
 
         own = b'{"frequency": 3, "width": 64, "height": 64}'
         (self.folder / "mine.json").write_bytes(own)
-        (self.folder / "noise.exr").write_bytes(b"a picture")
+        (self.folder / "mine.exr").write_bytes(b"a picture")
         self.drop("mine.json")
         self.keys("ctrl+s", "Escape", "ctrl+s", "n", "ctrl+s") # while the question is open, no key does anything else
         self.assertIn("mine.json", self.state["question"])
@@ -124,16 +124,16 @@ class Events(EventsTest):
         self.keys("ctrl+s")
         self.assertEqual(self.read("mine.json"), own)
         self.keys("Escape", "ctrl+e")
-        self.assertIn("noise.exr", self.state["question"])
-        self.assertEqual(self.read("noise.exr"), b"a picture")
+        self.assertIn("mine.exr", self.state["question"])
+        self.assertEqual(self.read("mine.exr"), b"a picture")
         self.keys("Escape", "ctrl+e", "Return")
         self.exported()
-        first = self.read("noise.exr")
+        first = self.read("mine.exr")
         self.assertGreater(len(first), 64 * 64 * 4)
-        self.assertIsNotNone(self.read("noise.png"))
+        self.assertIsNotNone(self.read("mine.png"))
         self.keys("n", "ctrl+e")
         self.exported()
-        self.assertNotEqual(self.read("noise.exr"), first)
+        self.assertNotEqual(self.read("mine.exr"), first)
         self.close()
 
     def test_after_undo_saving_writes_to_the_documents_own_file(self):

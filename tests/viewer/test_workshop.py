@@ -88,7 +88,7 @@ class Workshop(EventsTest):
             expected = sorted(path.name for path in self.folder.glob("expected*"))
             self.assertEqual(len(expected), count)
             for each in expected:
-                self.assertEqual(self.read(each.replace("expected", "noise")), self.read(each), each)
+                self.assertEqual(self.read(each.replace("expected", "cloth")), self.read(each), each)
                 (self.folder / each).unlink()
 
         check(ANIMATION, 4, "--frames", 2, "--png", "expected.png")
@@ -103,40 +103,43 @@ class Workshop(EventsTest):
             self.click(1020, 51)
             self.frames(3)
             self.click(820, 671) # Export now
-            self.wait_for(lambda state: "wrote maps to the folder maps" in state["message"])
+            self.wait_for(lambda state: f"wrote maps to the folder {self.folder / name}" in state["message"])
             from_above = ["--view=terrain"] if name == "valley" else []
             self.gabor("render", "--like", preset, *from_above, "--maps", "expected")
             names = sorted(path.name for path in (self.folder / "expected").iterdir())
-            self.assertEqual(sorted(path.name for path in (self.folder / "maps").iterdir()), names)
+            self.assertEqual(sorted(path.name for path in (self.folder / name).iterdir()), names)
             self.assertEqual(len(names), 10)
             for each in names:
-                self.assertEqual(self.read(f"maps/{each}"), self.read(f"expected/{each}"), each)
+                self.assertEqual(self.read(f"{name}/{each}"), self.read(f"expected/{each}"), each)
             self.click(820, 671) # it may overwrite its own files
             self.wait_for(lambda state: not state["exporting"])
             self.assertIsNone(self.state["question"])
-            (self.folder / "maps/height.png").write_bytes(b"mine")
+            (self.folder / name / "height.png").write_bytes(b"mine")
             self.click(820, 671)
             self.assertIn("height.png", self.state["question"])
             self.keys("Escape")
             self.close()
-            for folder in ("maps", "expected"):
-                shutil.rmtree(self.folder / folder)
+            shutil.rmtree(self.folder / "expected")
 
-    def test_exports_ask_before_they_replace_those_of_another_document(self):
+    def test_exports_have_the_name_of_their_document_and_ask_before_they_replace_another(self):
         self.open(*WINDOW, self.preset("steel.json", material="brushed-metal", width=64, height=48))
         self.click(1020, 51)
         self.frames(3)
         self.keys("ctrl+e")
         self.exported()
-        steel = self.read("maps/base_color.png")
+        steel = self.read("steel/base_color.png")
         self.keys("p")
         self.frames(3)
         self.click(370, 85) # the picture of another preset
         self.assertFalse(self.state["gallery"])
-        self.keys("ctrl+e")
-        self.assertIn("maps", self.state["question"])
+        self.assertEqual(self.state["export_name"], self.state["path"].removesuffix(".json"))
+        self.assertEqual(self.read("steel/base_color.png"), steel)
+        for name in ("one", "two"):
+            self.command("open " + self.preset(f"{name}.json", width=64, height=48))
+            self.command("export same.exr")
+            self.exported()
+        self.assertIn("same.exr", self.state["question"])
         self.keys("Escape")
-        self.assertEqual(self.read("maps/base_color.png"), steel)
         self.close()
 
     def test_the_noise_of_a_photograph_has_a_map(self):
@@ -149,8 +152,8 @@ class Workshop(EventsTest):
         self.keys("ctrl+e")
         self.exported()
         self.gabor("render", "--like", preset, "-o", "expected.exr", "--png", "expected.png")
-        self.assertEqual([path.name for path in (self.folder / "maps").iterdir()], ["base_color.png"])
-        off = read_colour_png(self.folder / "maps/base_color.png").astype(int) - read_colour_png(self.folder / "expected.png")
+        self.assertEqual([path.name for path in (self.folder / "cloth").iterdir()], ["base_color.png"])
+        off = read_colour_png(self.folder / "cloth/base_color.png").astype(int) - read_colour_png(self.folder / "expected.png")
         self.assertLessEqual(np.abs(off).max(), 1)
         self.close()
 
@@ -165,10 +168,10 @@ class Workshop(EventsTest):
         self.assertEqual(self.state["export"], MAPS)
         self.keys("ctrl+e")
         self.exported()
-        self.assertEqual(sorted(path.name for path in (self.folder / "maps").iterdir()),
+        self.assertEqual(sorted(path.name for path in (self.folder / "corduroy").iterdir()),
                          ["base_color.png", "height.png", "normal.png"])
-        colour, normal = (read_colour_png(self.folder / f"maps/{name}.png").astype(float) for name in ("base_color", "normal"))
-        height = read_deep_png(self.folder / "maps/height.png") / 65535
+        colour, normal = (read_colour_png(self.folder / f"corduroy/{name}.png").astype(float) for name in ("base_color", "normal"))
+        height = read_deep_png(self.folder / "corduroy/height.png") / 65535
         self.assertGreater(np.corrcoef(height.ravel(), colour.sum(axis=2).ravel())[0, 1], 0.9) # ember brightens upwards
         # Stripes of 1 and -1; `contrast` standard deviations of their slope make 45 degrees.
         right, up, out = (normal[..., i] / 127.5 - 1 for i in range(3))
