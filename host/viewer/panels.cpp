@@ -367,7 +367,7 @@ void export_panel(Session& session) {
     } else {
         if (ImGui::Button("Export now", {half, 0}))
             start_export(session);
-        tooltip("Ctrl E: write the files; you can go on working meanwhile", {}, true);
+        tooltip("Export while you go on working (Ctrl E)", {}, true);
         ImGui::SameLine();
         if (ImGui::Button("Export to...", {half, 0}))
             ask_where_to_export(session);

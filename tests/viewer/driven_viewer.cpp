@@ -92,6 +92,7 @@ void tell(App& app, const Seen& seen) {
         {"exporting", session.exporter.running()},
         {"progress", session.exporter.progress()},
         {"fitting", session.fitter.running()},
+        {"popup", ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)},
         {"gallery", session.gallery},
         {"tiles", session.tiling ? json({session.tiling->tile.width, session.tiling->tile.height}) : json()},
         {"reading", session.reading},

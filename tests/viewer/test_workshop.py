@@ -2,6 +2,7 @@
 
 import json
 import shutil
+import time
 import unittest
 
 import numpy as np
@@ -128,6 +129,21 @@ class Workshop(EventsTest):
         self.keys("ctrl+e")
         self.exported()
         steel = self.read("steel/base_color.png")
+        time.sleep(6) # the message waits for the next action
+        self.frames(2)
+        self.assertLess(self.screen(20, 670, 100, 4).mean(), 60)
+        for name in ("hill", "valley"):
+            self.rest()
+            self.click(1000, 671) # Export to...
+            self.type(name) # replaces the name in the field, also for the second time
+            self.keys("Escape")
+        self.command("open steel.json") # scrolls the panel to its top
+        self.frames(3)
+        self.click(944, 135) # the colour
+        self.frames(2)
+        self.assertTrue(self.state["popup"])
+        self.keys("Escape")
+        self.assertFalse(self.state["popup"])
         self.keys("p")
         self.frames(3)
         self.click(370, 85) # the picture of another preset
