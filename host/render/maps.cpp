@@ -210,7 +210,7 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
                  const MapFormat& format, const image::Advance& advance) {
     if (!has_maps(request))
         throw RequestError(
-            "--maps requires a material in --view flat, as in --material wood, or --view terrain");
+            "--maps requires either --view terrain or a material in --view flat, such as --material wood");
     const bool terrain = has_terrain(request);
     const bool tileable =
         terrain ? std::get<Terrain>(request.view).tileable : std::get<Plane>(request.view).tileable;
