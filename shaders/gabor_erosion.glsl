@@ -156,9 +156,9 @@ float gabor_impl_mask(float t, float rounding) {
 // Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
-// ridges and in creases. The sides of a gully turn finer gullies by a constant slope, which jumps where the mask of the
-// finer ones is 0. If a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of
-// |sin(phase)|.
+// ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow; it
+// jumps where their mask is 0. If an octave is too fine for the pixel, its cosine is replaced by its mean, 0, and the
+// next mask uses the mean of |sin(phase)|.
 GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain(base.ridge, vec2(0.0), base.ridge); // t_i, its slope, and t_i with w = 1

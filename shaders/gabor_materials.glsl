@@ -9,7 +9,7 @@
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
-// One unit of p shows a characteristic piece of a material; four by four units make a good picture.
+// One unit of p shows a characteristic piece of a material; a picture of four by four units shows it well.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 

@@ -1,5 +1,4 @@
-// ---- GLSL's vectors, as far as the noise uses them
-// -------------------------------------------------------------
+// ---- GLSL's vectors, as far as the noise uses them ------------------------------------------------------
 
 #ifndef GABOR_VECTORS_HPP
 #define GABOR_VECTORS_HPP

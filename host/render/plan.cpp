@@ -81,7 +81,7 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
     const Coordinate start = in_perspective(request) ? middle : corner_of(middle, view, request, viewport);
     struct Table {
         std::int32_t cell;
-        double place; // place of the first pixel
+        double place; // position of the first pixel
         double step;  // step in cells
     };
     std::vector<Table> tables;

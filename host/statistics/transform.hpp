@@ -10,7 +10,8 @@ struct kiss_fftr_state;
 
 namespace gabor::statistics {
 
-/// The discrete Fourier transform of squares of real values, X(k) = sum_p x(p) exp(-2 pi i k.p / side).
+/// The discrete Fourier transform of a square array of real values,
+/// X(k) = sum_p x(p) exp(-2 pi i k.p / side).
 class Transform {
   public:
     /// `side` must be even.

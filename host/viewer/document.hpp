@@ -29,8 +29,8 @@ constexpr std::size_t most_stops = 8;
 constexpr float least_contrast = 0.5f;
 constexpr float most_contrast = 6;
 
-/// Everything that decides what the window shows, except its panels. It is a plain value, of which undo keeps
-/// copies.
+/// Everything that decides what the window shows, except its panels. It is a plain value, and undo keeps
+/// copies of it.
 struct Document {
     render::Request request;
     Camera camera;

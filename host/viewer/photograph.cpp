@@ -88,7 +88,7 @@ std::optional<std::string> fitted_glsl(const Session& session) {
     const render::Request& now = session.history.now.request;
     render::Request fitted = session.fitted->request;
     fitted.seed = now.seed;
-    fitted.filter = now.filter; // the code has both forms
+    fitted.filter = now.filter; // the GLSL has a filtered and an unfiltered form
     fitted.width = now.width;
     fitted.height = now.height;
     if (fitted != now)

@@ -38,7 +38,7 @@ double stripe_turns(const render::Request& request);
 /// Whether a PNG written by `gabor render` looks like the window.
 bool shows_plainly(const Document& document);
 
-/// Describes a pixel by its place and its channels. `from_middle` is in pixels from the middle of the view.
+/// Describes a pixel by its position and channels. `from_middle` is in pixels from the middle of the view.
 std::string reading(const Document& document, std::array<double, 2> from_middle,
                     std::span<const std::string> channels, std::span<const float> values);
 

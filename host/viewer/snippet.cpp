@@ -201,7 +201,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
                 fmt::format("    vec2 dx = {};\n    vec2 dy = {};\n", vec2(1 / scale, 0), vec2(0, 1 / scale));
     }
 
-    // The middle of the first pixel or, in perspective, the place of the camera.
+    // The middle of the first pixel or, in perspective, the position of the camera.
     const auto corner = [&](const Coordinate& middle, int pixels, double cells) {
         return render::cell_at(horizon ? middle : middle.moved((0.5 - pixels / 2.0) / scale), cells);
     };
@@ -319,7 +319,7 @@ std::string up_of(const render::Request& request) {
                                                               : "vec3(0.0, 0.0, 1.0)";
 }
 
-// The place of a point in the picture, measured from the picture's middle in units of its longer side.
+// The position of a point in the picture, measured from the picture's middle in units of its longer side.
 std::string place_of(const render::Request& request, const passes::SolidPush& push, Extent extent) {
     const double longer = std::max(extent.width, extent.height);
     const double pixel = double{push.pixel} * longer;
@@ -331,7 +331,7 @@ std::string place_of(const render::Request& request, const passes::SolidPush& pu
                             (push.first_row + extent.height / 2.0) / longer));
 }
 
-// The place of a stop, rounded to the 8 bits that the window's shader has for it.
+// The position of a stop, rounded to the 8 bits that the window's shader has for it.
 double shown_place(const ColourStop& stop) {
     return std::round(255 * double{stop.at}) / 255;
 }

@@ -7,7 +7,7 @@
 
 GABOR_INTERFACE_BEGIN
 
-// The place of a column or row of pixels: in cells or, in perspective, in pixels from the middle of the
+// The position of a column or row of pixels: in cells or, in perspective, in pixels from the middle of the
 // horizon.
 struct Line {
     int cell;

@@ -157,9 +157,9 @@ GABOR_INLINE float gabor_impl_mask(float t, float rounding) {
 // Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
-// ridges and in creases. The sides of a gully turn finer gullies by a constant slope, which jumps where the mask of the
-// finer ones is 0. If a pixel removes an octave, its cosine becomes its mean, 0, and the next mask uses the mean of
-// |sin(phase)|.
+// ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow; it
+// jumps where their mask is 0. If an octave is too fine for the pixel, its cosine is replaced by its mean, 0, and the
+// next mask uses the mean of |sin(phase)|.
 GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain{base.ridge, gabor_vec2(0.0f), base.ridge}; // t_i, its slope, and t_i with w = 1

@@ -31,8 +31,7 @@
 #ifndef GABOR_LATTICE_HPP
 #define GABOR_LATTICE_HPP
 
-// ---- GLSL's vectors, as far as the noise uses them
-// -------------------------------------------------------------
+// ---- GLSL's vectors, as far as the noise uses them ------------------------------------------------------
 
 #ifndef GABOR_VECTORS_HPP
 #define GABOR_VECTORS_HPP

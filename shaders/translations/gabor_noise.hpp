@@ -18,8 +18,7 @@
 #ifndef GABOR_NOISE_HPP
 #define GABOR_NOISE_HPP
 
-// ---- GLSL's vectors, as far as the noise uses them
-// -------------------------------------------------------------
+// ---- GLSL's vectors, as far as the noise uses them ------------------------------------------------------
 
 #ifndef GABOR_VECTORS_HPP
 #define GABOR_VECTORS_HPP

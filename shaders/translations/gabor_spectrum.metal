@@ -412,8 +412,9 @@ struct GaborFactors {
     float3 imaginary;
 };
 
-// An axis. With (C, S) the cosine and sine of 2 pi d / 2w, the filtered window for each factor, at a distance of d
-// kernel radii, is even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
+// The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
+//     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
+// where C and S are the cosine and sine of 2 pi d / 2w.
 struct GaborBand {
     float3 even_0;
     float3 even_1;

@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or filtered for a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: c9aee9230be0a97f
+// Digest of the GLSL and of this file: 9a191df4e4b956d1
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -1532,8 +1532,9 @@ struct GaborFactors {
     imaginary: vec3<f32>,
 }
 
-// An axis. With (C, S) the cosine and sine of 2 pi d / 2w, the filtered window for each factor, at a distance of d
-// kernel radii, is even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)).
+// The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
+//     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
+// where C and S are the cosine and sine of 2 pi d / 2w.
 struct GaborBand {
     even_0_: vec3<f32>,
     even_1_: vec3<f32>,

@@ -12,10 +12,10 @@ def read_grey_png(path, mode="L"):
 
 
 def read_deep_png(path):
-    """The same for 16 bits."""
+    """Returns the values, height x width, of a 16-bit grey PNG."""
     return read_grey_png(path, "I")
 
 
 def read_colour_png(path):
-    """The same for 8-bit RGB: height x width x 3."""
+    """Returns the values, height x width x 3, of an 8-bit RGB PNG."""
     return read_grey_png(path, "RGB")

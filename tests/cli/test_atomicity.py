@@ -1,4 +1,4 @@
-"""Checks that `gabor render`, killed or interrupted, leaves its file complete or missing."""
+"""Checks that `gabor render`, killed or interrupted, leaves its file complete or absent."""
 
 import os
 import pathlib
@@ -90,7 +90,7 @@ class Atomicity(ProgramTest):
                 self.assertEqual(self.check_files(older=turn % 2), [])
 
     def test_interrupted_twice(self):
-        """A second signal ends the program at once: each file is complete, still the older one, or missing."""
+        """A second signal ends the program at once: each file is complete, still the older one, or absent."""
         for turn in range(4):
             status, _, _ = self.interrupt(signal.SIGINT, 2, turn)
             self.assertIn(status, (0, -signal.SIGINT))

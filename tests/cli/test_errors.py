@@ -1,4 +1,4 @@
-"""Wrong requests print one line that says what was wrong and what is accepted, exit with 2 and write nothing."""
+"""Invalid requests print one line that says what was wrong and what is accepted, exit with status 2 and write nothing."""
 
 import itertools
 import os
@@ -211,7 +211,7 @@ class Devices(ErrorTest):
 
 
 class Disk(ErrorTest):
-    """A valid request that fails while working exits with 1."""
+    """A valid request that fails during its work exits with status 1."""
 
     def test_a_full_device(self):
         self.assert_fails(1, ["/dev/full", "No space"], "render", "-o", "/dev/full", "--size=64x64")

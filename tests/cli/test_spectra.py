@@ -93,7 +93,7 @@ class Spectra(SpectraTest):
         weight = measured / measured.sum()
         along = sign * (x * np.cos(np.radians(30)) + y * np.sin(np.radians(30)))
         across = sign * (-x * np.sin(np.radians(30)) + y * np.cos(np.radians(30)))
-        # The variances of the waves, evenly spread, and of the window's spectrum add up.
+        # The variance of the evenly spread waves and that of the window's spectrum add up.
         f = np.linspace(-8, 8, 8193)
         of_window = np.sum(window_power(f) * f * f) / np.sum(window_power(f))
         # The lobes are in the middle of equal pieces, whose number is that in shaders/gabor_spectrum.glsl.
@@ -165,7 +165,8 @@ class Spectra(SpectraTest):
         self.assert_refused(["light_azimuth", "a material or terrain"], "render", "-o", "out.exr", "--light-azimuth=30")
 
     def test_an_overcast_sky_lights_as_its_integral_says(self):
-        """Against a sum over the hemisphere above each pixel's normal; the lamp's light is that of darkness."""
+        """Compares the sky's light with a sum over the hemisphere above each pixel's normal. The dark picture has only the lamp's
+        light."""
         rough = {"material": "fabric", "fabric.roughness": 1, "size": "24x24", "scale": 24}
         sky, dark = (self.render(environment=each, **rough).channels for each in ("overcast", "dark"))
         cosine, turn = np.meshgrid((np.arange(400) + 0.5) / 400, 2 * np.pi * (np.arange(200) + 0.5) / 200)
@@ -175,7 +176,7 @@ class Spectra(SpectraTest):
             normal /= np.linalg.norm(normal)
             up = cosine * normal[2] + sine * np.cos(turn) * np.hypot(*normal[:2])
             mean = 2 * (cosine * np.where(up > 0, (1 + 2 * up) / 3, 0.2 * 7 / 9)).mean()
-            share = 0.0113 # which a rough surface reflects without its colour
+            share = 0.0113 # of the light, which a rough surface reflects without its colour
             colour = (1 - share) * sky["G"][y, x] + share
             self.assertAlmostEqual(sky["lit.G"][y, x] - dark["lit.G"][y, x], 0.6 * mean * colour, delta=0.015 * mean)
         self.assertEqual(self.render("--like=out.exr", output="again.exr").parameters["environment"], "dark")

@@ -76,7 +76,7 @@ class Rendered(StatsTest):
         self.assertEqual((stats["width"], stats["height"], stats["parameters"]["width"]), (200, 101, 300))
 
     def test_joined_regions_give_the_numbers_of_the_whole(self):
-        # Three cases: more rows than are read at once, a variance known from another channel, and one to measure first.
+        # Three cases: more rows than are read at once, a variance known from another channel, and one that must be measured.
         for options, channel in ((["--size=1500x1100", "--scale=9"], "Y"),
                                  (["--size=300x200", "--filter", "--scale=9", "--compression=zip"], "Y"),
                                  (["--size=300x200", "--phasor"], "intensity")):
@@ -257,7 +257,8 @@ class Foreign(StatsTest):
         return self.random.normal(3, 2, (height, width)).astype("f4")
 
     def test_reports_are_those_of_this_version(self):
-        """Tests pixels that correlate over 2, which give 16 x 16 blocks, and over 10, which give 8 x 8 and have a known law."""
+        """Tests pixels that correlate over 2, which give 16 x 16 blocks, and over 10, which give 8 x 8 and have a known
+        distribution."""
         white = self.random.normal(size=(200, 240))
         wave = np.sin(np.arange(240) * 0.9 + np.arange(200)[:, None] * 0.4)
         radius = np.hypot(np.fft.fftfreq(240), np.fft.fftfreq(200)[:, None])
@@ -296,7 +297,7 @@ class Foreign(StatsTest):
         self.assertLess(stats["cvm"]["high"], 20)
 
     def test_uniform_samples_do_not_pass_as_normal(self):
-        truth = 399.77 # 2^18 times the integral of (F - Phi)^2 dPhi, for the uniform law of mean 0 and variance 1
+        truth = 399.77 # 2^18 times the integral of (F - Phi)^2 dPhi, for the uniform distribution of mean 0 and variance 1
         self.write(Y=self.random.uniform(-1, 1, (512, 512)).astype("f4"))
         cvm = self.stats()["cvm"]
         self.assertTrue(truth / 2 < cvm["low"] < truth < cvm["high"] < 2 * truth, cvm)

@@ -9,7 +9,7 @@ from exr import Exr, Texture
 from program import ProgramTest
 
 NOISE = ["--frequency=1.5", "--orientation-spread=20", "--seed=7"]
-SCALED = 4 # a flat picture may have the scale of these levels
+SCALED = 4 # the number of levels whose scales `gabor render` accepts for flat pictures
 
 
 def text(texture, name):
@@ -74,7 +74,7 @@ class Levels(TextureTest):
 
 class Joined(TextureTest):
     def levels(self, width, height, options, strips=3):
-        """Renders level 0 in uneven strips and all other levels whole, down to a line."""
+        """Renders level 0 in uneven strips and all other levels whole, down to a single line."""
         regions = []
         for level in range(min(width, height).bit_length()):
             rows = [height * k // strips for k in range(strips + 1)] if level == 0 else [0, height >> level]

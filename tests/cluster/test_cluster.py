@@ -94,7 +94,7 @@ class FarmTest(ProgramTest):
         self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are left after the join")
 
     def assert_nothing_done_twice(self, but=0):
-        """Checks that no task ran twice, except `but` tasks of cancelled jobs, which may end before they say so."""
+        """Checks that no task ran twice, except at most `but` tasks of cancelled jobs, which may finish before they record it."""
         counts = collections.Counter(self.ended())
         self.assertLessEqual(sum(counts.values()) - len(counts), but, counts)
         self.assertEqual(len(set(self.begun())), TASKS)

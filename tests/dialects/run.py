@@ -1,5 +1,6 @@
 """Draws the scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp VALUES.raw DROP_IN [NAME=VALUE].
-GABOR_SCENES is the folder with the compiled programs, and GABOR_DXC the compiler's library for dxc, unity and unreal."""
+GABOR_SCENES is the folder with the compiled programs, and GABOR_DXC the DirectX shader compiler's library, for dxc, unity and
+unreal."""
 
 import json
 import os

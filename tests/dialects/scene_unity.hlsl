@@ -20,7 +20,7 @@ RWStructuredBuffer<float> values : register(u0);
     half3 half_stripes;
     GaborStripes_half((half2)place, (half2)wave, (half)2.0, (half)7.0, half_noise, half_gradient, half_stripes);
     GaborNoise_half((half2)place, (half)4.0, (half)0.7854, (half)7.0, half_noise, half_quadrature);
-    // The functions for half are called so that the compiler checks them; a place in half precision is off by a pixel.
+    // The functions for half are called so that the compiler checks them; positions in half precision are off by a pixel.
     bool calculated = abs(half_noise - noise) < 4.0 && abs(half_quadrature - quadrature) < 4.0 && half_gradient.x < 100.0
         && half_stripes.z < 10.0;
     values[pixel.y * 256 + pixel.x] = calculated ? VALUE : 1.0e9;

@@ -1,5 +1,5 @@
-// What Unreal's material compiler makes of a Custom node's text and its include file, but for the name of the
-// first parameter.
+// The code that Unreal's material compiler generates from a Custom node's text and its include file, except for the
+// name of the first parameter.
 #define MaterialFloat float
 #define MaterialFloat2 float2
 #include "shaders/nodes/unreal/gabor_lattice.ush"

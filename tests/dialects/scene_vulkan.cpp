@@ -1,4 +1,4 @@
-// Runs a compute shader that fills 256 x 257 floats on the device that VK_ICD_FILENAMES leaves, prints the
+// Runs a compute shader that fills 256 x 257 floats on the device that VK_ICD_FILENAMES selects, prints the
 // device's name and writes the floats to a file: scene_vulkan SHADER.spv VALUES.raw
 
 #include "vulkan/device.hpp"

@@ -101,8 +101,8 @@ def window(d, taps):
 def complex_lattice(cell, x, y, taps=3, period=(2**32, 2**32), seed=SEED, time=0.0, radius=(None, None),
                     wave=WAVE, amplitudes=None):
     """The lattice's noise (imaginary part) and its quadrature (real part) at cell + (x, y), in node spacings. `radius` is the
-    kernel radius in spacings, and `period` the spacings after which the noise repeats. `amplitudes` may give others, by column
-    and row."""
+    kernel radius in spacings, and `period` the spacings after which the noise repeats. `amplitudes`, a function of column
+    and row, replaces the nodes' amplitudes."""
     reach = taps / 2
     energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows along one axis
     scale_x, scale_y = (each or reach for each in radius)
@@ -124,7 +124,7 @@ def lattice(cell, x, y, taps=3, period=2**32):
 
 
 def complex_lattice_3d(x, y, z, direction):
-    """The same in space, in kernel radii, with three taps."""
+    """The lattice's noise and quadrature in space, with three taps; x, y and z are in kernel radii."""
     wave = FREQUENCY * np.array(direction) / np.linalg.norm(direction)
     x, y, z = np.broadcast_arrays(1.5 * x, 1.5 * y, 1.5 * z)
     first = [np.floor(each).astype(np.int64) for each in (x, y, z)]
@@ -140,7 +140,7 @@ def complex_lattice_3d(x, y, z, direction):
 
 # ---- Other outputs of nodes ----------------------------------------------------------------------------------------
 
-# Each function gives one number for each p = (x, y) in kernel radii: a weighted sum of its results.
+# Each function returns one number for each p = (x, y) in kernel radii: a weighted sum of the node's outputs.
 STEP = 1e-5  # step for derivatives, which are then exact within 1e-6
 
 

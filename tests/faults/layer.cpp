@@ -1,6 +1,6 @@
 // A Vulkan layer that makes one device function fail, chosen by GABOR_FAULT: `vkAllocateMemory:3` fails the
-// third call and all later ones. Functions that allocate report lack of device memory; functions that execute
-// report a lost device.
+// third call and all later ones. Functions that allocate report that device memory is exhausted; functions
+// that execute report a lost device.
 
 #include <vulkan/vk_layer.h>
 

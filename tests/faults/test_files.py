@@ -1,5 +1,5 @@
-"""Disks, folders and readers fail while the program works. The output file must be unchanged, complete or missing; one
-line must say what failed, and the exit status must tell whether the request was wrong."""
+"""Disks, folders and readers fail while the program works. The output file must be unchanged, complete or absent; one
+line must say what failed, and the exit status must tell whether the request was invalid."""
 
 import contextlib
 import os

@@ -1,4 +1,4 @@
-// The estimate, given spectra and values with known answers.
+// Tests the estimate on spectra and values with known answers.
 
 #include "../largest.hpp"
 #include "error.hpp"
@@ -29,7 +29,7 @@ double hann(double x) {
     return std::abs(x) < 1 ? (1 + std::cos(pi * x)) / 2 : 0;
 }
 
-// Its autocorrelation, by the midpoint rule.
+// The autocorrelation of Hann's window, by the midpoint rule.
 double integrated_correlation(double t) {
     double sum = 0;
     double squares = 0;
@@ -60,7 +60,7 @@ double expected_power(double k, double frequency, double radius) {
     return sum.real() / squares;
 }
 
-// An exemplar of components of variance 1 whose spectra are exactly those of the waves.
+// An exemplar whose components have variance 1 and exactly the spectra of the waves.
 Exemplar exemplar_of(const std::vector<Wave>& waves, int side) {
     Exemplar exemplar;
     exemplar.width = exemplar.height = side;
@@ -84,7 +84,7 @@ Eigen::VectorXcd weights(std::initializer_list<std::complex<double>> values) {
     return result;
 }
 
-// A wave that was found, or its mirror image, which is the same.
+// Returns the fitted wave that is nearest to this one or to its mirror image, which is equivalent.
 const Wave& nearest(const std::vector<Wave>& waves, const Wave& to) {
     const auto distance = [&](const Wave& wave) {
         return std::min((wave.frequency - to.frequency).norm(), (wave.frequency + to.frequency).norm());
@@ -134,11 +134,11 @@ TEST_CASE("atoms equal the expected windowed spectra of a wave") {
 }
 
 TEST_CASE("atoms of averaged samples equal their expected windowed spectra") {
-    // Averages of eight pixels, four apart, and averages of those, by brute force over every pair of pixels
-    // that contribute to two samples of a window.
+    // The last scale has samples four pixels apart, each a weighted average of eight. The expected spectra
+    // are sums by brute force over every pair of pixels that contribute to two samples of a window.
     const std::vector<Scale> scales = scales_of(2400, 2400);
     REQUIRE(scales.size() == 3);
-    for (const Scale& each : scales) // all frequencies of its grid, in units of the first grid's
+    for (const Scale& each : scales) // the measures add up to the scale's whole grid, in cells of the first
         CHECK(measures({each}).sum() == Approx(std::pow(2.0 * window_side / each.spacing, 2)));
     const Scale& scale = scales.back();
     REQUIRE(scale.spacing == 4);
@@ -171,8 +171,8 @@ TEST_CASE("atoms of averaged samples equal their expected windowed spectra") {
 }
 
 TEST_CASE("the spectra of long waves agree with their atoms on every scale") {
-    // One per cent would take hundreds of pictures; so few still check scales and units.
-    constexpr int side = 784; // the smallest with averages
+    // Agreement within one per cent would take hundreds of pictures; a few still check scales and units.
+    constexpr int side = 784; // the smallest side with a scale of averaged samples
     const Wave wave{{0.012, 0.004}, {90, 90}, weights({1})};
     std::mt19937 generator(11);
     std::normal_distribution<double> normal;
@@ -400,8 +400,8 @@ TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and varia
     const auto cube = [](double z) {
         return (z + 0.15 * (z * z - 1) + 0.05 * z * z * z) / std::sqrt(1.15 * 1.15 + 0.045 + 6 * 0.0025);
     };
-    Quantiles uniform; // and one that it does not
-    Quantiles two;     // or two values
+    Quantiles uniform; // a histogram that a polynomial does not reproduce exactly
+    Quantiles two;     // a histogram of only two values
     for (int i = 0; i < 200000; ++i) {
         const double z = normal(generator);
         cubic.add(static_cast<float>(cube(z)));

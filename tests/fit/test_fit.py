@@ -28,7 +28,7 @@ def rgb(exr):
 
 
 def relative_errors(found, expected):
-    """L1 of the total power and L2 of all cross-spectra."""
+    """Returns the L1 error of the total power and the L2 error of all cross-spectra."""
     total = lambda spectra: np.trace(spectra, axis1=2, axis2=3).real
     l1 = np.abs(total(found) - total(expected)).sum() / total(expected).sum()
     return l1, np.linalg.norm(found - expected) / np.linalg.norm(expected)
@@ -44,10 +44,10 @@ class FitTest(ProgramTest):
         return Exr(self.folder / "fit.exr")
 
     def test_known_lobes_are_found(self):
-        # Their frequencies are 1.5 and 1.2 cycles per own kernel radius. From a picture of this size no unbiased
-        # estimate finds the second one's frequency better than within 0.00009 to 0.00014 rms (the Cramér-Rao bound for
-        # power above 1 and 10 % of the mean), and 0.36 cycles per radius, where a lobe and its mirror image are one,
-        # than within 0.00027 to 0.00036.
+        # The lobes have 1.5 and 1.2 cycles per kernel radius of their own. From a picture of this size, the rms error of
+        # any unbiased estimate of the second frequency is at least 0.00009 to 0.00014 (the Cramér-Rao bounds that use
+        # power above 1 % and above 10 % of the mean). At 0.36 cycles per radius, where a lobe and its mirror image
+        # merge, it is at least 0.00027 to 0.00036.
         known = [dict(frequency=3, orientation=30, radius=0.5, power=1), dict(frequency=3, orientation=-60, radius=0.4, power=0.6)]
         scale = 24
         (self.folder / "lobes.json").write_text(json.dumps(known))
@@ -125,7 +125,7 @@ class FitTest(ProgramTest):
             self.assertLessEqual(len(fitted["lobes"]), 16)
             self.assertIn("edges or objects", self.said) # blades, stones, bricks
             exemplar = without_trend(read_grey_png(path)[..., None] / 255.0)
-            fitted["colour"]["histogram"][0] = [0, 1, 0, 0, 0, 0] # it changes the spectrum: brick by 0.03 (L1)
+            fitted["colour"]["histogram"][0] = [0, 1, 0, 0, 0, 0] # the histogram changes the spectrum, brick's by 0.03 (L1)
             (self.folder / "fit.json").write_text(json.dumps(fitted))
             noise = self.render("--size", "1024x1024").channels["G"][..., None].astype(float)
             noise -= noise.mean()

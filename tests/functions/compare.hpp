@@ -98,8 +98,8 @@ void see(Largest& largest, const auto& vector, const std::array<double, count>& 
         largest.see(vector[static_cast<int>(c)], expected[c], tolerance, place);
 }
 
-/// Checks that a function has no jump as a pixel's place, size or rotation changes along a path. On a smooth
-/// path, the slope on each side predicts the next value to second order.
+/// Checks that a function has no jump as a pixel's position, size or rotation changes along a path. On a
+/// smooth path, the slope on each side predicts the next value to second order.
 template <typename Value>
 void check_path(Differences& of, int path, int steps, const Value& value) {
     Largest& largest = of[path % 3 == 0 ? "in place" : path % 3 == 1 ? "in size" : "in rotation"];

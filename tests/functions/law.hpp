@@ -1,6 +1,6 @@
 #pragma once
 
-// Compares a noise's distribution over independent instances with the normal law.
+// Compares a noise's distribution over independent instances with the normal distribution.
 
 #include "largest.hpp"
 #include "statistics/gaussianity.hpp"
@@ -49,8 +49,8 @@ inline Statistic sum_of(std::string name, double deviation, std::vector<Term> te
             }};
 }
 
-/// Compares statistics with the normal law, using this share of the samples. Each call of `instance()`
-/// returns the numbers of another instance as an array.
+/// Compares statistics with the normal distribution, using this share of the samples. Each call of
+/// `instance()` returns the numbers of another instance as an array.
 template <typename Instance>
 void check_laws(double share, const Instance& instance, const std::vector<Statistic>& statistics) {
     std::vector<statistics::Moments> moments(statistics.size());
@@ -172,7 +172,7 @@ class Laws {
         CHECK(std::abs(means - 1) < 5 * std::sqrt(2 / count));
         CHECK(std::abs(variances - 1) < 5 * std::sqrt(2 / count));
         CHECK(cvms.mean() - 4 * error < 0.05);
-        // Among 2304 normal laws, the largest T - 1/6 is about 1.2, and above 2 in one case of 75.
+        // Among 2304 normal distributions, the largest T - 1/6 is about 1.2, and above 2 in one case of 75.
         CHECK(cvms.maximum() < 0.5 + 2 * statistics::cvm_scale / n);
     }
 

@@ -1,5 +1,5 @@
 // Compares every function of gabor_noise.glsl with the double-precision reference. Also compares the noise's
-// distribution with the normal law, using one value at a random place in each of many independent instances.
+// distribution with the normal one, using one value at a random place in each of many independent instances.
 
 #include "sparse.hpp"
 #include "statistics/gaussianity.hpp"

@@ -1,8 +1,8 @@
 // Calls every public function of the drop-ins at 64 points. This text is compiled as C++ and as GLSL, after
 // the drop-ins and two macros: GOLDEN_... selects the set, and SEE(call) records the result of a call.
 //
-// One point in four is on nodes and where windows end, and one in four is far away. At negative points,
-// arguments are arbitrary floats for which docs/gallery.md promises finite results.
+// One point in four lies on nodes and at the ends of windows, and one in four is far away. Points with
+// negative numbers have arbitrary float arguments for which docs/gallery.md promises finite results.
 
 struct Point {
     vec2 p;
@@ -90,7 +90,7 @@ Point any_of(Point s, int i) {
         s.local = vec2(any_within(i, 107, 64.0f), any_within(i, 108, 64.0f));
         s.time = any_within(i, 109, 1.0e38f);
     }
-    if (kind == 2) { // as far as positions in nodes or cells do not overflow
+    if (kind == 2) { // as far as positions do not overflow in nodes or cells
 #if defined GOLDEN_NOISE
         const float longest = 1.0e9f;
 #else

@@ -65,8 +65,8 @@ double value_at(int k) {
     return (k - values / 2) * value_step;
 }
 
-// F(x) - Phi(x) at the values: the integral of (chi(t) - exp(-t^2 / 2)) sin(t x) / (pi t), for a law that is
-// symmetric.
+// F(x) - Phi(x) at the values: the integral of (chi(t) - exp(-t^2 / 2)) sin(t x) / (pi t), for a
+// symmetric distribution.
 std::vector<double> excess_distribution(const std::vector<double>& weights, const Characteristic& part) {
     std::vector<double> result(values);
     for (int f = 1; f <= frequencies; ++f) {
@@ -97,7 +97,7 @@ struct Law {
     double worst;
 };
 
-// The law over `side` x `side` places of a cell, for one orientation.
+// The distribution over `side` x `side` places of a cell, for one orientation.
 Law law(int taps, double frequency, double orientation, int side, const Characteristic& part) {
     const double step_x = frequency * std::cos(orientation) * 2 / taps; // cycles per node
     const double step_y = frequency * std::sin(orientation) * 2 / taps;

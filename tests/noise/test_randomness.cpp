@@ -122,7 +122,8 @@ TEST_CASE("flipping any bit of an input flips each bit of the word half the time
 TEST_CASE("the fields of words are uniform", "[randomness]") {
     gabor::test::Largest largest;
     for (const Sequence& sequence : sequences) {
-        std::array<std::vector<std::uint64_t>, 4> counts; // for twelve bits at each byte of the word
+        // Histograms of the twelve bits that start at each byte of the word.
+        std::array<std::vector<std::uint64_t>, 4> counts;
         for (auto& field : counts)
             field.resize(4096);
         for (std::uint64_t i = 0; i < draws(); ++i) {

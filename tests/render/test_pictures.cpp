@@ -64,7 +64,7 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
     return terms;
 }
 
-// The place of a pixel in the nodes or cells of a noise whose kernel radii are `radius`.
+// The position of a pixel in the nodes or cells of a noise whose kernel radii are `radius`.
 noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixel,
                          const noise::Vector<2>& radius) {
     noise::Place<2> place;

@@ -10,7 +10,8 @@ namespace samples {
 
 std::vector<float> normal(std::size_t count, std::uint64_t seed, double mean = 0, double deviation = 1);
 
-/// A normal variable bent into another law of unit variance: g(x) = (x + c x^3) / sqrt(1 + 6 c + 15 c^2).
+/// A normal variable bent into another distribution of unit variance,
+/// g(x) = (x + c x^3) / sqrt(1 + 6 c + 15 c^2).
 struct Bent {
     double c;
 

@@ -16,7 +16,7 @@ TEST_CASE("Poisson counts have Poisson's law at every mean", "[points]") {
     for (const int mean : {1, 2, 4, 10, 30, 70, 450}) {
         constexpr int side = 96;
         const study::PointSet set = study::point_set(device, {.impulses = mean}, side, 17);
-        // Each bin has whole counts, and at least 20 are expected in it.
+        // Each bin is a range of counts in which at least 20 cells are expected.
         const double cells = side * side;
         double chi = 0;
         int bins = 0;

@@ -22,7 +22,7 @@ POINTS = {"poisson", "stratified", "jittered", "jittered_hex", "sobol", "scrambl
 class StudyTest(ProgramTest):
     @classmethod
     def setUpClass(cls):
-        """Runs the study of the law, interrupted once after its first table."""
+        """Runs the study `law` twice: the first run is interrupted after its first table, the second resumes it."""
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         cls.addClassCleanup(folder.cleanup)
         cls.law = pathlib.Path(folder.name)

@@ -1,4 +1,4 @@
-// gabor-viewer that reports its state: a line of JSON on stdout after each frame. Real display events drive
+// A gabor-viewer that reports its state: a line of JSON on stdout after each frame. Real display events drive
 // it, as they drive gabor-viewer; the sender waits for its reports instead of a fixed time. Commands on
 // stdin, one a line, do what needs no events:
 //

@@ -81,7 +81,7 @@ class EventsTest(ViewerTest):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True, stdout=subprocess.PIPE)
 
     def keys(self, *names):
-        """Presses keys, each once the viewer has seen the last."""
+        """Presses keys, each after the viewer has seen the one before."""
         for name in names:
             before = self.state["keys"]
             self.xdotool("key", name)
@@ -102,7 +102,7 @@ class EventsTest(ViewerTest):
 
     @contextlib.contextmanager
     def long_frame(self):
-        """All events that are sent within reach one frame."""
+        """All events that are sent within this context reach the viewer in one frame."""
         self.process.send_signal(signal.SIGSTOP)
         os.waitid(os.P_PID, self.process.pid, os.WSTOPPED | os.WNOWAIT)
         yield
@@ -189,7 +189,7 @@ class EventsTest(ViewerTest):
 
     def close(self):
         self.keys("ctrl+q")
-        if not self.ended: # it asks
+        if not self.ended: # it asks whether to save
             self.keys("d")
         self.end()
 

@@ -26,7 +26,7 @@ COLOURED = {
 
 
 class OutputsTest(EventsTest):
-    """Cases are parameters, an output, a colour map and a contrast."""
+    """Each case has parameters, an output, a colour map and a contrast."""
 
     @classmethod
     def setUpClass(cls):
@@ -64,7 +64,7 @@ class OutputsTest(EventsTest):
                 self.assertLess(np.quantile(off, 0.999), quantile * max(1, expected.std()))
                 self.assertLess(off.max(), largest * max(1, expected.std()))
                 shift = np.abs(colours - seen)[covered]
-                if output in (PHASE, STRIPES, LIT_STRIPES): # wraps around, and is arbitrary where the intensity is 0
+                if output in (PHASE, STRIPES, LIT_STRIPES): # these values wrap around, and are arbitrary where the intensity is 0
                     shift = shift[np.hypot(expected[..., 0], expected[..., 1])[covered] > 0.1]
                 self.assertLess(np.quantile(shift, 0.99), quantile + 1 / 255)
                 # The file shows the same as the window, except at the outline of a body.

@@ -79,7 +79,7 @@ class Artist(EventsTest):
         self.assertEqual(json.loads(self.read("cloth.json")), fit)
         self.keys("ctrl+y")
         self.assertTrue(self.state["photograph"])
-        self.drop("expected.json") # not fitted in this session
+        self.drop("expected.json") # a preset that was not fitted in this session
         self.assertFalse(self.state["photograph"])
         self.close()
         recent = json.loads((self.folder / "config/gabor-noise/viewer.json").read_text())["recent"]

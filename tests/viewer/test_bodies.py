@@ -52,14 +52,14 @@ class Bodies(OutputsTest):
 
     def test_copied_code_draws_presets_of_all_materials(self):
         presets = [(json.loads(path.read_text()), path.stem) for path in (SHADERS.parent / "host/render/presets").glob("*.json")]
-        # Of each material the one that sets most: of fabric, corduroy.
+        # For each material, the preset that sets the most parameters: corduroy for fabric.
         richest = {made["material"]: (made, name) for made, name in sorted(presets, key=lambda each: (len(each[0]), each[1]))
                    if "material" in made}
         self.assertEqual(len(richest), 12)
         self.compare({name: ({**made, "width": WIDTH, "height": HEIGHT}, 1.5) for made, name in richest.values()})
 
     def compare(self, cases):
-        """Compares pictures of copied code with the window's. Cases are parameters and a tolerance in 255ths."""
+        """Compares pictures of copied code with the window's. Each case has parameters and a tolerance in 255ths."""
         script = []
         for number, (parameters, _) in enumerate(cases.values()):
             shown = {"look": "lit", "contrast": 2, "normals": "OpenGL", "environment": "room", **parameters.get("viewer", {})}

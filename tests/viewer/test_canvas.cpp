@@ -219,7 +219,7 @@ TEST_CASE("on bodies, values are normal with variance 1 at every normal") {
                    moments.variance(), cvm.value, cvm.low, cvm.high, moments.count());
         CHECK(moments.mean() == Approx(0).margin(4.5 / std::sqrt(wanted)));
         CHECK(moments.variance() == Approx(1).margin(4.5 * std::sqrt(2.0 / wanted)));
-        // The law's own is below 0.05; the rest is chance.
+        // The noise's own cvm is below 0.05; the rest is chance.
         CHECK(cvm.value < 0.05 + 0.6 * statistics::cvm_scale / static_cast<double>(moments.count()));
     }
 }

@@ -69,7 +69,7 @@ class Events(EventsTest):
         self.assertTrue(self.state["gallery"])
         with self.long_frame(): # the second picture, and a key
             self.xdotool(*at, 230, 60, "mousedown", 1, "mouseup", 1, *at, 20, 300, "key", "n")
-        self.assertEqual((self.document["material"], self.document["seed"]), ("carbon-fibre", 1)) # that of aramid
+        self.assertEqual((self.document["material"], self.document["seed"]), ("carbon-fibre", 1)) # the seed of the preset aramid
         self.close()
 
     def test_changes_are_not_lost_on_closing(self):
@@ -159,7 +159,7 @@ class Events(EventsTest):
         for number, how in enumerate((signal.SIGKILL, signal.SIGTERM), start=1):
             self.open(*WINDOW)
             self.keys("n")
-            if how == signal.SIGKILL: # it is saved within seconds
+            if how == signal.SIGKILL: # the change is saved within seconds
                 self.wait_for(lambda state: (self.folder / "config/gabor-noise/viewer.json").exists() and
                               '"seed\\": 3' in (self.folder / "config/gabor-noise/viewer.json").read_text())
             self.process.send_signal(how)
@@ -168,7 +168,7 @@ class Events(EventsTest):
             self.assertIn("ended before", self.state["question"])
             self.keys("Return")
             self.assertEqual((self.document["seed"], self.document["material"]), (2 + number, "sand")) # of the first start
-            self.keys("ctrl+q", "d") # the changes are still unsaved: it asks
+            self.keys("ctrl+q", "d") # the changes are still unsaved, so it asks
             self.end()
             self.open(*WINDOW)
             self.assertIsNone(self.state["question"])
@@ -191,7 +191,7 @@ class LargeScreen(EventsTest):
 
     def test_text_grows_with_the_screen(self):
         self.open(*WINDOW, "figure6")
-        self.assertAlmostEqual(self.state["font"], 14 * 1440 / 1080, delta=0.01) # 14 on smaller ones
+        self.assertAlmostEqual(self.state["font"], 14 * 1440 / 1080, delta=0.01) # 14 on smaller screens
         self.close()
 
 

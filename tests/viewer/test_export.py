@@ -29,7 +29,7 @@ class Export(EventsTest):
         self.process.stdin.flush()
         if older:
             self.wait_for(lambda state: state["question"])
-            self.xdotool("key", "Return") # it may replace them
+            self.xdotool("key", "Return") # the export may replace the files
         descriptors = pathlib.Path(f"/proc/{self.process.pid}/fd")
 
         def has_begun():

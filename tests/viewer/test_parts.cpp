@@ -86,8 +86,8 @@ TEST_CASE("settings are read as they were saved") {
     CHECK(read == saved);
 }
 
-// 9 nodes are 100 pixels wide and 8 are 90 high; at 16 pixels to a kernel radius of 1.5 nodes that is so much
-// of one.
+// 9 nodes fill the width of 100 pixels and 8 the height of 90. The test compares their spacing with the usual
+// one, at 16 pixels per kernel radius and 1.5 nodes per radius.
 TEST_CASE("the copied GLSL of a tile stretches the filter with its nodes along each axis") {
     const Document document = document_of(
         {.width = 100, .height = 90, .scale = 16, .view = render::Plane{.tileable = true}, .filter = true});

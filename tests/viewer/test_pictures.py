@@ -1,4 +1,4 @@
-"""What the viewer shows of bodies and exports, against what gabor render gives for the same parameters, and presets."""
+"""Compares what the viewer shows of bodies and exports with what gabor render draws from the same parameters; tests presets."""
 
 import json
 import unittest

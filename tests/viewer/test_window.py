@@ -50,7 +50,7 @@ class Window(EventsTest):
         self.assertEqual(seeds, [0, 1])
 
     def test_lobes_are_edited_in_the_frequency_plane(self):
-        # Its middle is at 1040, 324 and the lobe of frequency 4 at 1118, 324.
+        # The plane's middle is at 1040, 324 and the lobe of frequency 4 at 1118, 324.
         self.play("""
             fine
             drag 1120 328 1042 256
@@ -91,11 +91,11 @@ class Window(EventsTest):
             point 300 300
             window lobe.png""", "plain.json", "--window", "1280x800")
         plane = read_colour_png(self.folder / "lobe.png").astype(int)
-        pixels = 78 / 4 # per cycle per kernel radius: places as in the test above
+        pixels = 78 / 4 # per cycle per kernel radius; positions are those of the test above
         cell = 2 * 2**2.5 / 72
 
         def power(f):
-            """Of the lattice's window, (1 + cos(pi x)) / 2."""
+            """The power spectrum of the lattice's window, (1 + cos(pi x)) / 2."""
             return (np.sinc(2 * f) / (1 - 4 * f**2))**2
 
         for x in range(11, 18): # to the right of the lobe and below the axis, where the power falls
@@ -104,7 +104,7 @@ class Window(EventsTest):
             low, high = (215 * (1 + np.log10(power(max(x / pixels - less, 0)) * power(max(y / pixels - less, 0))) / 5)
                          for less in (0, cell))
             self.assertTrue(low - 6 <= seen <= high + 6, f"{low:.0f} {seen} {high:.0f}")
-        self.assertLess(plane[240:300, 1020:1060].max(), 60) # far from it there is only the scale
+        self.assertLess(plane[240:300, 1020:1060].max(), 60) # far from the lobe there is only the scale
 
     def test_what_has_no_effect_says_so(self):
         self.play("""
@@ -140,7 +140,7 @@ class Window(EventsTest):
             point 1200 700
             fine
             window back.png""", "plain.json", "--window", "1280x800")
-        # Above the window's message about the opened file.
+        # Only the part above the window's message about the opened file is compared.
         here, back = (read_colour_png(self.folder / f"{name}.png")[:720, :900].astype(int) for name in ("here", "back"))
         self.assertLessEqual(np.abs(here - back).max(), 1)
         self.assertGreater(here.std(), 30)

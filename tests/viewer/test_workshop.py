@@ -25,8 +25,8 @@ class Workshop(EventsTest):
         self.open("--window", "1400x840", self.preset("plain.json", width=64)) # in which pictures have their own size
         self.keys("p")
         self.frames(3)
-        # The fourth of seven in a row, in cells of 136 pixels in the middle of the view. The name is at the lower edge
-        # of its picture.
+        # The fourth of seven presets in a row, in cells of 136 pixels in the middle of the view. The preset's name is at
+        # the lower edge of its picture.
         left, top = 14 + (1008 - 7 * 136 + 8) // 2 + 3 * 136, 12
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
@@ -189,7 +189,7 @@ class Workshop(EventsTest):
         colour, normal = (read_colour_png(self.folder / f"corduroy/{name}.png").astype(float) for name in ("base_color", "normal"))
         height = read_deep_png(self.folder / "corduroy/height.png") / 65535
         self.assertGreater(np.corrcoef(height.ravel(), colour.sum(axis=2).ravel())[0, 1], 0.9) # ember brightens upwards
-        # Stripes of 1 and -1; `contrast` standard deviations of their slope make 45 degrees.
+        # The stripes' values are 1 and -1; a slope of `contrast` standard deviations makes 45 degrees.
         right, up, out = (normal[..., i] / 127.5 - 1 for i in range(3))
         relief = 0.5 * 1 / (2 * np.pi * 3 / np.sqrt(2))
         for axis, seen, sign in ((1, right, -1), (0, up, 1)):

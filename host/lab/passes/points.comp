@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Writes the point set of each cell in a square of cells: its count and the places of the first `capacity`
+// Writes the point set of each cell in a square of cells: its count and the positions of the first `capacity`
 // impulses.
 
 #include "ingredients.glsl"

@@ -1,6 +1,6 @@
 """Draws the node group of shaders/nodes/blender/gabor_noise in Cycles without OSL, or in Eevee: nodes.py cycles|eevee
-VALUES.raw. Needs a Python that has bpy. The amplitudes come from White Noise nodes. They are drawn too, and the noise is
-compared with the equations applied to them."""
+VALUES.raw. Needs a Python that has bpy. The amplitudes come from White Noise nodes. The script draws them too, and
+compares the noise with the equations applied to them."""
 
 import json
 import pathlib
@@ -96,7 +96,7 @@ wanted = reference.complex_lattice((0, 0), 1.5 * x, 1.5 * y, amplitudes=lambda i
 values.write_bytes(picture.astype("<f4").tobytes())
 law = {"mean": float(nodes.real.mean()), "variance": float((abs(nodes) ** 2).mean() / 2)} # from 2 x 65536 parts
 if abs(law["mean"]) > 0.02 or abs(law["variance"] - 1) > 0.02 or not 0.5 < picture[0].std() < 2:
-    sys.exit(f"White Noise's amplitudes have the wrong law: {law}")
+    sys.exit(f"White Noise's amplitudes have the wrong distribution: {law}")
 print(json.dumps({"engine": f"Blender, {engine.title()}", "version": bpy.app.version_string, "dialect": "its own nodes",
                   "driver": "CPU" if engine == "cycles" else "llvmpipe",
                   "functions": {"noise": abs(picture[0] - wanted.imag).max(), "complex": abs(picture[1] - wanted.real).max()}}))

@@ -1,5 +1,5 @@
 """Draws planes to the horizon in Blender's Cycles, each with a mip-mapped texture: texture.py PICTURE.npy TEXTURE.exr...
-Needs a Python that has bpy. OpenImageIO's maketx gives a flat texture mip levels first, by averages of 2 x 2."""
+Needs a Python that has bpy. First, OpenImageIO's maketx gives each flat texture mip levels, which are averages of 2 x 2."""
 
 import math
 import pathlib
@@ -17,7 +17,7 @@ SIDE, TILE = 512, 4.0  # pixels, and the size of a texture when the camera's hei
 
 
 def with_levels(texture, folder):
-    """Returns the texture itself if it has levels, else what maketx makes of it."""
+    """Returns the texture itself if it has levels, otherwise the file with levels that maketx makes from it."""
     if oiio.ImageInput.open(str(texture)).seek_subimage(0, 1):
         return texture
     options = oiio.ImageSpec()

@@ -1,8 +1,8 @@
-// Opens a page of this repository in a browser without a window and saves the drawn values:
+// Opens a page of this repository in a headless browser and saves the drawn values:
 // run.mjs chrome|firefox PAGE[,SCRIPT...] VALUES.raw [DRIVER [FLAG...]]
-// With scripts, opens the page from its file and adds the scripts to it, joined into one. The page sets globalThis.drawn to a
-// promise of { engine, version, dialect, driver, values }, and shows the noise in its canvas. Flags are for Chromium. The
-// driver's name must contain DRIVER, since browsers may silently choose another driver.
+// If there are scripts, opens the page from its file and adds the scripts to it, joined into one. The page sets
+// globalThis.drawn to a promise of { engine, version, dialect, driver, values }, and shows the noise in its canvas. Flags are
+// for Chromium. The driver's name must contain DRIVER, since browsers may silently choose another driver.
 
 import { readFile, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -25,7 +25,7 @@ const server = createServer(async (request, response) => {
         response.writeHead(404).end();
     }
 });
-// Returns the standard deviation of a picture's values, which are from 0 to 1.
+// Returns the standard deviation of a picture's values, which lie between 0 and 1.
 function deviation(tab, png) {
     return tab.evaluate(async base64 => {
         const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());

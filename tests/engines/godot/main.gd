@@ -31,7 +31,8 @@ func rectangle(shader: Shader, shown: bool) -> ColorRect:
 	result.material.set_shader_parameter("shown", shown)
 	return result
 
-## Makes a visual shader of the place, if it is connected, the addon's node, and the noise's 32 bits as four bytes.
+## Makes a visual shader: the addon's node, a node for its place if that is connected, and one that writes the noise's 32 bits as
+## four bytes.
 func visual(connected: bool) -> VisualShader:
 	var shader := VisualShader.new()
 	shader.set_mode(Shader.MODE_CANVAS_ITEM)

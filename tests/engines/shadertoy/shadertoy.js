@@ -1,4 +1,4 @@
-// Draws a Shadertoy text, with the code that Shadertoy adds around it, in plain WebGL 2.
+// Draws Shadertoy code, with the code that Shadertoy adds around it, in plain WebGL 2.
 
 const VERTEX = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;
@@ -49,7 +49,7 @@ function redOf(gl, text) {
     return pixels.filter((_, index) => index % 4 === 0);
 }
 
-// Draws the text into the canvas; returns the noise before gabor_unorm and the driver's name.
+// Draws the Shadertoy code into the canvas. Returns the driver's name, and the noise before gabor_unorm is applied.
 function measure(canvas, text) {
     const plain = text.replace("vec3(gabor_unorm(n))", "vec3(n)"); // the drop-in's own example has no vec3
     if (plain === text)

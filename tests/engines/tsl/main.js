@@ -21,8 +21,8 @@ async function reds(renderer, render) {
         .flatMap(start => Array.from(values.subarray(start, start + 256)));
 }
 
-// Returns the difference between gabor_normal and the normal of a plane of side 4, which is lifted by 0.1 times the noise of 8
-// kernel radii.
+// Returns the largest difference between gabor_normal and the exact normal of a plane of side 4 that shows 8 kernel radii of noise
+// and is lifted by 0.1 times the noise.
 async function normal_error(renderer) {
     const p = uv().mul(8), field = gabor.gabor_field(p, 2, 0.5, 7).toVar();
     const wanted = tsl.normalize(vec3(field.zw.mul(-0.1 * 8 / 4), 1));
