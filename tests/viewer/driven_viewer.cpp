@@ -3,8 +3,8 @@
 // stdin, one a line, do what needs no events:
 //
 //     set NAME VALUE                      a parameter of the preset, or output, look, colours, contrast
-//     open FILE | save FILE | copy FILE   copy: puts what is on the clipboard into a file
-//     export FILE | screenshot FILE | window FILE    of the picture; of the window with its panels
+//     open FILE | save FILE | copy FILE   copy writes the clipboard's text to the file
+//     export FILE | screenshot FILE | window FILE    screenshot: the picture; window: also the panels
 //     quit
 
 #include "viewer/app.hpp"

@@ -107,7 +107,7 @@ class EventsTest(ViewerTest):
         os.waitid(os.P_PID, self.process.pid, os.WSTOPPED | os.WNOWAIT)
         yield
         self.process.send_signal(signal.SIGCONT)
-        self.frames(12) # later ones may take a part each
+        self.frames(12) # the frames that follow may each handle a part of them
 
     def click(self, x, y):
         self.point(x, y)

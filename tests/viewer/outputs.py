@@ -77,7 +77,7 @@ class OutputsTest(EventsTest):
         raise NotImplementedError
 
     def draw_colours(self, snippet, call, **textures):
-        """For a coloured noise, whose value is the colour itself."""
+        """The output's value and colours for a coloured noise, whose value is the colour itself."""
         colours = self.run_code(snippet, f"colour = {call}; pixels = vec4(colour, 0.0);", **textures)[1]
         return colours, np.clip(colours, 0, 1)
 

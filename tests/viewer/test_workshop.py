@@ -22,7 +22,7 @@ class Workshop(EventsTest):
         return name
 
     def test_presets_are_pictures(self):
-        self.open("--window", "1400x840", self.preset("plain.json", width=64)) # in which pictures have their own size
+        self.open("--window", "1400x840", self.preset("plain.json", width=64)) # a window in which pictures have their own size
         self.keys("p")
         self.frames(3)
         # The fourth of seven presets in a row, in cells of 136 pixels in the middle of the view. The preset's name is at
