@@ -331,7 +331,7 @@ vec2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
     return vec2(count);
 }
 
-// ---- Functions of noise, and their means over the removed part -----------------------------------------------------
+// ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
 // A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
 float gabor_impl_above(float noise, float removed, float threshold, float softness) {
@@ -351,7 +351,7 @@ float gabor_impl_tone(float noise, float removed, float contrast) {
     return exp(contrast * (noise - 0.5 * contrast * (1.0 - removed)));
 }
 
-// The unit vector of a complex noise's phase. If the filter makes it a mean over phases, it is shorter.
+// The phase of a complex noise as a vector: of length 1, or shorter where the filter averages over phases.
 vec2 gabor_impl_phase(vec3 layer) {
     return layer.xy * inversesqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
 }

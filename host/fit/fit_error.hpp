@@ -13,7 +13,8 @@ struct FitError {
     double low = 0; ///< l1 for waves longer than 64 pixels, in the largest windows; 0 without such windows
     int furthest_lag = 0;       ///< pixels: a quarter of the exemplar
     double autocorrelation = 0; ///< largest difference up to that lag
-    double chance = 0; ///< standard deviation of an autocorrelation by chance, in an exemplar of this size
+    /// The standard deviation that chance alone gives an autocorrelation, in an exemplar of this size.
+    double chance = 0;
 };
 
 /// Compares waves, given in the exemplar's components, with the exemplar.

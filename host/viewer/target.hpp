@@ -57,7 +57,8 @@ class Swapchain {
     vk::raii::SwapchainKHR swapchain_ = nullptr;
     std::vector<Target> targets_;
     vk::raii::Semaphore acquired_;
-    std::vector<vk::raii::Semaphore> drawn_; ///< one per image, because presentation still uses it
+    /// One per image, because presentation may still be using the last one.
+    std::vector<vk::raii::Semaphore> drawn_;
     vk::raii::Fence done_;
     bool under_way_ = false;
     std::uint32_t current_ = 0;

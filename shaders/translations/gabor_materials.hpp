@@ -332,7 +332,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float
     return gabor_vec2(count);
 }
 
-// ---- Functions of noise, and their means over the removed part -----------------------------------------------------
+// ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
 // A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
 GABOR_INLINE float gabor_impl_above(float noise, float removed, float threshold, float softness) {
@@ -352,7 +352,7 @@ GABOR_INLINE float gabor_impl_tone(float noise, float removed, float contrast) {
     return gabor_cpp_exp(contrast * (noise - 0.5f * contrast * (1.0f - removed)));
 }
 
-// The unit vector of a complex noise's phase. If the filter makes it a mean over phases, it is shorter.
+// The phase of a complex noise as a vector: of length 1, or shorter where the filter averages over phases.
 GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer) {
     return layer.xy() * gabor_cpp_inversesqrt(gabor_cpp_dot(layer.xy(), layer.xy()) + 2.5f * layer.z + 1.0e-6f);
 }

@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 06ca765bc06ed318
+// Digest of the GLSL and of this file: 8a7605d67495e14e
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -1773,7 +1773,7 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> f32 {
     return exp((contrast * (noise - ((0.5f * contrast) * (1f - removed)))));
 }
 
-// The unit vector of a complex noise's phase. If the filter makes it a mean over phases, it is shorter.
+// The phase of a complex noise as a vector: of length 1, or shorter where the filter averages over phases.
 fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
     return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
 }

@@ -349,7 +349,7 @@ class Channels(SpectraTest):
             np.testing.assert_allclose(even, plain, atol=4e-5)
 
     def test_paint_changes_without_a_seam(self):
-        """The paint has one noise before its middle third and the other after it, from left to right or from top to bottom."""
+        """The paint changes from one noise to another across its middle third, from left to right or from top to bottom."""
         frequency = np.repeat(np.array([[2, 2, 5, 5]], "<f4"), 2, axis=0)
         for size, turned in (("400x200", np.asarray), ("200x400", np.transpose)):
             picture = {"size": size, "scale": 40}

@@ -1,5 +1,5 @@
-"""Checks the translations of the lattice's drop-ins and of a texture by gabor fit: each call returns the same as in GLSL,
-which other tests compare with the reference."""
+"""Checks the translations of the lattice's drop-ins and of a texture that gabor fit wrote: each call returns the same
+value as the GLSL, which other tests compare with the reference."""
 
 import json
 import os

@@ -97,7 +97,7 @@ std::string refusal(const fs::path& path) {
 
 } // namespace
 
-TEST_CASE("A file has its name only after commit", "[output_file]") {
+TEST_CASE("A file appears under its name only after commit", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
 

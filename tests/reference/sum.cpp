@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The two principal axes of a normal filter, as long as its standard deviations.
+// The two principal axes of a normal filter; their lengths are its standard deviations.
 template <std::size_t N>
 std::array<Vector<N>, 2> principal_axes(const Vector<N>& dx, const Vector<N>& dy) {
     const double angle = 0.5 * std::atan2(2 * dot(dx, dy), dot(dx, dx) - dot(dy, dy));

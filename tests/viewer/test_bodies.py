@@ -26,7 +26,7 @@ class Bodies(OutputsTest):
         self.check(BODIES, {"torus": (1e-2, 2)})
 
     def test_copied_code_includes_the_lighting(self):
-        # On bodies, the slopes of stripes are differences along the quad's derivatives, not to the next pixel.
+        # On bodies, copied code takes the slopes of stripes from the quad's derivatives, and the viewer from the next pixel.
         sphere = {"view": "sphere", "frequency": 2, "orientation": 30, "yaw": 20, "pitch": 40}
         metal = {"material": "brushed-metal", "seed": 3}
         cases = {

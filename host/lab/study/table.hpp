@@ -21,7 +21,7 @@ struct Row {
     std::function<Numbers(std::uint32_t seed)> measure;
 };
 
-/// An unmeasured CSV table.
+/// A CSV table to be measured.
 struct Table {
     std::string name;    ///< name of the file, without .csv
     std::string columns; ///< comma-separated, text columns first; tables with the same columns share rows

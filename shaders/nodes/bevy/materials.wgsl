@@ -1776,7 +1776,7 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> f32 {
     return exp((contrast * (noise - ((0.5f * contrast) * (1f - removed)))));
 }
 
-// The unit vector of a complex noise's phase. If the filter makes it a mean over phases, it is shorter.
+// The phase of a complex noise as a vector: of length 1, or shorter where the filter averages over phases.
 fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
     return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
 }
