@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace gabor::viewer {
@@ -228,9 +229,11 @@ void poll_exporter(Session& session) {
 }
 
 void copy_glsl(Session& session) {
-    const std::string code = fitted_glsl(session).value_or(snippet(session.document(), session.view));
-    ImGui::SetClipboardText(code.c_str());
-    notify(session, "copied GLSL that draws this view");
+    const std::optional<std::string> fitted = fitted_glsl(session);
+    ImGui::SetClipboardText(fitted.value_or(snippet(session.document(), session.view)).c_str());
+    notify(session, fitted ? "copied the photograph's noise: paste it after gabor_lattice.glsl and "
+                             "gabor_spectrum.glsl"
+                           : "copied GLSL that draws this view");
 }
 
 std::vector<std::string_view> file_names(const Session& session) {
