@@ -4,18 +4,23 @@ import numpy as np
 from PIL import Image
 
 
-def read_grey_png(path, mode="L"):
-    """Returns the values, height x width, of an 8-bit grey PNG."""
+def read_png(path, mode):
+    """Returns the values of a PNG that Pillow opens in this mode."""
     with Image.open(path) as image:
         assert (image.format, image.mode) == ("PNG", mode), f"{image.format} {image.mode}"
         return np.array(image).astype(int)
 
 
+def read_grey_png(path):
+    """Returns the values, height x width, of an 8-bit grey PNG."""
+    return read_png(path, "L")
+
+
 def read_deep_png(path):
     """Returns the values, height x width, of a 16-bit grey PNG."""
-    return read_grey_png(path, "I")
+    return read_png(path, "I")
 
 
 def read_colour_png(path):
     """Returns the values, height x width x 3, of an 8-bit RGB PNG."""
-    return read_grey_png(path, "RGB")
+    return read_png(path, "RGB")
