@@ -44,7 +44,7 @@ CLI::Option* add_elevation_option(CLI::App& command, std::vector<double>& elevat
 /// The command-line options for parameters of the table.
 using ParameterOptions = std::vector<std::pair<const render::Parameter*, const CLI::Option*>>;
 
-/// Returns the values of the options that are given. Throws RequestError, naming the option.
+/// Returns the values of the options that the user gave. Throws a RequestError that names the wrong option.
 render::Values given_values(const ParameterOptions& options);
 
 /// Throws RequestError, "OPTION 'TEXT': expected ACCEPTED".
@@ -70,7 +70,7 @@ std::array<int, count> parse_integers(std::string_view option, std::string_view 
     return values;
 }
 
-/// Reads a whole number from `low` to `high`. Messages append `where` to the limits.
+/// Reads a whole number from `low` to `high`. `where` follows the limits in the message of an error.
 int parse_integer(std::string_view option, std::string_view text, int low, int high,
                   std::string_view where = "");
 

@@ -12,9 +12,9 @@ constexpr double smallest_radius = 0.75;
 /// the autocorrelation of the lattice's noise along each axis, averaged over a cell, without its wave.
 double kernel_correlation(double t);
 
-/// The expected estimate of a scale along an axis, 0 for x and 1 for y, and its derivatives, at all
-/// frequencies of the grid. The noise has a wave of `frequency` cycles per pixel, and kernels whose radius is
-/// in pixels.
+/// Returns what a scale's estimate is on average, and its derivatives, at all frequencies of the grid along
+/// `axis`, 0 for x and 1 for y. The noise has waves of `frequency` cycles per pixel under kernels of `radius`
+/// pixels.
 ///
 /// Averages of weights a(p) give samples the autocovariance sum_u A(u) C(t - u), with A(u) = sum_p a(p) a(p +
 /// u), and windows of weights w(p) see a stationary noise of autocovariance C(t) as sum_t C(t) L(t) e^(-2 pi

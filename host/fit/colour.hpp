@@ -6,8 +6,8 @@
 
 namespace gabor::fit {
 
-/// The factors of the components, which have variance 1: their standard deviations to the power 0.8. So weak
-/// components count for a little more than their power, which keeps hues.
+/// Returns a factor for each component, whose values have variance 1: its standard deviation to the power
+/// 0.8. Weak components therefore count for a little more than their power, which preserves hues.
 Eigen::VectorXd component_scales(const Exemplar& exemplar);
 
 /// Changes the weights as little as possible so that the covariance of the components becomes the identity

@@ -168,7 +168,7 @@ Wave Search::best(const TargetSpectra& target, const Residual& left) const {
             wave.radius = {rx, ry};
         }
 
-    // Computes the gain over all scales, and tries the peaks of the other scales.
+    // Replaces that wave if one at a peak of another scale gains more over all scales.
     Gain most = gain(target, left, wave.frequency, wave.radius);
     for (std::size_t s = 1; s < target.scales->size(); ++s) {
         const Scale& scale = (*target.scales)[s];

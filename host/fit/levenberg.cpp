@@ -258,6 +258,7 @@ TargetSpectra TargetSpectra::reweighed(const std::vector<Wave>& waves) const {
     error += 0.1 * (importance * error).sum() / importance.sum();
     for (const Scale& scale : *scales) {
         const auto rows = Eigen::seqN(scale.begin, std::ssize(scale.frequencies));
+        // n windows err by 1 / sqrt(n) of the power, and the confidence is n / (n + 100).
         const double chance = std::sqrt((1 - scale.confidence) / (100 * scale.confidence));
         error(rows) += chance * importance(rows) / weight(rows).square();
     }

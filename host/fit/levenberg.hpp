@@ -19,8 +19,8 @@ struct Wave {
 
 /// The spectra that waves are fitted to, weighted for least squares: each frequency is divided by the root of
 /// P + 0.01 mean P, where P is the power there. Unweighted least squares would leave weak frequencies empty,
-/// and dividing by P would follow the estimate where it is low by chance. Scales with few windows count less;
-/// otherwise lobes would be spent on peaks that occur by chance.
+/// and dividing by P would give most weight to frequencies whose estimate is low by chance. Scales with few
+/// windows count less; otherwise lobes would be spent on peaks that occur by chance.
 struct TargetSpectra {
     int channels;
     Scales scales;

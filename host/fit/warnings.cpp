@@ -27,10 +27,9 @@ std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& f
     if (exemplar.structure > Structure::limit)
         lines.push_back(fmt::format(
             "The photograph has edges or objects, which no sum of waves can have: the noise keeps its "
-            "colours "
-            "and scales, and loses the objects (derivatives are {:.1f} from normal). To keep them, blend "
-            "pieces "
-            "of the photograph and preserve its histogram: Heitz and Neyret 2018, Deliot and Heitz 2019.",
+            "colours and scales, and loses the objects (derivatives are {:.1f} from normal). To keep them, "
+            "blend pieces of the photograph and preserve its histogram: Heitz and Neyret 2018, Deliot and "
+            "Heitz 2019.",
             exemplar.structure));
     if (error.l1 > l1_limit)
         lines.push_back(fmt::format(

@@ -257,8 +257,7 @@ std::vector<Parameter> make_table() {
             [](auto& r) { return &r.time; }),
         {"view", Kind::choice, "", none, none, "",
          "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
-         "in "
-         "space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded mountains from "
+         "in space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded mountains from "
          "above and `landscape` in perspective. Terrain has channels R, G, B, height, slope.x, slope.y, "
          "lit.R, "
          "lit.G, lit.B, ridge, erosion",

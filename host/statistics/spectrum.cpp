@@ -125,10 +125,10 @@ double full_width(std::span<const double> profile) {
     return half_width(profile, peak, -1) + half_width(profile, peak, 1);
 }
 
-/// The width of a lobe whose profile scatters. The largest of many annuli overestimates the peak, so the
-/// width at half its height is too small. Therefore the profile is first smoothed with a triangle whose half
-/// base is a quarter of the width; the width that this adds is subtracted, in squares, as for a Gaussian
-/// lobe.
+/// Returns the width of a lobe whose profile is noisy. The largest of many annuli overestimates the peak, so
+/// the width at half that height would be too small. To avoid this, smooths the profile with a triangle whose
+/// half base is a quarter of the width, then removes the width that this adds: widths add in squares, as for
+/// a Gaussian lobe.
 double lobe_width(std::span<const double> profile) {
     const double reach = full_width(profile) / 4;
     const auto last = static_cast<std::ptrdiff_t>(reach);

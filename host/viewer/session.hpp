@@ -97,11 +97,11 @@ void start_export(Session& session);
 void poll_exporter(Session& session);
 void copy_glsl(Session& session);
 void reset_camera(Session& session);
-/// Puts a file at the top of the list of recent files.
+/// Moves or adds a file to the top of the list of recent files.
 void add_recent(Session& session, const std::string& path);
 /// A file's extension in lower case, with its dot.
 std::string lower_extension(const std::filesystem::path& path);
-/// Answers the question with the answer of that index, or cancels it.
+/// Gives the question's answer with that index; without an index, cancels the question.
 void answer(Session& session, std::optional<std::size_t> number);
 /// Whether saving would write anything new.
 bool is_changed(const Session& session);
@@ -110,9 +110,9 @@ void continue_closing(Session& session);
 /// Runs an action; its exceptions become messages.
 void attempt(Session& session, const std::function<void()>& action);
 void notify(Session& session, std::string text, bool error = false);
-/// Lets the message of a finished export, which waits for the user's next action, disappear.
+/// Lets the message of a finished export disappear. It stays until the user's next action.
 void hide_message_soon(Session& session);
-/// The texts on the screen that name files, which may be in any script.
+/// The texts on the screen that contain file names, which may be in any script.
 std::vector<std::string_view> file_names(const Session& session);
 
 /// Reads a document from a JSON file, from an EXR that gabor rendered, or from a preset's name. Missing

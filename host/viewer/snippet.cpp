@@ -450,7 +450,7 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
     return text + fmt::format("    return {};\n}}\n", shown);
 }
 
-// A GLSL function for the material with its parameters.
+// Returns a GLSL function that sets the material's parameters and evaluates it.
 std::string material_function(const render::Request& request) {
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');

@@ -23,7 +23,7 @@ using gabor::noise::impulse_word;
 
 namespace {
 
-// A limit in standard deviations, which a few thousand values do not exceed by chance.
+// In standard deviations. A few thousand values do not exceed this limit by chance.
 constexpr double far = 5.5;
 
 struct Input {

@@ -50,7 +50,7 @@ class Window(EventsTest):
         self.assertEqual(seeds, [0, 1])
 
     def test_lobes_are_edited_in_the_frequency_plane(self):
-        # The plane's middle is at 1040, 324 and the lobe of frequency 4 at 1118, 324.
+        # In the window, frequency 0 is at (1040, 324) and the lobe of frequency 4 at (1118, 324).
         self.play("""
             fine
             drag 1120 328 1042 256
