@@ -196,7 +196,7 @@ class Periods(RenderTest):
         self.assert_same_bits(self.render(like="out.exr").pixels, tile.pixels)
 
     def test_a_tile_too_small_for_its_kernels(self):
-        self.assert_fails(2, ["tileable", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
+        self.assert_fails(2, ["tileable", "63 x 64", "two kernel radii"], "render", "-o", "out.exr", "--tileable", "--size", "63x64")
 
     def test_frames_loop(self):
         self.succeed("render", "-o", "out.exr", "--png", "out.png", "--frames", "3", "--size=20x20")

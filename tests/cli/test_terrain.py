@@ -88,7 +88,7 @@ class Terrain(ProgramTest):
                                (["--png", "a.png", "--heightmap", "a.png"], ["--png and --heightmap both name 'a.png'"]),
                                (["-o", "a.png", "--heightmap", "./a.png"], ["-o and --heightmap both name 'a.png'"]),
                                (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=-1"], ["--extent"]),
-                               (["-o", "a.exr", "--tileable", "--scale=32"], ["tile", "128"]),
+                               (["-o", "a.exr", "--tileable", "--scale=32"], ["tile of 160 x 96", "128"]),
                                (["-o", "a.exr", "--frequency=2"], ["frequency", "view terrain"]),
                                (["-o", "a.exr", "--preset=moon"], ["alps"]),
                                (["-o", "a.exr", "--octaves=2.5"], ["whole number"]),

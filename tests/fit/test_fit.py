@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 import unittest
@@ -276,6 +277,8 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertEqual(self.fit("noise.tga", "--lobes", "2"), expected)
         (self.folder / "cut.tga").write_bytes((self.folder / "noise.tga").read_bytes()[:9])
         self.assert_refused(["cut.tga", "TGA"], "fit", "cut.tga", "-o", "fit.json")
+        (self.folder / "large.tga").write_bytes(struct.pack("<BBBHHBHHHHBB", 0, 0, 2, 0, 0, 0, 0, 0, 32768, 16384, 24, 0))
+        self.assert_refused(["large.tga", "268 million pixels"], "fit", "large.tga", "-o", "fit.json")
 
     def test_transparent_pixels_do_not_count(self):
         picture = np.concatenate([colour_noise(256), np.ones((256, 256, 1))], -1)

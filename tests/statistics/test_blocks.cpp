@@ -144,4 +144,7 @@ TEST_CASE("a constant picture has no estimates") {
     add_picture(blocks, flat, 64);
     CHECK_FALSE(blocks.estimate(1));
     CHECK(fitted_normal(Moments()).deviation == 1);
+    Moments one;
+    one.add(std::vector{0.5f});
+    CHECK(fitted_normal(one).mean == 0.5);
 }
