@@ -1,6 +1,6 @@
-"""Generates the parts of shaders/nodes that come from the drop-ins: WGSL modules for Bevy, TSL for three.js, and the library of
-MaterialX's nodes in GLSL, OSL and MDL. The library has a few functions of gabor_lattice.glsl, rewritten for languages without
-structs or unsigned integers. tools/translate calls this module."""
+"""Generates the parts of shaders/nodes that come from the drop-ins: WGSL modules for Bevy, TSL for three.js, and MaterialX's library
+in GLSL, OSL and MDL. The library has a few functions of gabor_lattice.glsl, rewritten for languages without structs or unsigned
+integers. tools/translate calls this module."""
 
 import ast
 import json
@@ -26,7 +26,7 @@ LICENSE = "// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifie
 # ---- Text ----------------------------------------------------------------------------------------------------------
 
 def arguments(text, opening):
-    """Finds the closing parenthesis, and the arguments before it."""
+    """Finds the parenthesis that closes the one at `opening`, and the arguments between them."""
     depth, parts, start = 0, [], opening + 1
     for place in range(opening, len(text)):
         depth += (text[place] in "([{") - (text[place] in ")]}")
@@ -50,7 +50,7 @@ def each_call(text, name, rewritten):
 
 # ---- Bevy: WGSL with imports ---------------------------------------------------------------------------------------
 
-# Each module's file, and the drop-ins that it imports from.
+# Each module's drop-in, and the modules that it imports.
 MODULES = {
     "lattice": ("gabor_lattice", []),
     "spectrum": ("gabor_spectrum", ["lattice"]),
@@ -62,7 +62,7 @@ MODULES = {
 
 
 def bevy_modules():
-    """Path and text of each translation to WGSL as a module for naga_oil, which allows no override constants in modules."""
+    """Yields the path and text of each module. naga_oil allows no override constants in modules."""
     texts = {module: (ROOT / "shaders" / "translations" / f"{name}.wgsl").read_text() for module, (name, _) in MODULES.items()}
     defined = {module: re.findall(r"^(?:fn|struct|const|override) (\w+)", text, re.MULTILINE) for module, text in texts.items()}
     for module, (name, needed) in MODULES.items():
@@ -80,7 +80,7 @@ def macro(source, name):
 
 
 def constants(source):
-    """The salts, and the factors of sums in the plane and in space, from the deviation and the energy of windows."""
+    """Returns the hash salts, and the factors that scale sums in the plane and in space to variance 1."""
     lattice, others = source("gabor_lattice"), source("gabor_spectrum") + source("gabor_lattice_3d")
     deviation = float(macro(lattice, "GABOR_IMPL_DEVIATION"))
     return {"ROWS": macro(lattice, "GABOR_IMPL_ROWS"), "SLICES": macro(others, "GABOR_IMPL_SLICES"),
@@ -88,7 +88,7 @@ def constants(source):
 
 
 def common(source):
-    """The library's GLSL, with the drop-in's functions and constants under MaterialX's names."""
+    """Returns the library's GLSL, with the drop-in's functions and constants under MaterialX's names."""
     lattice = source("gabor_lattice")
     found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
     text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in constants(source).items())
@@ -100,7 +100,7 @@ def common(source):
 
 
 def integers(text, shifted):
-    """Replaces uint by int, which behaves identically except for >>."""
+    """Replaces uint by int, which behaves identically except for >>, and each >> by `shifted`."""
     text = re.sub(r"\buint\b", "int", re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"\1", text))
     return re.sub(r"(\((?:[^()]|\([^()]*\))*\)|\w+) >> (\d+)", shifted, text)
 
@@ -115,7 +115,7 @@ def copied(parameters, body):
 
 
 def title(text, language):
-    """The header of the file's translation."""
+    """Returns the header of a file's translation."""
     return (f"// Generated from ../genglsl{'/lib' if 'tools/translate' in text else ''} by tools/translate, for {language}: change "
             f"that file, not this one.\n//\n{LICENSE}\n")
 
@@ -152,7 +152,7 @@ def osl(text):
 
 
 def osl_shader(path, library):
-    """A shader of shaders/nodes/osl, with the library's functions between its marks, under the drop-in's names."""
+    """Returns a shader of shaders/nodes/osl with the library's functions, under the drop-in's names, between its marker lines."""
     functions = re.sub(r"\bmx_gabor_", "gabor_impl_", library[library.index("#define"):].replace("MX_GABOR", "GABOR_IMPL"))
     functions = re.sub(r"^// ---- End ----\n\n", "", functions, flags=re.MULTILINE)
     return re.sub(r"(// ---- From MaterialX's library ----\n)(?:.*\n)*?(// ---- End ----\n)",
@@ -167,7 +167,7 @@ def signed(match):
 
 
 def mdl_function(match):
-    """Copies parameters that are assigned to, and lets a node return its result."""
+    """Copies parameters that are assigned to, and turns a node's output parameter into its return value."""
     node, parameters, body = match["type"] == "void", match["parameters"], match["body"]
     kind = match["type"]
     if node:
@@ -179,7 +179,7 @@ def mdl_function(match):
 
 
 def mdl_variants():
-    """The nodes of each type. MaterialX 1.39 needs all, because it imports no module for nodes within other targets' graphs."""
+    """Yields a node for each type. MaterialX 1.39 needs all of them: in MDL, it does not import the module for nodes of graphs."""
     for dim, place, direction in (("2d", "float2 texcoord", "float orientation"),
                                   ("3d", "float3 position", "float3 direction")):
         inputs = f"{place}, float frequency, {direction}, int seed"
@@ -196,7 +196,7 @@ def mdl_variants():
 
 
 def mdl(texts):
-    """All nodes in one module."""
+    """Returns one module with all nodes."""
     whole = "\n".join(re.sub("(?:.*\n)*?(?=^(#define|uint|void))", "", text, count=1, flags=re.MULTILINE) for text in texts)
     whole = integers(whole, r"\1 >>> \2").replace("// ---- End ----\n\n", "")
     for name, number in re.findall(r"^#define (\w+) (\S+)\n", whole, re.MULTILINE):
@@ -214,7 +214,7 @@ METHODS = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.BitXor: "bitXor"
 
 
 def tsl_expression(text):
-    """Turns an expression of GLSL into calls of methods. Python's parser reads it, because both have the same operators."""
+    """Turns an expression of GLSL into method calls. Python's parser can read it, because the operators are the same."""
     text = re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"uint(\1)", text)
     text = re.sub(r"([^(),]+) \? ([^:]+) : ([^),]+)", r"(\2 if \1 else \3)", text)
 
@@ -256,7 +256,7 @@ def tsl_function(match):
 
 
 def tsl(source):
-    """The drop-in's constants, and the functions that the nodes use."""
+    """Returns the module of TSL with the drop-in's constants and functions between its marker lines."""
     lattice = source("gabor_lattice")
     found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
     numbers = [f"const {name} = {number.removesuffix('u')};\n" for name, number in constants(source).items()]
@@ -268,7 +268,7 @@ def tsl(source):
 # ---- Files ---------------------------------------------------------------------------------------------------------
 
 def made(source):
-    """Path and text of each file. `source` returns the text of a drop-in."""
+    """Yields the path and text of each file. `source` returns the text of a drop-in."""
     glsl = common(source)
     yield from bevy_modules()
     yield COMMON, glsl

@@ -31,7 +31,7 @@
 #ifndef GABOR_LATTICE_HPP
 #define GABOR_LATTICE_HPP
 
-// ---- GLSL's vectors, as far as the noise uses them ------------------------------------------------------
+// ---- The types and functions of GLSL that the noise uses ------------------------------------------------
 
 #ifndef GABOR_VECTORS_HPP
 #define GABOR_VECTORS_HPP
@@ -40,7 +40,7 @@
 #include <cstdint>
 #include <cstring>
 
-// Everything is inlined, because only then do compilers vectorize loops over points.
+// Compilers vectorize loops over points only if everything is inlined.
 #if defined(__GNUC__)
 #define GABOR_INLINE inline __attribute__((always_inline))
 #elif defined(_MSC_VER)
@@ -113,7 +113,7 @@ using gabor_ivec4 = gabor_vector<int, 4>;
 using gabor_uvec2 = gabor_vector<std::uint32_t, 2>;
 using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
 
-// Defines a componentwise function of vectors of equal length. R is the type of the result's components.
+// Defines a function that applies `function` to each component. R is the type of the result's components.
 #define GABOR_EACH(name, R, function)                                                                        \
     template <typename T>                                                                                    \
     GABOR_INLINE gabor_vector<R, 2> name(gabor_vector<T, 2> a) {                                             \
@@ -185,7 +185,7 @@ GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 3> v) {
     return v.x || v.y || v.z;
 }
 
-// condition ? a : b without a branch, which would prevent vectorization.
+// Returns condition ? a : b without a branch, which would prevent vectorization.
 GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
     std::uint32_t x, y;
     std::memcpy(&x, &a, sizeof x);
@@ -196,8 +196,8 @@ GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
     return a;
 }
 
-// std::floor is a function call on processors without an instruction for it. Beyond 2^23 all floats are
-// integers.
+// Replaces std::floor, which is a function call on processors without an instruction for it. All floats
+// beyond 2^23 are integers.
 GABOR_INLINE float gabor_cpp_floor(float x) {
     const float near = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
     const float whole = float(int(near));
@@ -328,6 +328,9 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 #undef GABOR_MINUS
 #undef GABOR_TIMES
 #undef GABOR_OVER
+#undef GABOR_AND
+#undef GABOR_LEFT
+#undef GABOR_RIGHT
 #undef GABOR_NEGATIVE
 #undef GABOR_BELOW
 #undef GABOR_UNEQUAL
