@@ -83,7 +83,7 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
     return measurement;
 }
 
-// Interleaves the rounds, so that other load affects all noises alike.
+// Interleaves the noises, so that other load on the machine affects all alike.
 void interleave(Measurements& measurements, int repetitions, const std::function<void()>& step) {
     for (int round = -1; round < repetitions; ++round) {
         for (Measurement& measurement : measurements) {
@@ -164,7 +164,7 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
             continue;
         const statistics::Estimate cvm = measure_cvm(device, all[i], values, effort.sample_batches, step);
         measurements[i].row.cvm = cvm;
-        for (Measurement& other : measurements) // a bake equals its recipe within 5e-5
+        for (Measurement& other : measurements) // a bake has the values of its recipe within 5e-5
             if (other.baked && other.baked == all[i].recipe)
                 other.row.cvm = cvm;
     }

@@ -44,7 +44,7 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
             static_cast<int>(value(two, "VGPRs"))};
 }
 
-// The compiler only guesses how often a loop runs. So this measures the code without the loop, and adds the
+// The compiler can only guess how often a loop runs. So this counts the code without the loop, and adds the
 // cost of one round for each octave.
 Code multiplied_out(const vulkan::Device& device, Subject subject) {
     subject.options.back() = 0;

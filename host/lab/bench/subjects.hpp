@@ -20,7 +20,7 @@ struct Subject {
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
     bool measure_cvm = false;                ///< whether to measure the Gaussianity of its values
     bool has_loops = false; ///< whether compilers keep its loops, so that its code cannot be counted
-    int octaves = 0;        ///< rounds of a loop that compilers keep; also the last option
+    int octaves = 0;        ///< rounds of the loop over octaves, and the last option; 0 without it
 };
 
 /// The noises that others are compared with, named as in docs/benchmark.html.
@@ -44,8 +44,8 @@ struct Setting {
 constexpr Setting base_setting{1024, 32, 4};
 constexpr double base_orientation = 40; ///< degrees
 
-/// What a pass is for: to fill a picture, to evaluate random places of independent instances, or to report
-/// the compiler's statistics.
+/// The use of a pass: to fill a picture, to sample random places of independent instances, or to report the
+/// compiler's statistics.
 enum class Use { picture, samples, statistics };
 
 /// Makes the pass of a subject.

@@ -34,13 +34,13 @@ const bench::Row& find(const std::vector<bench::Row>& rows, std::string_view nam
 void print_base(const std::vector<bench::Row>& rows) {
     const double seminal = find(rows, bench::seminal_yardstick).seconds.median;
     const double advice = find(rows, bench::advice_yardstick).seconds.median;
-    const double gradient = find(rows, bench::perlin_yardstick).seconds.median;
+    const double perlin = find(rows, bench::perlin_yardstick).seconds.median;
     const double writing = find(rows, bench::writing_alone).seconds.median;
     const bench::Row& first = rows.front();
     fmt::print("{0} x {0} pixels, {1} pixels per kernel radius, frequency {2}\n", first.side, first.scale,
                first.frequency);
     fmt::print("{:<40}{:>8}{:>10}{:>23}{:>10}{:>9}{:>10}{:>9}{:>10}  {}\n", "", "visited", "ns/pixel",
-               "quartiles", "seminal/", "advice/", "/gradient", "writing/", "pipeline", "cvm");
+               "quartiles", "seminal/", "advice/", "/Perlin", "writing/", "pipeline", "cvm");
     for (const bench::Row& row : rows) {
         const double to_nanoseconds = 1e9 / row.side / row.side;
         const std::string cvm =
@@ -50,7 +50,7 @@ void print_base(const std::vector<bench::Row>& rows) {
                    row.visited > 0 ? fmt::format("{:.0f}", row.visited) : "", row.nanoseconds_per_pixel(),
                    fmt::format("{:.3f} to {:.3f}", row.seconds.lower * to_nanoseconds,
                                row.seconds.upper * to_nanoseconds),
-                   seminal / row.seconds.median, advice / row.seconds.median, row.seconds.median / gradient,
+                   seminal / row.seconds.median, advice / row.seconds.median, row.seconds.median / perlin,
                    writing / row.seconds.median, row.pipeline * 1e3, cvm);
     }
 }

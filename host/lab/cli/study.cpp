@@ -70,7 +70,7 @@ void measure(const StudyOptions& options) {
 
 void add_study_command(CLI::App& app) {
     auto options = std::make_shared<StudyOptions>();
-    CLI::App* command = app.add_subcommand("study", "Reproduce and extend the figures of [TNVT19]");
+    CLI::App* command = app.add_subcommand("study", "Reproduce and extend the paper's figures");
     std::string names;
     for (const study::Study& study : study::studies())
         names += fmt::format("{} ({}); ", study.name, study.description);

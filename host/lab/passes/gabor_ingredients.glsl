@@ -1,4 +1,4 @@
-// gabor_ingredients.glsl: every ingredient that [TNVT19] compares, for the study; the drop-in is gabor_noise.glsl.
+// gabor_ingredients.glsl: the points, weights, kernels and envelopes that [TNVT19] compares, for the study.
 //
 //     n(p) = K sum_i w_i g(p - x_i),    g(d) = envelope(d) wave(2 pi (F d.omega + phase_i)),    |d| <= 1
 //
@@ -26,8 +26,8 @@
 
 // ---- Points --------------------------------------------------------------------------------------------------------
 
-// A Poisson count by Knuth's product of uniforms, as in the seminal implementation. Splits the mean into
-// parts of at most 64, for which exp does not underflow.
+// Returns a Poisson count by Knuth's product of uniforms, as in the seminal implementation. Splits the mean
+// into parts of at most 64, for which exp does not underflow.
 int gabor_impl_poisson_count(float mean, uint cell_word) {
     int draws = 0;
     int parts = 0;
@@ -43,13 +43,13 @@ int gabor_impl_poisson_count(float mean, uint cell_word) {
     return draws - parts;
 }
 
-// Two numbers in (0, 1) from bits 8 to 31.
+// Returns two numbers in (0, 1) from bits 8 to 31.
 vec2 gabor_impl_unit_square(uint word) {
     return (vec2(int(word >> 20u), int((word >> 8u) & 0xfffu)) + 0.5) / 4096.0;
 }
 
-// A random point in one of N sub-cells of equal area in round(sqrt(N)) rows. If N is not a square, rows
-// differ by one sub-cell, and their heights are in proportion to their counts.
+// Returns a random point in one of N sub-cells of equal area in round(sqrt(N)) rows. If N is not a square, some
+// rows have one sub-cell more than others, and the height of a row is proportional to its number of sub-cells.
 vec2 gabor_impl_jittered_point(int index, vec2 unit) {
     float n = float(GABOR_IMPULSES);
     float i = float(index);
@@ -61,7 +61,7 @@ vec2 gabor_impl_jittered_point(int index, vec2 unit) {
 }
 
 // The Voronoi cells of the lattice (i / N, i STEP / N) mod 1 are N equal hexagons per cell, which tile the
-// plane across all cells. This returns a random point in one of them. A and B are a reduced basis of the
+// plane across all cells. Returns a random point in one of them. A and B are a reduced basis of the
 // lattice with A.B >= 0. A random point of their parallelogram becomes uniform in the hexagon when moved by
 // whichever of A, B and B - A bring it nearer to the centre.
 vec2 gabor_impl_hexagon_point(int index, vec2 unit) {
@@ -79,7 +79,7 @@ vec2 gabor_impl_hexagon_point(int index, vec2 unit) {
 
 // Sobol's sequence in two dimensions as 32-bit fractions. The first is the bit reversal of the index. The
 // second has the primitive polynomial x + 1, so that each direction number v is followed by v ^ (v >> 1).
-// Together, they are Pascal's triangle modulo 2, applied here to all bits in five steps (Ahmed, "An
+// These numbers form Pascal's triangle modulo 2, which is applied here to all bits in five steps (Ahmed, "An
 // Implementation Algorithm of 2D Sobol Sequence Fast, Elegant, and Compact", EGSR 2024).
 uvec2 gabor_impl_sobol_point(uint index) {
     uint v = index;
@@ -103,13 +103,13 @@ uint gabor_impl_owen_scrambled(uint fraction, uint seed) {
     return bitfieldReverse(v);
 }
 
-// The number of impulses in a cell. `cell_word` is the hash of its impulse -1.
+// Returns the number of impulses in a cell. `cell_word` is the hash of its impulse -1.
 int gabor_count(uint cell_word) {
     return GABOR_POINTS == 0 ? gabor_impl_poisson_count(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
 }
 
-// The position of an impulse relative to its cell's corner. A Sobol cell takes N successive points from a random start
-// in the sequence; a scrambled one takes the first N, with its own scrambling.
+// Returns the position of an impulse relative to its cell's corner. With Sobol points, a cell has N successive points from
+// a random start in the sequence; with scrambled ones, it has the first N under its own scrambling.
 vec2 gabor_point(int index, uint word, uint cell_word) {
     if (GABOR_POINTS == 2)
         return gabor_impl_jittered_point(index, gabor_impl_unit_square(word));
@@ -160,8 +160,8 @@ int gabor_impl_wrapped_cell(int cell) {
     return GABOR_PERIOD == 0 ? cell : cell - int(period * floor((float(cell) + 0.5) / period));
 }
 
-// The sum at cell + local, in kernel radii, for the wave vector F omega in cycles per kernel radius, without K. Cells
-// wrap around at 2^31.
+// Returns the sum, without K, at cell + local in kernel radii. `wave` is F omega, in cycles per kernel radius. Cells wrap
+// around at 2^31.
 float gabor_ingredients(ivec2 cell, vec2 local, vec2 wave, uint seed) {
     float reach = GABOR_POINTS == 3 ? 1.0 + GABOR_HEX_OVERHANG : 1.0;
     int visited = GABOR_POINTS == 3 && GABOR_HEX_OVERHANG > 0.0 ? 4 : 3;

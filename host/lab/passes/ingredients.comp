@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Computes noise with any ingredients at the study's places.
+// Computes the noise of any ingredients at the study's places.
 
 #include "ingredients.glsl"
 #include "places.glsl"

@@ -1,6 +1,7 @@
-// The study's places: a square grid of 4^grid_bits places in each of many instances. The grid starts at a
-// fixed place or at a random offset of up to a cell from there. Single values, pairs, windows, cells and
-// pictures are all such grids. Include a file that defines gabor_impl_mix before this one.
+// The places at which a study evaluates a noise: a square grid of 4^grid_bits places in each of many
+// instances. The grid starts at a fixed place, or at a random offset of up to a cell from there. Single
+// values, pairs, windows, cells and pictures are all such grids. Include a file that defines gabor_impl_mix
+// before this one.
 
 #include "passes/places_interface.h"
 
@@ -8,7 +9,7 @@ layout(local_size_x = places_group) in;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };
 
-// Two numbers in [0, 1).
+// Returns two random numbers in [0, 1).
 vec2 place_random(uint instance) {
     uint x = gabor_impl_mix(instance * 0x9e3779b1u, place_seed);
     uint y = gabor_impl_mix(x, place_seed ^ 0x85ebca6bu);

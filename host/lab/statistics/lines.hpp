@@ -52,11 +52,11 @@ class NoiseLines {
     /// The formula of each function of a value n.
     static constexpr std::array<std::string_view, count> names{"n", "n^2", "|n|", "n^4", "|n| > 2.5"};
 
-    /// Like Lines, for values with variance 1.
+    /// Expects pictures as Lines does, of a noise with variance 1.
     explicit NoiseLines(int side) : lines_(count, Lines(side)) {}
     void add_row(std::span<const float> row);
 
-    /// Returns the ratio of each function, in the order of the names.
+    /// Returns Lines::largest of each function, in the order of the names.
     std::array<double, count> largest() const;
 
   private:

@@ -91,7 +91,7 @@ Tables figure2(const vulkan::Device& device, const Effort& effort) {
     return {table};
 }
 
-// The instances of the inset: seminal noise with a cvm of about 50, 5 and 0.5.
+// Writes the pictures of the insets: seminal noise with a cvm of about 50, 5 and 0.5.
 void figure2_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder) {
     for (const int n : {4, 10, 30}) {
         Noise noise(device, Ingredients{.impulses = n});
@@ -101,7 +101,7 @@ void figure2_pictures(const vulkan::Device& device, const Effort& effort, const 
     }
 }
 
-// Figure 3: the seminal N that is needed for the same Gaussianity, against N.
+// Figure 3: the N at which the seminal noise is equally Gaussian, against N.
 
 void SeminalCurve::add(int n, double cvm) {
     // Keeps only the falling part, because chance can make the curve rise at its low end.
@@ -146,7 +146,7 @@ Tables figure3(const vulkan::Device& device, const Effort& effort) {
 // Figure 4: fluctuations of the windowed contrast against N.
 
 Tables figure4(const vulkan::Device& device, const Effort& effort) {
-    // Deviations are given for noise with a standard deviation of 1/4, which keeps 95 % of the histogram in
+    // Contrasts are those of noise with a standard deviation of 1/4, which puts 95 % of the histogram in
     // [0, 1].
     constexpr double shown = 0.25;
     Table table{
@@ -171,13 +171,12 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
     return {table};
 }
 
-// Figure 5: time of the recommended noise, and of the seminal noise with the same quality and with the same
-// N.
+// Figure 5: the times of the recommended noise, of the same noise with Poisson points, and of the seminal
+// noise with the same quality.
 
 namespace {
 
-// Returns N*, from the cvm if it is clearly above 0. If the noise is too close to normal for that, N* comes
-// from the excess kurtosis.
+// Returns N*. It comes from the cvm if that is clearly above 0, otherwise from the excess kurtosis.
 double seminal_equivalent(const ValueStatistics& values, const Ingredients& ingredients) {
     const statistics::Estimate cvm = values.gaussianity.index();
     if (cvm.low > cvm.value / 2)
@@ -215,7 +214,7 @@ Tables figure5(const vulkan::Device& device, const Effort& effort) {
     return {table};
 }
 
-// Figure 6: six lobes of three kernels under a colour map, seminal and recommended.
+// Figure 6: six lobes of three kernels under a colour map, for the seminal and the recommended noise.
 
 namespace {
 

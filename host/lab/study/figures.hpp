@@ -13,7 +13,7 @@ namespace gabor::study {
 using Tables = std::vector<Table>;
 using Folder = std::filesystem::path;
 
-/// Return the tables of each figure or study, or write its pictures into `folder`.
+/// Each function returns the tables of a figure or study, or writes its pictures into `folder`.
 Tables figure1(const vulkan::Device& device, const Effort& effort);
 Tables figure2(const vulkan::Device& device, const Effort& effort);
 void figure2_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder);
@@ -28,7 +28,7 @@ void law_pictures(const vulkan::Device& device, const Effort& effort, const Fold
 Tables frontier(const vulkan::Device& device, const Effort& effort);
 Tables future(const vulkan::Device& device, const Effort& effort);
 
-/// N* of a cvm: the N with which the seminal noise reaches that cvm. Interpolates the measured curve
+/// Computes N* of a cvm: the N with which the seminal noise reaches that cvm. Interpolates the measured curve
 /// logarithmically; beyond it, uses the limit cvm = 2^18 (k / (24 N))^2 C for the excess kurtosis k / N
 /// (Edgeworth's series, C = integral of (He3 phi)^2 dPhi = 7 / (9 sqrt(3) pi)). Infinite if cvm is not
 /// positive.
@@ -45,14 +45,14 @@ inline constexpr std::string_view recipe_columns =
     "window,lattice,law,floor,jitter,N,R,samples,visited,cvm,cvm_low,cvm_high,variance,places_interdecile,"
     "places_chance,contrast_interdecile,sidelobe_db,outside,cvm_places,cvm_places_low,cvm_places_high";
 
-/// All criteria of one recipe: Gaussianity over all places and at each place of a cell, variance at each
-/// place, contrast of windows, and spectral purity.
+/// Returns a row with all criteria of one recipe: Gaussianity over all places and at each place of a cell,
+/// variance at each place, contrast of windows, and spectral purity.
 Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effort& effort);
 
-/// The same criteria for a lattice recipe.
+/// Returns a row with the same criteria of a lattice recipe.
 Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const Effort& effort);
 
-/// The same criteria for the seminal noise.
+/// Returns a row with the same criteria of the seminal noise.
 Row seminal_row(const vulkan::Device& device, const Effort& effort);
 
 /// Appends 1 to rows on the Pareto front and 0 to others. A row is on the front if its variance is stationary

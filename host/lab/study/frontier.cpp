@@ -44,8 +44,8 @@ bool dominates(const Numbers& a, const Numbers& b) {
     return better;
 }
 
-// Measures all criteria of a noise, the columns of `recipe_columns` after the key. `cell` is a cell's side in
-// kernel radii.
+// Measures all criteria of a noise: the columns of `recipe_columns` that follow the key. `cell` is a cell's
+// side in kernel radii.
 Numbers criteria(Noise noise, const SpectralPurity& purity, double visits, double cell, const Effort& effort,
                  std::uint32_t seed) {
     const std::span<Noise> sum = single(noise);

@@ -32,7 +32,7 @@ double radial_envelope(Envelope envelope, double r) {
     }
 }
 
-// integral of envelope(d)^power cos(2 pi k.d), k = frequency omega
+// Integrates envelope(d)^power cos(2 pi k.d), with k = frequency omega.
 double envelope_integral(Envelope envelope, double power, double frequency, double orientation) {
     if (envelope == Envelope::c1_separable) {
         const auto axis = [&](double k) {
@@ -54,8 +54,9 @@ double envelope_at(Envelope envelope, double x, double y) {
     return square <= 1 ? radial_envelope(envelope, std::sqrt(square)) : 0;
 }
 
-// cos^2 = (1 + cos 2x) / 2 and cos^4 = (3 + 4 cos 2x + cos 4x) / 8; for the sine, the middle sign is
-// negative; a random phase leaves only the constants.
+// Returns the sign of cos 2x in the square and the fourth power of the wave: cos^2 x = (1 + cos 2x) / 2 and
+// cos^4 x = (3 + 4 cos 2x + cos 4x) / 8. It is negative for the sine. With a random phase, only the constants
+// remain.
 double sign(Kernel kernel) {
     return kernel == Kernel::cosine ? 1 : kernel == Kernel::sine ? -1 : 0;
 }
@@ -84,7 +85,7 @@ void reduce(Vector& a, Vector& b) {
         b = {-b[0], -b[1]};
 }
 
-// The circumradius of the triangle 0, a, b, whose circumcentre is a corner of the hexagon.
+// Returns the circumradius of the triangle 0, a, b, whose circumcentre is a corner of the hexagon.
 double circumradius(const Vector& a, const Vector& b) {
     const double area = std::abs(a[0] * b[1] - a[1] * b[0]) / 2;
     const Vector c = subtract_multiple(b, a, 1);

@@ -29,7 +29,7 @@ inline constexpr std::array all_kernels{Kernel::cosine, Kernel::sine, Kernel::ra
 inline constexpr std::array all_envelopes{Envelope::gaussian, Envelope::c0, Envelope::c1_radial,
                                           Envelope::c1_separable};
 
-/// The paper's name in lower case, as in tables.
+/// Returns the paper's name of an ingredient in lower case, as in tables.
 std::string_view name(Points points);
 std::string_view name(Weights weights);
 std::string_view name(Kernel kernel);
@@ -52,11 +52,11 @@ struct Ingredients {
 inline constexpr Ingredients recommended{
     Points::stratified, Weights::bernoulli, Kernel::cosine, Envelope::gaussian, 2, 0};
 
-/// The values of the columns "points,weights,kernel,envelope,N", with which tables begin.
+/// Returns the values of the columns "points,weights,kernel,envelope,N", with which tables begin.
 std::string key(const Ingredients& ingredients);
 
 /// The lattice (i / n, i step / n) mod 1: n points in each unit cell, the same in all cells. Its Voronoi
-/// cells are equal hexagons that tile the plane, as regular as possible if the lattice repeats in each cell.
+/// cells are equal hexagons that tile the plane.
 struct HexagonalLattice {
     int step = 0;
     std::array<double, 2> a{}; ///< a reduced basis with a.b >= 0
@@ -64,22 +64,23 @@ struct HexagonalLattice {
     double overhang = 0; ///< how far hexagons extend beyond the unit cell, at most 1/2
 };
 
-/// The lattice with n points per cell that has the largest distance between nearest points.
+/// Returns the lattice with n points per cell that has the largest distance between nearest points.
 HexagonalLattice hexagonal_lattice(int n);
 
-/// The specialization constants of passes/ingredients.glsl.
+/// Returns the specialization constants of passes/ingredients.glsl.
 std::vector<std::uint32_t> constants(const Ingredients& ingredients);
 
-/// Variance of the sum by Campbell's theorem: N E[w^2] times the energy of the kernel. Exact for weights with
-/// mean 0 and for Poisson points; other points without weights have a smaller variance.
+/// Returns the variance of the sum by Campbell's theorem: N E[w^2] times the energy of the kernel. Exact for
+/// weights with mean 0 and for Poisson points; other points without weights have a smaller variance.
 double variance(const Ingredients& ingredients, const PlaneWave& wave);
 
-/// Excess kurtosis of the sum with Poisson points, N E[w^4] integral(g^4) / variance^2 by Campbell's theorem.
+/// Returns the excess kurtosis of the sum with Poisson points: N E[w^4] integral(g^4) / variance^2 by
+/// Campbell's theorem.
 double poisson_kurtosis(const Ingredients& ingredients, const PlaneWave& wave);
 
-/// Excess kurtosis of the sum with stratified points, averaged over the places of a cell: sum_c N (m4 - 3
-/// m2^2) / variance^2, where m2 and m4 are moments of one impulse of cell c. Only for the cosine and the
-/// sine.
+/// Returns the excess kurtosis of the sum with stratified points, averaged over the places of a cell: sum_c N
+/// (m4 - 3 m2^2) / variance^2, where m2 and m4 are moments of one impulse of cell c. Only for the cosine and
+/// the sine.
 double stratified_kurtosis(const Ingredients& ingredients, const PlaneWave& wave);
 
 } // namespace gabor::study

@@ -13,12 +13,12 @@ namespace gabor::study {
 
 // Each function measures the sum of several noises with different seeds, all derived from `seed`.
 
-/// A sum of one noise.
+/// Returns a sum of one noise.
 inline std::span<Noise> single(Noise& noise) {
     return {&noise, 1};
 }
 
-/// The statistics of values.
+/// The statistics of a set of values.
 struct ValueStatistics {
     statistics::Moments moments;
     statistics::Gaussianity gaussianity;

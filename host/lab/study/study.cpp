@@ -17,7 +17,7 @@ namespace {
 constexpr std::array known{
     Study{"figure1", "the point sets", figure1, nullptr},
     Study{"figure2", "Gaussianity against N", figure2, figure2_pictures},
-    Study{"figure3", "seminal N with the same Gaussianity", figure3, nullptr},
+    Study{"figure3", "N at which the seminal noise is equally Gaussian", figure3, nullptr},
     Study{"figure4", "contrast of windows against N", figure4, nullptr},
     Study{"figure5", "time against N", figure5, nullptr},
     Study{"figure6", "a noise of six lobes, and its time", figure6, figure6_pictures},

@@ -22,9 +22,9 @@ struct Effort {
     int picture_bits;          ///< pictures have 2^bits x 2^bits pixels
     int timings;               ///< number of timings whose median is taken
 
-    /// The paper's seven million samples, and N up to 30: every N up to 10, then only some.
+    /// Seven million samples as in the paper, and N up to 30: every N up to 10, then only some.
     static Effort full();
-    /// Few enough samples to run everything in two minutes on a software device.
+    /// Few samples, which take two minutes for all studies on a CPU driver.
     static Effort quick();
 };
 

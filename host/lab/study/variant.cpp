@@ -14,7 +14,7 @@ namespace gabor::study {
 
 namespace {
 
-// E[magnitude^power], for powers 2, 4 and 6.
+// Returns E[magnitude^power] for powers 2, 4 and 6.
 double magnitude_moment(Magnitudes magnitudes, double floor, int power) {
     switch (magnitudes) {
     case Magnitudes::uniform: {
@@ -30,7 +30,7 @@ double magnitude_moment(Magnitudes magnitudes, double floor, int power) {
     }
 }
 
-// The mean over [0, 1)^2, which equals the integral.
+// Returns the mean of f over [0, 1)^2, which equals its integral.
 double mean_over_cell(int nodes, const std::function<double(double, double)>& f) {
     double sum = 0;
     for (int j = 0; j < nodes; ++j)
@@ -170,7 +170,7 @@ double node(int i) {
     return (i + 0.5) / nodes;
 }
 
-// The Fourier transform of a separable window along an axis, or the Hankel transform of a round one.
+// Returns the Fourier transform of a separable window along an axis, or the Hankel transform of a round one.
 double transform(const std::function<double(double)>& q, bool separable, double frequency) {
     double sum = 0;
     for (int i = 0; i < nodes; ++i) {
@@ -196,7 +196,7 @@ SpectralPurity spectral_purity(const std::function<double(double)>& q, bool sepa
         ++end;
     const double sidelobe = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(end), power.end());
 
-    // By Parseval's theorem, the window gives the total power; whatever is not in the lobe is outside it. On
+    // By Parseval's theorem, the window itself gives the total power; the rest of it is outside the lobe. On
     // a separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round one with Hankel's
     // transform, (2 pi)^2 integral(a^2 f) df = integral(w^2 r) dr.
     double lobe = 0;

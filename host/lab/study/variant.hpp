@@ -14,7 +14,7 @@ enum class Lattice { square, brick };
 enum class Magnitudes { uniform, two_point, rayleigh };
 enum class Shape { separable, radial, gaussian };
 
-/// The names of options in tables.
+/// Returns the name of an option in tables.
 std::string_view name(Lattice lattice);
 std::string_view name(Magnitudes magnitudes);
 std::string_view name(Shape shape);
@@ -27,7 +27,7 @@ struct Window {
     std::array<double, 3> c{1, 0, 0};
 };
 
-/// The value of the window at (x, y), in kernel radii.
+/// Returns the value of the window at (x, y), in kernel radii.
 double value(const Window& window, double x, double y);
 
 /// A recipe with random phases and choices that the drop-in does not offer.
@@ -41,28 +41,29 @@ struct Variant {
     double jitter = 1; ///< how far impulses may be from the centre of their cell; 0 for a regular grid
 };
 
-/// The specialization constants of passes/variants.comp.
+/// Returns the specialization constants of passes/variants.comp.
 std::vector<std::uint32_t> constants(const Variant& variant);
 
-/// N R^2 E[w^2] integral(window^2) / 2: the mean variance over all places and, if jitter is 1, the variance
-/// at each place.
+/// Returns N R^2 E[w^2] integral(window^2) / 2: the mean variance over all places and, if jitter is 1, the
+/// variance at each place.
 double variance(const Variant& variant);
 
-/// The mean number of impulses in the cells whose impulses can reach a place: N (2 R + jitter)^2.
+/// Returns the mean number of impulses in the cells whose impulses can reach a place: N (2 R + jitter)^2.
 double visited(const Variant& variant);
 
-/// The floor, in steps of 1/1000, that brings the noise closest to a normal distribution, judged by the
-/// combined effect of its cumulants of orders 4 and 6 on the Cramér-von Mises index.
+/// Returns the floor, in steps of 1/1000, for which the cumulants of orders 4 and 6 together predict the
+/// smallest Cramér-von Mises index.
 double best_floor(const Variant& variant);
 
-/// How much of a kernel's power is in its main lobe. The spectrum of a kernel is that of its window around
-/// the wave vector: a lobe up to its first minimum, then sidelobes.
+/// How much of a kernel's power is outside its main lobe. The spectrum of a kernel is that of its window,
+/// shifted to the wave vector: a lobe up to the first minimum, then sidelobes.
 struct SpectralPurity {
     double sidelobe = 0; ///< power of the largest sidelobe, in dB relative to the lobe's peak
     double outside = 0;  ///< share of the power that is outside the lobe
 };
 
-/// The purity of a window q(x) q(y), or of a round one q(|d|), by quadrature of its Fourier transform.
+/// Computes the purity of a window q(x) q(y), or of a round one q(|d|), by quadrature of its Fourier
+/// transform.
 SpectralPurity spectral_purity(const std::function<double(double)>& q, bool separable);
 SpectralPurity spectral_purity(const Window& window);
 

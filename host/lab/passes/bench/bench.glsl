@@ -13,7 +13,7 @@ layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[];
 
 float value(vec2 p, uint instance);
 
-// Any good generator would do; this is PCG-RXS-M-XS (O'Neill, HMC-CS-2014-0905).
+// Any good generator would do. This is PCG-RXS-M-XS (O'Neill, HMC-CS-2014-0905).
 uint random_word(inout uint state) {
     state = state * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;

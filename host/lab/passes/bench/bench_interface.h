@@ -9,7 +9,8 @@ GABOR_INTERFACE_BEGIN
 
 const uint bench_group = 8; // invocations along x and y
 
-// Specialization constants: lower numbers belong to the recipe, higher ones to each pass.
+// Ids of specialization constants. Lower ids are those of the recipe; ids from option_id on are the pass's
+// own.
 const uint sampling_id = 7;
 const uint option_id = 8;
 

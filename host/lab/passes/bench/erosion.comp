@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Erodes hills with the drop-in, called as users would, or with the filter that uses random splats.
+// Erodes hills with the drop-in or with the filter that uses random splats.
 
 #include "gabor_lattice.glsl"
 #include "gabor_erosion.glsl"

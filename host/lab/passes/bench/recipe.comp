@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Calls the drop-in of any recipe as users would.
+// Calls the functions of any recipe's drop-in, as users do.
 
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
@@ -9,7 +9,7 @@
 #endif
 #include "bench.glsl"
 
-layout(constant_id = option_id) const int function = 0; // numbered as in host/lab/bench/subjects.hpp
+layout(constant_id = option_id) const int function = 0; // numbered as in host/lab/bench/subjects.cpp
 
 float value(vec2 p, uint instance) {
     switch (function) {

@@ -1,14 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Calls the 3D drop-in as users would.
+// Calls the functions of the 3D drop-in, as users do.
 
 #include "gabor_lattice.glsl"
 #include "gabor_spectrum.glsl"
 #include "gabor_lattice_3d.glsl"
 #include "bench.glsl"
 
-layout(constant_id = option_id) const int function = 0; // numbered as in host/lab/bench/subjects.hpp
+layout(constant_id = option_id) const int function = 0; // numbered as in host/lab/bench/subjects.cpp
 
 float value(vec2 p, uint instance) {
     vec3 place = vec3(p, 0.5);

@@ -1,7 +1,7 @@
-// The erosion filter with stripes made of random splats, as described by runevision, "Fast and gorgeous
-// erosion filter", March 2026. In each octave, each of the 4 x 4 cells around a point has one splat at a
-// random place: a wave under a round window, with the direction needed at the point. The benchmark compares
-// this filter with gabor_eroded; structs and parameters are the same.
+// The erosion filter of runevision, "Fast and gorgeous erosion filter", March 2026, whose stripes are sums of
+// random splats. In each octave, each of the 4 x 4 cells around a point has one splat at a random position: a
+// wave under a round window, with the direction needed at the point. The benchmark compares this filter with
+// gabor_eroded; structs and parameters are the same.
 
 // Two random numbers in [0, 1) for a cell: PCG2D by Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
 vec2 gabor_splat_place(ivec2 cell, uint seed) {
@@ -15,7 +15,8 @@ vec2 gabor_splat_place(ivec2 cell, uint seed) {
     return vec2(word) / 4294967296.0;
 }
 
-// Cosine and sine of stripes, with mean square 2 before normalization to length 1. p and wave are in cells.
+// Returns the cosine and sine of stripes: a sum of mean square 2, scaled by the sharpness and compressed to a length
+// below 1. p and wave are in cells.
 vec2 gabor_splat_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {
     vec2 corner = floor(p - 0.5);
     ivec2 cell = ivec2(corner);
@@ -52,7 +53,7 @@ GaborTerrain gabor_splat_eroded(vec2 p, GaborTerrain base, GaborErosion erosion,
         float full = gabor_splat_mask(steep / erosion.onset, rounding);
         mask *= full * full;
         vec2 across = vec2(-steer.y, steer.x) / steep;
-        float cells = frequency / 0.9; // gives a window as many waves as in gabor_eroded
+        float cells = frequency / 0.9; // a window has as many waves as in gabor_eroded
         vec2 z = gabor_splat_stripes(p * cells, 0.9 * across, erosion.sharpness, seed + uint(i) * 0x9e3779b9u);
         gully = mix(gully, erosion.gully_weight * z.x, mask);
         gully_slope = mix(gully_slope, -6.2831853 * frequency * erosion.gully_weight * z.y * across, mask);

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Calls the noises to compare with.
+// Calls the noises that gabor_noise is compared with.
 
 #include "bench.glsl"
 #include "yardsticks.glsl"

@@ -1,5 +1,5 @@
-// The noises to compare with, each written plainly, as a competent author would publish it. p is in kernel radii, and
-// `frequency` in waves per kernel radius. docs/benchmark.html times the same code in browsers.
+// The noises that gabor_noise is compared with, each written plainly, as a competent author would publish it. p is in
+// kernel radii, and `frequency` in waves per kernel radius. docs/benchmark.html times the same code in browsers.
 
 // ---- Hashes ----
 
@@ -10,7 +10,7 @@ uint yardstick_word(ivec2 cell, uint seed) {
     return word ^ (word >> 15u);
 }
 
-// A multiplicative congruential generator: the next value in [0, 1).
+// Returns the next value in [0, 1) of a multiplicative congruential generator.
 float yardstick_uniform(inout uint generator) {
     generator *= 3039177861u;
     return float(generator) / 4294967296.0;
@@ -22,7 +22,7 @@ uint yardstick_generator(ivec2 cell, uint seed) {
 
 // ---- Perlin's noises ----
 
-// Dot product of the offset with one of eight gradients.
+// Returns the dot product of the offset and one of eight gradients.
 float yardstick_slope(ivec2 corner, vec2 offset, uint seed) {
     uint word = yardstick_word(corner, seed);
     vec2 along = (word & 1u) == 0u ? offset : offset.yx;
@@ -51,7 +51,7 @@ float yardstick_corner(ivec2 corner, vec2 offset, uint seed) {
     return near * near * yardstick_slope(corner, offset, seed);
 }
 
-// Simplex noise: Perlin, "Noise hardware", 2001, in two dimensions. Sums the three corners of a triangle.
+// Perlin, "Noise hardware", 2001: simplex noise, in two dimensions. Sums the three corners of a triangle.
 float simplex_noise(vec2 p, float frequency, uint seed) {
     p *= 2.0 * frequency;
     const float skew = 0.36602540; // (sqrt(3) - 1) / 2
@@ -115,7 +115,7 @@ float yardstick_pair(ivec2 cell, vec2 offset, vec2 wave, uint seed) {
 }
 
 // Tavernier, Neyret, Vergne and Thollot, "Making Gabor noise fast and normalized", 2019. Each of 9 cells has 2 impulses. The
-// loop over cells is unrolled by hand, because compilers that estimate cycles can only guess how often a loop runs.
+// loop over cells is unrolled by hand, because a compiler that estimates cycles can only guess how often a loop runs.
 float advice_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
     ivec2 cell = ivec2(corner);
@@ -154,8 +154,8 @@ float gabor_72_noise(vec2 p, float frequency, float orientation, uint seed) {
     return 0.708 * sum.y;
 }
 
-// Tricard et al., "Procedural phasor noise", 2019: the sine of the phase of a sum over 16 impulses in each of 9 cells, with
-// random phases.
+// Tricard et al., "Procedural phasor noise", 2019: the sine of the phase of a complex sum over 16 impulses in each of 9
+// cells. The impulses have random phases.
 float phasor_noise(vec2 p, float frequency, float orientation, uint seed) {
     vec2 corner = floor(p);
     vec2 wave = 6.2831853 * frequency * vec2(cos(orientation), sin(orientation));
@@ -176,7 +176,7 @@ float phasor_noise(vec2 p, float frequency, float orientation, uint seed) {
     return sum.y * inversesqrt(max(dot(sum, sum), 1.0e-12));
 }
 
-// Stripes from a sum of 16 splats: each of 4 x 4 cells has one wave, around a random point.
+// Stripes from a sum of 16 splats: each of 4 x 4 cells has one, which is a wave around a random point.
 float splats_16_noise(vec2 p, float frequency, float orientation, uint seed) {
     p *= 1.5;
     vec2 corner = floor(p);
