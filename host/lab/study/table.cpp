@@ -30,7 +30,7 @@ std::filesystem::path path_of(const Table& table, const std::filesystem::path& f
 
 void write_table(const Table& table, const std::filesystem::path& folder, const std::string& conditions,
                  MeasuredRows& measured, const std::function<void(double)>& advance) {
-    image::OutputFile csv(path_of(table, folder, "csv")); // fails before any measurement
+    image::OutputFile csv(path_of(table, folder, "csv")); // throws before any measurement if it cannot write
     const std::filesystem::path sidecar = path_of(table, folder, "json");
     image::OutputFile json(sidecar);
     std::vector<Numbers> all;
@@ -46,7 +46,7 @@ void write_table(const Table& table, const std::filesystem::path& folder, const 
     std::string text = table.columns + (table.derived.empty() ? "" : "," + table.derived) + '\n';
     for (std::size_t i = 0; i < all.size(); ++i)
         text += fmt::format("{},{:.6g}\n", table.rows[i].key, fmt::join(all[i], ","));
-    std::filesystem::remove(sidecar); // it described the previous table
+    std::filesystem::remove(sidecar); // because it describes the previous table
     csv.write(text);
     csv.commit();
     json.write(conditions);

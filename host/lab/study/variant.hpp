@@ -38,7 +38,7 @@ struct Variant {
     Lattice lattice = Lattice::square;
     Magnitudes magnitudes = Magnitudes::two_point; ///< magnitudes of the amplitudes; phases are random
     double floor = 1;                              ///< A; unused by the Rayleigh distribution
-    double jitter = 1; ///< how far impulses may be from the centre of their cell; 0 for a regular grid
+    double jitter = 1; ///< 1: impulses are anywhere in their cell; 0: at its centre
 };
 
 /// Returns the specialization constants of passes/variants.comp.
