@@ -30,7 +30,7 @@ Row mean_row(const vulkan::Device& device, const Ingredients& ingredients, std::
                 Noise noise(device, ingredients);
                 const std::vector<double> means = measure_means(single(noise), 3, instances, seed);
                 const auto quantile = [&](double share) { return statistics::quantile(means, share); };
-                constexpr double percent = 100.0 / 4; // percent of the range, four standard deviations
+                constexpr double percent = 100.0 / 4; // percent of the value range: four standard deviations
                 return {percent * quantile(0.5), percent * (quantile(0.9) - quantile(0.1)),
                         percent * std::max(quantile(1), -quantile(0))};
             }};
