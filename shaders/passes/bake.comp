@@ -8,14 +8,14 @@
 //
 //     sum_c [K w_c q(x - x_c) e^(2 pi i (F.x (x - x_c) + F.y (y_0 - y_c) + phase_c))] q(y - y_c) e^(2 pi i F.y (y - y_0))
 //
-// where y_0 is the block's first row. The bracket is computed once per column of the block, q(y - y_c) once per row, and the
-// last factor, which all impulses share, once per pixel. Exponentials at equal distances follow from the first by rotation.
-// Derivatives have q' instead of q and gain the factor 2 pi i F.
+// where y_0 is the block's first row. The bracket is computed once per column of the block, and q(y - y_c) once per row. The
+// last factor, which all impulses share, multiplies the sum once per pixel. Exponentials at equal distances follow from the
+// first by rotation. In derivatives, q' replaces q, and the wave contributes a factor of 2 pi i F.
 //
-// In the lattice, the nodes of a row share y_c and q(y - y_c): c counts rows, and the bracket is summed over a row.
+// In the lattice, the nodes of a row share y_c and q(y - y_c). So c counts rows there, and the bracket is summed over a row.
 //
-// A slice of solid noise with waves in its plane is also plane noise: the sum of three nodes along z, each times its window,
-// serves as one amplitude.
+// A slice of solid noise with waves in its plane is also plane noise. Its amplitudes are sums over three nodes along z, each
+// times its window.
 //
 // A spectrum is a sum of such noises, which are added to the picture one after another. For a colour picture there are three
 // sums, its components, which passes/bake_colour.comp turns into colours.
@@ -30,16 +30,16 @@
 
 layout(constant_id = visited_id) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = block_columns_id) const int block_columns = 8;
-layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // 0: any number of rows; otherwise this many, unrolled
+layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // number of rows if their loop is unrolled, else 0
 layout(constant_id = quadrature_id) const bool with_quadrature = false; // also writes the real part
 layout(constant_id = gradient_id) const bool with_gradient = false;   // also writes the derivatives along x and y
 layout(constant_id = animated_id) const bool animated = false;        // whether time is not 0, for the lattice
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
-layout(constant_id = few_waves_id) const int few_waves = 0; // 1: this step has one noise
+layout(constant_id = few_waves_id) const int few_waves = 0; // 1 if this step has only one noise
 layout(constant_id = coloured_id) const bool coloured = false;        // writes the components of a colour instead of the noise
-layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; takes divisions, which are slow on CPUs
+layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match: needs divisions, which are slow on CPUs
 layout(constant_id = view_id) const uint view = view_flat;
-const bool slice = view == view_slice; // whether it is a slice of solid noise, with GABOR_TAPS 3
+const bool slice = view == view_slice; // whether to draw a slice of solid noise, with GABOR_TAPS 3
 #ifdef GABOR_TAPS
 const int terms = GABOR_TAPS; // rows of nodes
 #else
@@ -120,7 +120,7 @@ void fill(Run across, Run down, uint index) {
     ivec2 wrap = tiled ? period : ivec2(0);
     vec2 local = vec2(across.local, down.local);
 
-    // The bracket above, for each column.
+    // The bracket of the formula at the top, for each column.
     vec2 bracket[terms * block_columns];
     vec2 bracket_slope[terms * block_columns]; // with q' instead of q
 
@@ -182,7 +182,7 @@ void fill(Run across, Run down, uint index) {
     int row = down.first - first_row;
     int row_count = fixed_rows > 0 ? fixed_rows : down.count;
     [[unroll]] for (int r = 0; r < row_count; ++r) {
-        // All factors but the last, for the noise and for the part of its derivatives that comes from the windows.
+        // All factors of the formula but the last, for the noise and for the part of its derivatives that comes from the windows.
         vec2 envelope[block_columns];
         vec2 slope_x[block_columns];
         vec2 slope_y[block_columns];

@@ -12,7 +12,7 @@ const uint bake_group = 32; // runs of columns
 // Consecutive pixels that use the same cells along an axis.
 struct Run {
     int cell;    // the first cell used
-    float local; // centre of the first pixel, in cells from the start of the next cell
+    float local; // centre of the first pixel, in cells from the start of cell + 1
     int first;   // that pixel's index in the region; may be negative
     int count;   // number of pixels, at most block_columns along x
 };
@@ -27,13 +27,13 @@ struct BakeWave {
     vec2 weights[3]; // weights of (quadrature, noise) in the components of a colour
 };
 
-// The noises that share a kernel radius, so that their pixels fall into the same runs.
+// For noises that share a kernel radius, so that the same runs serve them all.
 GABOR_PUSH_CONSTANTS(BakePush) {
     GABOR_BAND
     vec2 radius;  // like GaborPlace.radius
     ivec2 period; // like GaborPlace.period
     vec2 pixel;   // kernel radii per pixel
-    vec2 stretch; // kernel radii per unit of length of the derivatives
+    vec2 stretch; // kernel radii per unit of length in the derivatives
     float time;   // like GaborPlace.time, within [0, 1)
     uint first_wave;
     uint wave_count;

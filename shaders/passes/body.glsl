@@ -28,8 +28,8 @@ vec3 in_picture(vec3 v, Axes axes) {
 
 struct Hit {
     bool found;
-    float gap;      // estimate of the ray's distance from the body; the true distance may be half of it
-    float distance; // distance along the ray, in lengths of its direction
+    float gap;      // estimate of the ray's distance from the body, at most twice the true distance
+    float distance; // distance along the ray, relative to the length of the ray's vector
     vec3 p;         // hit point, in units of the body
     vec3 normal;
 };
@@ -89,11 +89,11 @@ Hit hit_of(vec2 at, Axes axes) {
     return torus_hit(eye, ray_of(at, axes));
 }
 
-// The part of the body that a pixel sees. `corner` is the pixel's upper left corner.
+// The part of the body that a pixel shows.
 struct Seen {
     bool found;
     float coverage;
-    vec3 p; // hit point of the pixel's central ray, or of the first other ray if that one misses
+    vec3 p; // hit point of the pixel's central ray or, if it misses, of the first other ray that hits
     vec3 normal;
     vec3 dx; // change of the hit point in the tangent plane from one pixel to the next
     vec3 dy;
@@ -107,6 +107,7 @@ bool all_alike(Hit hit, vec3 ray) {
     return hit.found ? 0.5 * torus_small * facing * facing > reach : hit.gap > 2.0 * reach;
 }
 
+// `corner` is the pixel's upper left corner.
 Seen seen_at(vec2 corner, Axes axes) {
     Hit hit = hit_of(corner + 0.5, axes);
     float coverage = hit.found ? 1.0 : 0.0;

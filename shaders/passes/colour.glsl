@@ -1,5 +1,5 @@
-// Turns the sums of noises, the components, into the colour of a pixel. The including file defines the buffer
-// `colour_binding`.
+// Turns three sums of noises, the components, into the colour of a pixel. The including file defines `colour_binding`, the
+// binding of the buffer.
 
 #include "passes/colour.h"
 
@@ -20,8 +20,8 @@ void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
     sum.removed += removed * vec3(dot(a, a), dot(b, b), dot(c, c));
 }
 
-// A polynomial gives each component its own distribution. If a filter removed a share v of the variance, this is the mean of
-// the polynomial over the removed part, a normal variable of variance v added to z.
+// A polynomial gives each component its own distribution. If a filter removed the variance v, the component is the mean of
+// the polynomial over the removed part, which is a normal variable of variance v added to z.
 vec3 colour_of(vec3 z, vec3 v) {
     z = clamp(z, -4.0, 4.0);
     vec3 s = z * z;

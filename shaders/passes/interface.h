@@ -40,7 +40,7 @@ struct alignas(16) uvec4 {
 #endif
 
 // The push constants of every pass over a picture begin with the band that it fills:
-//   first_column, first_row   of the band's pixels, in the units of the pass's tables or of the picture
+//   first_column, first_row   of the band, counted in the pass's tables or in the picture
 //   width, height             pixels
 //   before                    number of pixels in the buffer before the band
 //   first_run                 the first run of the band's rows, in passes/bake.comp

@@ -1,7 +1,7 @@
-// Lights a material with a lamp and its surroundings, `environment`: 0 a room with a window, 1 an overcast sky, 2 darkness. The
-// surface is the plane z = 0; y points down the picture. Surfaces reflect light as in glTF 2.0: Lambert's diffuse reflection and
-// GGX microfacets (Walter et al., "Microfacet models for refraction through rough surfaces", 2007). The exported maps look the
-// same in other renderers; see docs/gallery.md.
+// Lights a material by a lamp and by its surroundings. The constant `environment` is 0 for a room with a window, 1 for an
+// overcast sky, and 2 for darkness. The surface is the plane z = 0; y points down the picture. Surfaces reflect light as in
+// glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction through rough
+// surfaces", 2007). So the exported maps look the same in other renderers; see docs/gallery.md.
 
 // The room's light from direction `d`: dark walls and a window, blurred by the roughness of the surface that reflects
 // it.
@@ -31,14 +31,14 @@ vec3 overcast(float up, float roughness) {
     return mix(zenith * sharp, diffuse_overcast(up), smoothstep(0.1, 1.0, roughness));
 }
 
-// The direction to the eye, which is above the middle of the picture. Places run from -0.5 to 0.5 along the picture's longer
+// The direction to the eye, which is above the middle of the picture. `place` runs from -0.5 to 0.5 along the picture's longer
 // side.
 vec3 eye_above(vec2 place) {
     return normalize(vec3(-place, 1.8));
 }
 
-// The direction to the lamp, which is 2.5 away from the middle of the picture. `lamp` is x and y of the unit vector from there
-// to the lamp.
+// The direction to the lamp, which is 2.5 away from the middle of the picture. `lamp` holds x and y of the unit vector from
+// there to the lamp.
 vec3 lamp_above(vec2 place, vec2 lamp) {
     return normalize(vec3(2.5 * lamp - place, 2.5 * sqrt(max(1.0 - dot(lamp, lamp), 0.0))));
 }
@@ -52,16 +52,16 @@ vec3 sky_colour(float up) {
                               : backdrop;
 }
 
-// A surface that reflects light, with the members of GaborMaterial.
+// A surface that reflects light, with members of GaborMaterial.
 struct Surface {
     vec3 colour;
     float roughness;
     float metalness;
 };
 
-// The share of light from all around that reaches the eye, including light that facets reflect more than once (after
-// Fdez-Aguera, "A multiple-scattering microfacet model for real-time image based lighting", 2019). `once` and `grazing` are
-// fits to integrals over GGX.
+// The share of light from all around that the surface reflects to the eye, including light that facets reflect more than once
+// (after Fdez-Aguera, "A multiple-scattering microfacet model for real-time image based lighting", 2019). `once` and `grazing`
+// are fitted to integrals over GGX.
 vec3 reflected(vec3 mirror, float roughness, float seen) {
     float square = roughness * roughness;
     float once = 1.0 - square * (0.458 + 0.289 * square * seen); // share that a mirror's facets reflect at the first bounce
@@ -69,9 +69,9 @@ vec3 reflected(vec3 mirror, float roughness, float seen) {
     return (mirror * (once - grazing) + grazing) * (1.0 + mirror * (1.0 / once - 1.0));
 }
 
-// The light towards the eye, linear.
+// The light that the surface sends to the eye, linear.
 //   normal         unit normal of the surface, with z pointing out of the picture
-//   eye, lamp, up  unit vectors towards them
+//   eye, lamp, up  unit vectors towards the eye, the lamp and the zenith
 vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp, vec3 up) {
     const vec3 lamp_light = 0.7 * vec3(1.0, 0.96, 0.9); // irradiance / pi
     vec3 between = normalize(eye + lamp);

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Draws the material of the function GABOR_MATERIAL with the parameters GABOR_PARAMETERS: its colour, height, roughness
-// and metalness, its look under a lamp, and its slopes or, for a body, the coverage.
+// Draws the material of the function GABOR_MATERIAL, whose parameters have the type GABOR_PARAMETERS: its colour, height,
+// roughness and metalness, its lit colour, and its slopes or, for a body, the coverage.
 
 #include "passes/material_interface.h"
 #include "gabor_lattice.glsl"

@@ -19,11 +19,11 @@ layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
 layout(constant_id = values_id) const int values = 1; // number of independent noises
-layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; takes divisions, which are slow on CPUs
+layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match: needs divisions, which are slow on CPUs
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0, for the lattice
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves if their loop is unrolled, else 0
-// If the loop is unrolled: a bit for each wave whose filter needs only its narrow form, and one for each that needs only its
-// wide form.
+// If the loop is unrolled, narrow_waves has a bit for each wave whose filter needs only its narrow form, and wide_waves for each
+// wave whose filter needs only its wide form.
 layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
 layout(constant_id = wide_waves_id) const uint wide_waves = 0u;
 layout(constant_id = coloured_id) const bool coloured = false; // red, green and blue instead of the noise
@@ -69,7 +69,7 @@ const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(v
 // A pixel's position, and the distances to its neighbours along the picture's axes.
 struct Footprint {
     ivec2 pixel;
-    vec2 from_camera; // place relative to the camera, in perspective
+    vec2 from_camera; // position relative to the camera, in perspective
     vec2 dx;
     vec2 dy;
 };

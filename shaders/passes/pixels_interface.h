@@ -15,13 +15,13 @@ const uint pixels_group = 8; // pixels along x and y
 struct PixelsWave {
     vec2 nodes;        // like GaborPlace.radius
     ivec2 period;      // like GaborPlace.period
-    vec2 camera;       // the camera's place in its cell, in perspective
-    float frequency;   // cycles per radius along x, or a factor of the painted frequency
+    vec2 camera;       // the camera's position in its cell, in perspective
+    float frequency;   // cycles per radius along x, or a factor for the painted frequency
     float orientation; // radians, added to any painted orientation
     vec2 radius;       // radii of its kernels along x and y, in kernel radii of the picture
     float amplitude;   // the square root of its share of the variance
     uint seed;
-    int table;       // index of its table of lines
+    int table;       // index of the table that has its lines
     vec2 weights[3]; // weights of (quadrature, noise) in the components of a colour
 };
 
@@ -32,7 +32,7 @@ GABOR_PUSH_CONSTANTS(PixelsPush) {
     vec2 paint_scale;   // paint samples per pixel
     vec2 paint_corner;  // corner of the region, in samples
     float time;         // like GaborPlace.time
-    float pixel;        // kernel radii per pixel; in perspective the camera's height in kernel radii
+    float pixel;        // kernel radii per pixel; in perspective, the camera's height in kernel radii
     float focal_length; // focal length in pixels, in perspective
     int waves;
     int tables; // number of tables of lines; for each column and row, their lines are adjacent

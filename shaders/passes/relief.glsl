@@ -1,13 +1,13 @@
 // Puts a material on a surface in space. Include it after material_at(p, dx, dy), a material in the plane.
 
-// The material at a place of the surface, and the slope of its relief, in space.
+// The material at a point of the surface, and the slope of its relief, in space.
 struct Relief {
     GaborMaterial material;
     vec3 slope;
 };
 
-// A plane in space, covered with the material. `origin` is its origin's place on the material, far from those of other planes,
-// because planes would otherwise mirror each other where they meet.
+// A plane in space, covered with the material. `origin` is the position of the plane's origin on the material. It differs
+// between planes, because they would otherwise mirror each other where they meet.
 struct Plane {
     vec3 right;
     vec3 down;
@@ -39,7 +39,7 @@ Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
         vec2 step_x = on_plane(dx, plane);
         vec2 step_y = on_plane(dy, plane);
         float side = min(length(step_x), length(step_y));
-        for (int i = 0; i < 5; ++i) { // the place, then half a side to the right, left, down and up
+        for (int i = 0; i < 5; ++i) { // p, then half a side to the right, left, down and up
             vec2 along = i == 0 ? vec2(0.0) : (i % 2 == 0 ? -0.5 : 0.5) * (i < 3 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
             GaborMaterial there = material_at(plane.origin + on_plane(p, plane) + side * along, step_x, step_y);
             if (i == 0) {

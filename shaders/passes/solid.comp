@@ -14,7 +14,7 @@ layout(constant_id = values_id) const int values = 1; // number of independent n
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false; // derivatives to the right and down in the picture
 layout(constant_id = phasor_id) const bool with_phasor = false;
-const int rays = 4; // rays per pixel and axis, to measure coverage
+const int rays = 4; // rays along each axis of a pixel, to measure coverage
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0
 layout(constant_id = coloured_id) const bool coloured = false; // whether three values form a colour
 layout(constant_id = normals_id) const bool with_normal = false; // normal (right, down, to the eye) and derivative to the eye

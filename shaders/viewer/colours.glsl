@@ -31,23 +31,23 @@ vec3 viewer_cycle(float t) {
     return 0.5 + 0.38 * cos(6.2831853 * (t - vec3(0.0, 0.333333, 0.666667)));
 }
 
-// The position of a noise in a colour map, from 0 to 1. The ends are `contrast` standard deviations from the mean.
+// The position of a noise in a colour map, 0 to 1. The ends are `contrast` standard deviations from the mean.
 float viewer_value(float noise, float contrast) {
     return 0.5 + 0.5 * noise / contrast;
 }
 
-// The position of the intensity of a complex noise (cosines, sines).
+// The position in a colour map of a complex noise's intensity. `value` is (quadrature, noise).
 float viewer_intensity(vec2 value, float contrast) {
     return length(value) / (1.5 * contrast);
 }
 
-// The position of the variance that a filter keeps.
+// The position in a colour map of the variance that a filter keeps.
 float viewer_variance(float removed) {
     return 1.0 - removed;
 }
 
-// The position of stripes along the phase: 0 sine, 1 triangle, 2 sawtooth, 3 bands, 4 ridges. The phase changes by `turns` per
-// pixel.
+// The position in a colour map of stripes. Their `profile` along the phase is 0 sine, 1 triangle, 2 sawtooth, 3 bands or 4
+// ridges. The phase changes by `turns` per pixel.
 float viewer_stripes(vec2 value, int profile, float turns) {
     vec2 wave = value / max(length(value), 1.0e-6);
     float phase = fract(atan(wave.y, wave.x) / 6.2831853);
@@ -68,13 +68,13 @@ vec3 viewer_phase(vec2 value, int map) {
     return map == 0 ? vec3(phase) : viewer_cycle(phase);
 }
 
-// A normal with components to the right, down, and towards the eye. `green` is 1 for up, as in OpenGL, and -1 for down, as in
-// DirectX.
+// The colour of a normal with components to the right, down, and towards the eye. `green` is 1 for up, as in OpenGL, and -1 for
+// down, as in DirectX.
 vec3 viewer_normal(vec3 normal, float green) {
     return 0.5 + 0.5 * normal * vec3(1.0, -green, 1.0);
 }
 
-// A normal map of the noise as a height; `deviation` is the standard deviation of a derivative.
+// The colour of a normal map that takes the noise as a height; `deviation` is the standard deviation of a derivative.
 vec3 viewer_gradient(vec2 gradient, float deviation, float contrast, float green) {
     return viewer_normal(normalize(vec3(-gradient, 2.0 * deviation / contrast)), green);
 }

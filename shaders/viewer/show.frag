@@ -14,7 +14,7 @@ float value_of(ivec2 at, int channel) {
     return values[(at.y * grid.x + at.x) * channels + channel];
 }
 
-// Interpolates linearly on a coarse grid; exact on a grid with one value per pixel.
+// Interpolates linearly on a coarse grid; otherwise the grid has one value per pixel.
 float value_at(vec2 pixel, int channel) {
     if (tiles)
         pixel = mod(pixel, size);

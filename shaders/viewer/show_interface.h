@@ -23,7 +23,7 @@ GABOR_PUSH_CONSTANTS(ShowPush) {
     int first_row;   // first row of the band, when writing files
     int count;       // number of pixels in the band
     float turns;     // turns of the stripes' phase per pixel
-    uvec4 ramp_low;  // the user's colour map: eight stops of 8 bits for red, green, blue and place
+    uvec4 ramp_low;  // the user's colour map: eight stops with 8 bits each for red, green, blue and position
     uvec4 ramp_high;
 };
 
