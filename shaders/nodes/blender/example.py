@@ -1,4 +1,4 @@
-"""Draws example.png, brushed metal, stripes and sand, with gabor_lattice.osl in a Script node. Run it with
+"""Draws brushed metal, stripes and sand to example.png, with gabor_lattice.osl in a Script node. Run it with
 blender --background --python example.py, or in Python with the module bpy."""
 
 import math
@@ -16,7 +16,7 @@ SHADER = HERE.parent / "osl" / "gabor_lattice.osl"
 
 
 def noise(tree, coordinates, **inputs):
-    """A Script node with the noise, at texture coordinates."""
+    """Adds a Script node with the noise at texture coordinates."""
     node = tree.nodes.new("ShaderNodeScript")
     node.mode, node.filepath = "EXTERNAL", str(SHADER)
     cycles.osl.update_script_node(node, lambda kinds, message: print(message))
@@ -27,7 +27,7 @@ def noise(tree, coordinates, **inputs):
 
 
 def material(name, colours, output, strength, metallic, **inputs):
-    """A surface whose colour and height follow an output of the noise."""
+    """Makes a surface whose colour and height follow an output of the noise."""
     made = bpy.data.materials.new(name)
     made.use_nodes = True
     tree = made.node_tree

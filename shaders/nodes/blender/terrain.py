@@ -1,4 +1,4 @@
-"""Draws terrain.jpg: gabor_erosion.osl displaces a grid to eroded mountains. Run it with
+"""Draws eroded mountains to terrain.jpg, with a grid that gabor_erosion.osl displaces. Run it with
 blender --background --python terrain.py, or in Python with the module bpy."""
 
 import math
@@ -27,7 +27,7 @@ mountains = tree.nodes.new("ShaderNodeScript")
 mountains.mode, mountains.filepath = "EXTERNAL", str(HERE.parent / "osl" / "gabor_erosion.osl")
 cycles.osl.update_script_node(mountains, lambda kinds, message: print(message))
 mountains.inputs["Seed"].default_value = 7
-# Object coordinates are those before the displacement.
+# Displacement does not change object coordinates.
 tree.links.new(tree.nodes.new("ShaderNodeTexCoord").outputs["Object"], mountains.inputs["Vector"])
 displacement = tree.nodes.new("ShaderNodeDisplacement")
 displacement.inputs["Midlevel"].default_value, displacement.inputs["Scale"].default_value = 0, 1

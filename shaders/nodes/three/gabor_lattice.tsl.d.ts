@@ -1,5 +1,5 @@
-// Types of gabor_lattice.tsl.js. Places are in kernel radii, frequencies in cycles per kernel radius, orientations in
-// radians from x towards y. Noise has mean 0 and variance 1; each seed gives an independent one.
+// Types of gabor_lattice.tsl.js. Positions are in kernel radii, frequencies in cycles per kernel radius, orientations in
+// radians from x towards y. Noise has mean 0 and variance 1; each seed gives an independent noise.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -19,29 +19,32 @@ export function gabor_noise_tiled(p: Node, period: Node, frequency: Value, orien
 export function gabor_noise_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
 /** Noise in space; p and direction are vec3, and direction may have any length but 0. */
 export function gabor_noise_3d(p: Node, frequency: Value, direction: Node, seed: Value): Node;
-/** Stripes of even contrast across a wave vector, a vec2: (cosine, sine, intensity). 2 is a good sharpness. */
+/** (cosine, sine, intensity) of stripes of even contrast, at right angles to a wave vector, a vec2. 2 is a good sharpness. */
 export function gabor_stripes(p: Node, wave: Node, sharpness: Value, seed: Value): Node;
 
 /** (noise, quadrature, d/dx, d/dy) in one evaluation; the functions above return parts of it. */
 export function gabor_field(p: Node, frequency: Value, orientation: Value, seed: Value): Node;
-/** The same for a wave vector, which may vary with the place. */
+/** The same for a wave vector, which may vary with p. */
 export function gabor_field_wave(p: Node, wave: Node, seed: Value): Node;
+/** The same with the period of gabor_noise_tiled. */
 export function gabor_field_tiled(p: Node, period: Node, frequency: Value, orientation: Value, seed: Value): Node;
+/** The same with the time of gabor_noise_animated. */
 export function gabor_field_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
-/** (noise, d/dx, d/dy, d/dz). */
+/** (noise, d/dx, d/dy, d/dz) in space. */
 export function gabor_field_3d(p: Node, frequency: Value, direction: Node, seed: Value): Node;
 
 /** The wave vector of a frequency and an orientation: a vec2. */
 export function gabor_wave(frequency: Value, orientation: Value): Node;
-/** The seed of part `index` in a sum of independent noises. */
+/** The seed of noise `index` in a sum of independent noises. */
 export function gabor_lobe_seed(seed: Value, index: Value): Node;
 /** Maps -2 ... 2 to [0, 1] and clamps the rest. */
 export function gabor_unorm(noise: Value): Node;
 
 /**
- * The view-space normal, for `normalNode`, of a surface raised along its normal: like bumpMap, with one evaluation of the noise.
+ * The view-space normal, for `normalNode`, of a surface that the noise raises along its normal: like bumpMap, but with one
+ * evaluation of the noise.
  * @param slope the noise's gradient with respect to p
- * @param p the place of the evaluation
+ * @param p the position at which the noise was evaluated
  * @param height height of the relief per unit of noise, in view units
  */
 export function gabor_normal(slope: Node, p: Node, height: Value): Node;

@@ -76,8 +76,8 @@ const amplitude_at = (word, time) => {
         .add(gabor_impl_amplitude(third).mul(turn.y.mul(0.70710678)));
 };
 
-// The three nodes along an axis that reach a place, in node spacings: their words, and the factors of their amplitudes, which
-// are the window times the wave and its derivative per kernel radius.
+// The three nodes along an axis that reach a place, which is in node spacings. `value` is the window times the wave, and
+// `slope` its derivative per kernel radius.
 const axis = (place, wave, salt, radius = float(RADIUS), period) => {
     const middle = floor(place.add(0.5)).toVar();
     const offset = clamp(place.sub(middle), -0.5, 0.5).toVar();
@@ -98,7 +98,7 @@ const axis = (place, wave, salt, radius = float(RADIUS), period) => {
 };
 
 // Sums over the nodes { word, value, slope } of an axis. next(node) returns the value and its derivatives along the other
-// axes; this appends the derivative along the axis.
+// axes; `along` appends the derivative along its own axis.
 const along = (nodes, next) => {
     let sums;
     for (const node of nodes) {

@@ -1,12 +1,12 @@
 // The functions that Shader Graph's Custom Function nodes call.
-//   Place         in kernel radii
+//   Place         position in kernel radii
 //   Frequency     cycles per kernel radius
 //   Orientation   direction of the waves, in radians from +x towards +y
 //   Wave          wave vector, in cycles per kernel radius; it may follow a direction map
 //   Sharpness     sharpness of stripes where they fork; 2 is a good value
 //   Seed          a whole number
-// Noise and Quadrature have mean 0 and variance 1; the quadrature's waves are a quarter period ahead. Gradient is the
-// noise's, per kernel radius. Stripes are cosine, sine and intensity: see gabor_stripes.
+// Noise and Quadrature have mean 0 and variance 1; the quadrature's waves are a quarter of a period ahead. Gradient is the
+// gradient of Noise, per kernel radius. Stripes holds (cosine, sine, intensity): see gabor_stripes.
 #ifndef GABOR_NOISE_NODE_HLSL
 #define GABOR_NOISE_NODE_HLSL
 

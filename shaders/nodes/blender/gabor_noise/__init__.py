@@ -1,7 +1,7 @@
 # Adds Gabor noise, as a group of Blender's own nodes, to the shader editor: Add > Texture > Gabor Noise (Normalized).
 #
-# It computes the sum of gabor_lattice.glsl with three taps, so its values have the same distribution. But the amplitudes
-# differ: shader nodes have no integers to hash, so White Noise nodes supply them.
+# It computes the sum of gabor_lattice.glsl with three taps, so its values have the same distribution. But shader nodes
+# have no integers to hash, so White Noise nodes supply other amplitudes.
 #
 # Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -58,14 +58,14 @@ class Builder:
         return self.node("VectorMath", a, b, operation="DOT_PRODUCT")["Value"]
 
     def arranged(self):
-        """Arranges nodes in columns, so that none covers another."""
+        """Arranges nodes in columns, so that they do not overlap."""
         for index, node in enumerate(self.tree.nodes):
             node.location = 180 * (index // 8), -180 * (index % 8)
         return self.tree
 
 
 def node_group():
-    """The wave of one node of the lattice at an offset from it, in kernel radii: its cosine and its sine."""
+    """Makes the group that computes the cosine and sine of one lattice node's wave, at an offset in kernel radii."""
     b = Builder(NODE, [("Offset", "Vector"), ("Wave", "Vector"), ("Node", "Vector"), ("Seed", "Float")],
                 [("Cosine", "Float"), ("Sine", "Float")])
     offset, wave, place, seed = (b.given[name] for name in ("Offset", "Wave", "Node", "Seed"))
@@ -91,7 +91,7 @@ def node_group():
 
 
 def field_group():
-    """The sum over the 3 x 3 nodes that reach a point; created once per file."""
+    """Makes the group that sums the waves of the 3 x 3 lattice nodes around a point, once per file."""
     if FIELD in bpy.data.node_groups:
         return bpy.data.node_groups[FIELD]
     one = node_group()
@@ -150,7 +150,7 @@ def menu(self, _context):
 
 
 def menus():
-    """The shader editor's menu of textures, whose name depends on the version."""
+    """Returns the shader editor's menu of textures, whose name depends on Blender's version, in a list."""
     return [getattr(bpy.types, name) for name in ("NODE_MT_shader_node_add_all", "NODE_MT_category_shader_texture")
             if hasattr(bpy.types, name)][-1:]
 

@@ -17,7 +17,7 @@ fn main() {
     let module = composer.make_naga_module(scene).expect("stripes.wgsl");
 
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("no GPU, no driver");
+    let adapter = pollster::block_on(instance.request_adapter(&Default::default())).expect("a GPU with a driver");
     let (device, queue) = pollster::block_on(adapter.request_device(&Default::default())).expect("a device");
     let shader = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: None,

@@ -4,7 +4,7 @@
 
 @group(0) @binding(0) var<storage, read_write> pixels: array<u32>;
 
-// Cycles per kernel radius across the stripes, which turn around (12, 6).
+// The wave vector at p, in cycles per kernel radius. The stripes spiral around (12, 6).
 fn vortex(p: vec2f) -> vec2f {
     let r = p - vec2f(12.0, 6.0);
     return 3.0 * (r + 0.35 * vec2f(-r.y, r.x)) / max(length(r), 0.5);

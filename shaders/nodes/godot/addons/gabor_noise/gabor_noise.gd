@@ -1,8 +1,8 @@
 @tool
 class_name VisualShaderNodeGaborNoise
 extends VisualShaderNodeCustom
-## Gabor noise for visual shaders, with mean 0 and variance 1, and its quadrature. The place is in kernel radii, UV * 8 if
-## nothing is connected; the frequency is in cycles per kernel radius, the orientation in radians.
+## Gabor noise for visual shaders, with mean 0 and variance 1, and its quadrature. The place is in kernel radii, and is
+## UV * 8 if nothing is connected. The frequency is in cycles per kernel radius, the orientation in radians.
 
 const NAMES := ["place", "frequency", "orientation", "seed"]
 const TYPES := [PORT_TYPE_VECTOR_2D, PORT_TYPE_SCALAR, PORT_TYPE_SCALAR, PORT_TYPE_SCALAR_INT]
@@ -45,6 +45,6 @@ func _get_global_code(_mode: Shader.Mode) -> String:
 	return '#include "res://addons/gabor_noise/gabor_lattice.gdshaderinc"'
 
 func _get_code(inputs: Array[String], outputs: Array[String], mode: Shader.Mode, _type: VisualShader.Type) -> String:
-	if inputs[0].is_empty(): # not connected; skies, fog and particles have no UV
+	if inputs[0].is_empty(): # the place is not connected; skies, fog and particles have no UV
 		inputs[0] = "UV * 8.0" if mode in [Shader.MODE_CANVAS_ITEM, Shader.MODE_SPATIAL] else "vec2(0.0)"
 	return "vec2 gabor = gabor_noise_complex(%s, %s, %s, uint(%s));\n%s = gabor.y;\n%s = gabor.x;" % (inputs + outputs)

@@ -102,7 +102,7 @@ vec4 mx_gabor_sums(vec4 a, vec4 b, vec4 c, vec3 weights, vec2 turn)
     return vec4(first.x, first.y, second.x, second.y);
 }
 
-// A row of nodes, with the windows along x and their slopes.
+// The sums over a row of nodes, weighted by the windows along x and by their slopes.
 vec4 mx_gabor_row(uint row, uint before, uint middle, uint after, vec3 windows, vec3 slopes, vec2 turn)
 {
     vec2 a = mx_gabor_amplitude(before * row);
@@ -149,7 +149,7 @@ vec4 mx_gabor_field2d(vec2 p, vec2 wave, int seed)
     return vec4(value.y, value.x, slope_x.y + 6.2831853 * wave.x * value.x, slope_y.y + 6.2831853 * wave.y * value.x);
 }
 
-// A slice of nodes in space, with the windows along x, their slopes, and the given weights along y.
+// The sums over a slice of nodes in space, weighted by the windows along x or their slopes, and by `weights` along y.
 vec4 mx_gabor_slice(uint slice, uint below, uint level, uint above, uint before, uint middle, uint after, vec3 windows,
                     vec3 slopes, vec2 turn, vec3 weights, vec2 turn_y)
 {
