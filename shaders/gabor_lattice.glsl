@@ -1,4 +1,4 @@
-// gabor_lattice.glsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place.
+// gabor_lattice.glsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 // Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name
 // it adds begins with gabor_, Gabor or GABOR_. Names with gabor_impl_ are private.
@@ -7,21 +7,21 @@
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
 // Values are normal up to three standard deviations. Values beyond 3.5 are 13 % too rare overall, and 56 % too rare at
-// a node.
+// the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii: a wave fades out within one radius of its node. |p| < 2^31 / GABOR_RADIUS,
-//                  but float rounding shows earlier: at 10^5, p has steps of 0.008.
+//     p            position in kernel radii. Each wave fades out within one kernel radius of its node. |p| < 2^31 /
+//                  GABOR_RADIUS, but float rounding shows earlier: at 10^5, p has steps of 0.008.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
-//     orientation  direction of the wave vector, in radians from +x towards +y. Rounding adds an error of 1.5e-6 for
-//                  each radian at frequency 4.
-//     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis, instead of frequency and
-//                  orientation. Use it for direction maps; (0, 0) gives noise of frequency 0.
-//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Periods
-//                  below 2 narrow the windows; longer ones stretch them by at most a sixth.
-//     seed         any; different seeds give independent noises
-// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are; gabor_direction.glsl
-// keeps stripes whole where a map jumps. NaN gives an unspecified value.
+//     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
+//                  of 1.5e-6 to the noise for each radian.
+//     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
+//                  orientation, for example in direction maps; (0, 0) gives noise of frequency 0.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. To fit a period
+//                  below 2, kernels shrink; to fit a longer one, they change by at most a sixth with GABOR_TAPS 3.
+//     seed         any number; different seeds give independent noises
+// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are. If a direction map jumps,
+// gabor_direction.glsl keeps stripes unbroken. NaN gives an unspecified value.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -37,8 +37,8 @@ precision highp float;
 precision highp int;
 #endif
 
-// Sets the quality; define it before this file to change it. Each point sums GABOR_TAPS^2 waves. 2 is the fastest, but
-// columns and rows become visible at high frequencies; with 4, the covariance depends less on the place.
+// The quality: each point sums GABOR_TAPS^2 waves. To change it, define it before this file. 2 is fastest, but shows
+// columns and rows at high frequencies; with 4, the covariance depends less on the position.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -50,11 +50,11 @@ precision highp int;
 // float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 // float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
-//     The noise, continuous with its first derivatives.
+//     The noise; it and its first derivatives are continuous.
 
 // float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Its correlation over a time t is cos^2(pi
-//     t). Costs three times as much as gabor_noise.
+//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
+//     cos^2(pi t). Costs three times as much as gabor_noise.
 
 // vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
 //     Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
@@ -62,12 +62,12 @@ precision highp int;
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 // vec3 gabor_noise_wave_gradient(vec2 p, vec2 wave, uint seed)
-//     (noise, d/dx, d/dy), per kernel radius, for a constant wave vector.
+//     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
 // vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
 // vec2 gabor_noise_wave_complex(vec2 p, vec2 wave, uint seed)
 //     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each place the two are independent and have variance 1.
+//     sines. At each point the two are independent and have variance 1.
 
 // vec2 gabor_phasor(vec2 value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
@@ -75,35 +75,35 @@ precision highp int;
 
 // vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed)
 // vec3 gabor_stripes_tiled(vec2 p, vec2 period, vec2 wave, float sharpness, uint seed)
-//     Stripes of even contrast across the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6; 2 is a good
-//     value. With the complex noise z, the intensity is |z|, and (cosine, sine) is z scaled to length 1 where |z|
-//     exceeds 1 / sharpness. Where |z| is smaller, the length is sharpness |z|, so stripes fade where they fork.
+//     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
+//     2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
+//     exceeds 1 / sharpness. Elsewhere it is sharpness z, so stripes fade where they fork.
 
 // vec3 gabor_stripes_of(vec2 value, float sharpness)
-//     The stripes of any complex value.
+//     The same for any complex value.
 
 // float gabor_unorm(float noise)
-//     Maps -2 ... 2 to [0, 1], as [TNVT19] does, and clamps the other 5 % of the values.
+//     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
 // uint gabor_lobe_seed(uint seed, int index)
-//     The seed of part `index` in a sum of independent noises.
+//     The seed of noise `index` in a sum of independent noises.
 
-// ---- For large worlds, and for periods and time together -----------------------------------------------------------
+// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
 #define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector, made by gabor_kernel.
+// A wave vector; gabor_kernel makes it.
 struct GaborKernel {
     vec2 wave; // cycles per kernel radius
 };
 
-// A position in nodes of the lattice, and how space and time repeat.
+// A position in nodes of the lattice, with the periods of space and time.
 struct GaborPlace {
     ivec2 cell;    // any integers except the last few before 2^31, where the world wraps around
-    vec2 local;    // offset from that cell's corner in node spacings: small, most precise in [0, 1)^2
+    vec2 local;    // offset from that cell's corner in node spacings, most precise in [0, 1)^2
     vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
     ivec2 period;  // period in nodes, 0 for none
-    bool animated; // whether to use time
+    bool animated; // whether the noise changes with time
     float time;    // time in periods
 };
 
@@ -115,17 +115,18 @@ struct GaborField {
 };
 
 // GaborKernel gabor_kernel(float frequency, float orientation)
-//     The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+//     The kernel with a given frequency and orientation; ranges are those of gabor_noise.
 
 // GaborKernel gabor_kernel_wave(vec2 wave)
-//     The kernel of a wave vector, with the range of gabor_noise_wave.
+//     The kernel with a given wave vector; its range is that of gabor_noise_wave.
 
 // GaborPlace gabor_place(ivec2 cell, vec2 local)
-//     The place (cell + local) / GABOR_RADIUS kernel radii, precise anywhere in a world of 2^32 cells along each axis.
+//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     axis.
 
 // GaborPlace gabor_place_tiled(vec2 p, vec2 period)
-//     The place p in a world that repeats after `period` kernel radii, or that is endless along an axis where the
-//     period is 0. A period has a whole number of nodes, from GABOR_TAPS to 2^31.
+//     The position p in a world that repeats after `period` kernel radii, or is endless along an axis whose period is
+//     0. A period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 //     Noise, quadrature and both gradients at a place. All other functions call it.
@@ -140,26 +141,26 @@ struct GaborField {
 // Private implementation
 // ====================================================================================================================
 //
-// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have independent, normal, complex
-// amplitudes A_ij. Each node emits a wave under a window that ends one kernel radius away along x and y:
+// The nodes (x_k, y_j) of a square lattice with R = GABOR_RADIUS nodes per kernel radius have independent, normal,
+// complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along x and y:
 //
-//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
+//     n(p) = K Im sum_kj A_kj h(x - x_k) h(y - y_j) exp(2 pi i F.(p - (x_k, y_j))),   F = frequency (cos o, sin o).
 //
 // The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS of its shifts overlap at every x. Three or more evenly
 // spaced shifts of cos and of cos^2 over a period sum to a constant, so that
 //
-//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x.
+//     sum_k h(x - x_k)^2 = 3/8 GABOR_TAPS   at every x.
 //
-// The squares of the derivatives also sum to a constant. So the variances of the noise, its gradient and its second
-// derivatives depend neither on the place nor on the frequency. The second derivatives jump where windows end, midway
-// between nodes for 3 taps and at nodes for 4, by 0.16 standard deviations at frequency 1 and by 1.1 at 0. The noise is
-// normal because sums of normal numbers are.
+// The squares of the window's derivatives also sum to a constant. So the variances of the noise, its gradient and its
+// second derivatives are the same at every point; that of the noise does not depend on the frequency either. The second
+// derivatives jump where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16 of their standard
+// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because a sum of normal numbers is normal.
 //
-// Each wave's phase starts at its own node, so the wave vector F may vary with the place. From one node to the next the
-// phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into one sum per
-// axis:
+// Each wave's phase starts at its own node, so the wave vector F may vary with the position. From one node to the next,
+// the phase turns by u = 2 pi F_x / R along x and v = 2 pi F_y / R along y. If node (0, 0) is next to p, the sum
+// separates into one sum per axis:
 //
-//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
+//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_k h(x - x_k) e^(-i u k) A_kj.
 //
 // After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
@@ -177,16 +178,16 @@ uint gabor_lobe_seed(uint seed, int index) {
 }
 
 #define GABOR_IMPL_ROWS 0x5bd1e995u
-// The salt of the columns. Xor it with GABOR_IMPL_ROWS for the rows: with equal salts, the word of node (i, i) would be
-// a square.
+// The salt of the columns; xor it with GABOR_IMPL_ROWS to get the salt of the rows. With equal salts, the word of node
+// (k, k) would be a square.
 uint gabor_impl_salt(uint seed) {
     return gabor_impl_mix(seed * 0x9e3779b1u, 0x2545f491u);
 }
 
-// The word of a column or row of nodes; a node's word is the product of the two. Words are odd and have 24 bits,
-// because GPUs multiply 24-bit numbers at a quarter of the cost; their highest bit is set, so that products fill all 32
-// bits. Multiplying a word by a shifted copy of itself mixes better than a constant factor: two indices have equal
-// words with probability 2^-22, at any distance.
+// The word of a column or row of nodes; a node's word is the product of its column's and its row's. The words of
+// columns and rows are odd and have 24 bits, because GPUs multiply 24-bit numbers at a quarter of the cost. Their
+// highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better than a constant:
+// two indices, however far apart, have equal words with probability 2^-22.
 uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
     word = word * (word ^ (word >> 15u));
@@ -194,10 +195,11 @@ uint gabor_impl_line_word(int index, uint salt) {
 }
 
 #define GABOR_IMPL_DEVIATION 1.4599553e27 // standard deviation of each part of an amplitude
-// The amplitude of a word. One part comes from the whole word, the other from its low 20 bits; they are independent and
-// nearly normal: for u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are
-// nearly proportional to those of a normal distribution. The noise's cvm [TNVT19] is 0.001 on average and 0.03 at the
-// worst place, a node, whose amplitude has 79 % of the power there.
+// The amplitude of a word. The real part comes from the whole word, the imaginary part from its low 20 bits; they are
+// independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
+// (1 + 0.623 u^2) are nearly proportional to those of a normal distribution. The noise's Cramer-von Mises index
+// [TNVT19] is 0.001 on average. At the worst point, a node, it is 0.03, because 79 % of the power there comes from that
+// node's amplitude.
 vec2 gabor_impl_amplitude(uint word) {
     vec2 u = vec2(float(int(word)), float(int(word << 12u)));
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
@@ -205,7 +207,7 @@ vec2 gabor_impl_amplitude(uint word) {
 
 // ---- Waves and windows ---------------------------------------------------------------------------------------------
 
-// Product of complex numbers.
+// The product of two complex numbers.
 vec2 gabor_impl_product(vec2 a, vec2 b) {
     return a.x * b + a.y * vec2(-b.y, b.x);
 }
@@ -222,22 +224,22 @@ vec2 gabor_impl_half_turn(float t) {
                 t * ((6.2831852 - 41.341655 * s) + r * ((81.601004 - 76.549782 * s) + 39.536707 * r)));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. With t
-// reduced to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
+// reduced to [-1/2, 1/2], cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), where y = 1/4 - |t|.
 vec2 gabor_impl_wave(float t) {
     t -= floor(t + 0.5);
     vec2 turn = gabor_impl_half_turn(0.25 - abs(t));
     return vec2(turn.y, t < 0.0 ? -turn.x : turn.x);
 }
 
-// Computes the windows of the nodes i = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - i) / R) / 2, and their
+// Computes the windows of the nodes k = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
-#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of their squares
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of the squared windows
 void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
 #if GABOR_TAPS == 2
-    // The squares of two shifts of Hann's window do not sum to a constant. With s = t^2 (3 - 2 t), those of 1 - s and s
-    // do, once both are divided by the root of their sum of squares; but the variances of their derivatives vary.
+    // The squares of only two shifts of Hann's window do not sum to a constant. So the windows are 1 - s and s, with
+    // s = t^2 (3 - 2 t), divided by the root of the sum of their squares. The gradient's variance still varies.
     float t = x + 1.0, s = t * t * (3.0 - 2.0 * t);
     float scale = inversesqrt(1.0 - 2.0 * s * (1.0 - s));
     value = scale * vec4(1.0 - s, s, 0.0, 0.0);
@@ -251,7 +253,7 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
     value = vec4(a - s, 0.5 + c, a + s, 0.0);
     slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-    float z = x - 0.5, y = z * z; // cosine and sine of pi/2 z, over sqrt(8). c and s are half those of pi/2 x
+    float z = x - 0.5, y = z * z; // `cosine` and `sine` are those of pi/2 z over sqrt(8), c and s half those of pi/2 x
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;
@@ -269,24 +271,24 @@ int gabor_impl_wrap(int index, int period) {
     return within < 0 ? within + period : within;
 }
 
-// The index after this one, wrapped into a period without a division.
+// The next index, wrapped into a period without a division.
 int gabor_impl_next_node(int index, int period) {
     return period == 0 || index + 1 < period ? index + 1 : 0;
 }
 
-// The nodes along an axis that reach a point.
+// The nodes along an axis whose windows reach a point.
 struct GaborAxis {
     float offset; // offset of the point from node 0, in node spacings
     float turns;  // turns of the wave from one node to the next
     uint word[4];
-    vec4 node[4]; // factors of the amplitudes: e^(-i u i) times the window, and times its derivative
+    vec4 node[4]; // for node k, e^(-i u k) times the window, and times the window's derivative
 };
 
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
 GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wave, float radius) {
     GaborAxis axis;
     float zero = floor(local + (2.0 - GABOR_RADIUS));
-    // The clamp matters only if a compiler fuses the product in `local` with the difference.
+    // The clamp matters only if a compiler fuses the product in `local` with this subtraction.
     axis.offset = clamp(local - zero, GABOR_RADIUS - 2.0, GABOR_RADIUS - 1.0);
     axis.turns = wave / radius;
     int index = gabor_impl_wrap(cell + int(zero) - 1, period);
@@ -308,7 +310,7 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     return axis;
 }
 
-// The amplitude of a node. With time it is a weighted sum of three amplitudes, from the node's word and two words
+// The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
 // derived from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
 vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
     vec2 amplitude = gabor_impl_amplitude(word);
@@ -321,8 +323,8 @@ vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
 }
 
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
-// windows. In zw, both sums use the derivatives of the windows along x. Some compilers do not unroll or vectorize loops
-// over nodes and rows, so the nodes are written out.
+// windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
+// loops over nodes and rows, so each node and each row has its own line.
 void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
     vec4 row = vec4(0.0);
     gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
@@ -343,8 +345,8 @@ void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out vec
     if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
 }
 
-// Multiplies the sums by the wave at the point, counted from node (0, 0), and by K: E[n^2] is half of E|A|^2 times the
-// sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
+// Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
+// K^2 / 2 E|A|^2 times the sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 GaborField gabor_impl_field(vec4 sum, vec4 slope, vec2 turn, vec2 wave, vec2 stretch) {
     turn *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     vec2 value = gabor_impl_product(sum.xy, turn);
@@ -446,7 +448,6 @@ float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed) {
     return gabor_field(place, gabor_kernel_wave(wave), seed).value.y;
 }
 
-// z / |z| where |z| is above 1 / sharpness, else sharpness z.
 vec3 gabor_stripes_of(vec2 value, float sharpness) {
     float intensity = length(value);
     return vec3(sharpness / max(sharpness * intensity, 1.0) * value, intensity);

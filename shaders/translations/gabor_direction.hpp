@@ -1,5 +1,5 @@
 // clang-format off
-// gabor_direction.hpp: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
+// gabor_direction.hpp: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for C++ on the CPU.
 //
 // Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
@@ -12,11 +12,12 @@
 //
 // gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius. Value and gradient are normal at every place for any map. The value has variance 1, and the
-// gradient includes the map's own variation. Values are normal up to three standard deviations, as in
-// gabor_lattice.hpp. Wave vectors are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the
-// map has no direction. Costs 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed
-// map.
+// within a kernel radius.
+//
+// For any map, value and gradient are normal at every point (up to three standard deviations, as in
+// gabor_lattice.hpp), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
+// are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
+// 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -31,7 +32,8 @@
 
 // ---- With wave vectors that you read yourself, for several maps or a language without macros -----------------------
 
-// The wave vectors of the nine nodes around a place, row by row, at the positions of gabor_node_position.
+// The map's wave vectors at the nine nodes around a place, row by row: node `index` is at gabor_node_position(place,
+// index).
 struct GaborWaves {
     gabor_vec2 wave[9];
 };
@@ -52,8 +54,7 @@ struct GaborWaves {
 // vec3 gabor_noise_direction_gradient(vec2 p, uint seed)
 // vec2 gabor_noise_direction_complex(vec2 p, uint seed)
 // float gabor_noise_direction_tiled(vec2 p, vec2 period, uint seed)
-//     The noise alone; with its gradient: (noise, d/dx, d/dy); with its quadrature: (quadrature, noise); and with a
-//     period, like gabor_noise_tiled.
+//     Like gabor_noise, gabor_noise_gradient, gabor_noise_complex and gabor_noise_tiled, with the map's wave vectors.
 
 // vec3 gabor_stripes_direction(vec2 p, float sharpness, uint seed)
 // vec3 gabor_stripes_direction_tiled(vec2 p, vec2 period, float sharpness, uint seed)
@@ -68,10 +69,10 @@ struct GaborWaves {
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //
-// where F_c does not depend on p. Multiplying A_c by a number of length 1 does not change its distribution, so the
-// value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and therefore
-// also normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is the
-// product of both windows.
+// where F_c does not depend on p. Multiplying A_c by a complex number of modulus 1 does not change its distribution, so
+// the value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and
+// therefore also normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is
+// the product of both windows.
 
 GABOR_INLINE gabor_vec2 gabor_node_position(GaborPlace place, int index) {
     gabor_ivec2 node = gabor_ivec2(gabor_cpp_floor(place.local + 0.5f)) + gabor_ivec2(index - index / 3 * 3 - 1, index / 3 - 1);

@@ -1,12 +1,12 @@
-// gabor_erosion.metal: eroded mountains with branching gullies and ridges, evaluated point by point on any slope: for the Metal shading language.
+// gabor_erosion.metal: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for the Metal shading language.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
 //
-// In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of gullies. The idea
-// comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
+// In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
+// idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -28,18 +28,18 @@ struct GaborTerrain {
 };
 
 struct GaborErosion {
-    int octaves;           // number of octaves, each about as costly as gabor_noise_gradient
+    int octaves;           // octaves of gullies, 0 to 16, each about as costly as gabor_noise_gradient
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
-    float strength;        // depth of the gullies times their frequency: how steep they are
-    float lacunarity;      // frequency of each octave, relative to the previous one
-    float gain;            // depth of each octave, relative to the previous one: 1 / lacunarity keeps slopes equal
-    float onset;           // slope at which gullies reach their full depth
-    float detail;          // how far fine gullies reach into creases, ridges and flat places: at least 1
-    float sharpness;       // how equal gullies are in depth: 1 for natural variety, 4 for even stripes
-    float ridge_rounding;  // width of rounded ridges, in radians of the first octave's phase, 0 for sharp ones
+    float strength;        // depth of gullies times their frequency, 0 to 10: how steep they are
+    float lacunarity;      // frequency of each octave, relative to the previous one, 1 to 8
+    float gain;            // depth of each octave, relative to the previous, 0 to 2: 1 / lacunarity keeps slopes equal
+    float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
+    float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
+    float sharpness;       // how equal gullies are in depth, 0 to 100: 1 for natural variety, 4 for even stripes
+    float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
-    float gully_weight;    // depth of gullies, relative to that of peaks and valleys
-    float branching;       // how much gullies turn finer ones: 0 not at all, 1 by their full slope
+    float gully_weight;    // depth of gullies, relative to that of peaks and valleys, 0 to 1
+    float branching;       // how much gullies turn finer gullies, 0 to 10: 0 not at all, 1 by their full slope
 };
 
 // GaborErosion gabor_erosion()
@@ -49,36 +49,38 @@ struct GaborErosion {
 //     Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
 
 // GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed)
-//     Adds gullies and ridges to the base at p. base.ridge says what flat places of the base are: -1 for valleys, 1 for
-//     peaks. The height is continuous where the base and its slope are, and the result can be eroded again. The
-//     returned slope ignores how gullies turn and fade, and follows only their phase: its rms error is 0.63 times the
-//     rms slope.
+//     Adds gullies and ridges to the base at p. Where the base is flat, base.ridge distinguishes valleys, -1, from
+//     peaks, 1. The height is continuous where the base and its slope are, and the result can be eroded again. The
+//     returned slope takes only the phase of the gullies into account, not how they turn and fade: its rms error is
+//     0.63 times the rms slope.
 
 // GaborTerrain gabor_terrain_filtered(float2 p, float2 dx, float2 dy, uint seed)
 // GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same without features too fine for a pixel, and with the same mean height. dx and dy are dFdx(p) and dFdy(p).
+//     The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
+//     and dFdy(p).
 
 // GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed)
 // GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same with an exact period along x and y, at least 4. Whole periods do not change the width of the hills.
+//     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
+//     the hills.
 
-struct GaborGround { // a position, cell + local
+struct GaborGround { // the position cell + local
     int2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
-    float2 local;  // small, most precise in [0, 1)^2
-    float2 period; // period, 0 for none. With a period, cell + local is rounded to a float
+    float2 local;  // most precise in [0, 1)^2
+    float2 period; // 0 for none. With a period, cell + local is rounded to a float
 };
 
 // GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     All of these together: full precision far away, a period, and a filter unless dx and dy are float2(0.0).
+//     These combine full precision far away, a period, and a filter unless dx and dy are float2(0.0).
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that cell times nodes
-// splits exactly into integer and fraction. The kernel radius is one unit of p.
+// The place on a lattice with about `nodes` nodes per unit of p: a multiple of 1 / 65536, so that this number times the
+// cell splits exactly into integer and fraction. The kernel radius is one unit of p.
 inline GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(int2(0), float2(0.0));
@@ -124,8 +126,8 @@ inline void gabor_impl_add_hills(thread GaborField& sum, uint4 words, float4 x, 
 // Wide hills, plus small ones along the contours of a second noise; the higher the wide hills, the higher the small
 // ones. The noises are random amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. Along
 // each axis, the squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a
-// filter with a deviation of half a pixel multiplies a noise by `kept`, and the lost variance lowers the mean of the
-// sine.
+// filter with a standard deviation of half a pixel multiplies each noise by `kept`, and the variance that it removes
+// from the second noise damps the sine.
 inline GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed) {
     GaborPlace place = gabor_impl_ground(ground, 1.0);
     float2 zero = floor(place.local);
@@ -160,9 +162,9 @@ inline float gabor_impl_mask(float t, float rounding) {
 // Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
 //     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
-// ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow; it
-// jumps where their mask is 0. If an octave is too fine for the pixel, its cosine is replaced by its mean, 0, and the
-// next mask uses the mean of |sin(phase)|.
+// ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow. The
+// constant differs between the two sides, but the sides meet where the mask of the finer gullies is 0. If an octave is
+// too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
 inline GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain{base.ridge, float2(0.0), base.ridge}; // t_i, its slope, and t_i with w = 1
@@ -174,7 +176,8 @@ inline GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, Ga
         mask *= full * full;
         float2 wave = frequency / steep * float2(-steer.y, steer.x);
         float2 steps = float2(dot(wave, dx), dot(wave, dy));
-        float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0); // deviation: half a pixel
+        // The share of a wave that a Gaussian filter with a standard deviation of half a pixel keeps; 0 if it is small.
+        float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0);
         float2 z = float2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius

@@ -1,6 +1,6 @@
 // clang-format off
 // gabor_lattice_3d.hpp: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
-// a normal distribution at every place: for C++ on the CPU.
+// a normal distribution at every point: for C++ on the CPU.
 //
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
 //
@@ -8,7 +8,8 @@
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
 // Arguments of all functions, besides those of gabor_lattice.hpp:
-//     direction  direction of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
+//     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
+//                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
 //     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p. The noise is continuous wherever they are.
@@ -27,7 +28,7 @@
 
 // float gabor_noise_3d(vec3 p, float frequency, vec3 direction, uint seed)
 // float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction, uint seed)
-//     The noise, continuous with its first derivatives.
+//     The noise; it and its first derivatives are continuous.
 
 // float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 direction, uint seed)
 // vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed)
@@ -35,46 +36,47 @@
 //     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 
 // vec4 gabor_noise_3d_gradient(vec3 p, float frequency, vec3 direction, uint seed)
-//     (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For a bump map, subtract the gradient's
-//     part along the normal.
+//     (noise, d/dx, d/dy, d/dz). The derivatives are per kernel radius, for a constant wave vector. For a bump map,
+//     subtract the gradient's component along the normal.
 
 // vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 direction, uint seed)
-//     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
-//     that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
-//     whole one. Continuous in p, dx and dy. On GPUs it costs 1.4 times as much as gabor_noise_3d for steps up to 0.18
-//     (27 nodes), 4.2 times for steps of 0.2 and more (64 nodes), and at most 6.6 times (125 nodes).
+//     (noise, removed): the noise averaged over a pixel, and the share of its variance that the average removed. The
+//     error is that of gabor_noise_filtered: 1 % while the pixel's longest axis is at most a third of a kernel radius,
+//     and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs it costs 1.4 times as much as
+//     gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most 6.6
+//     times (125 nodes).
 
 // ---- Isotropic solid noise -----------------------------------------------------------------------------------------
 
 // float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed)
-//     Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
-//     and gradient are normal, with the same variance at every place. The power varies with direction only through the
-//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places, and second derivatives, have mixtures of
-//     normal distributions.
+//     Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
+//     Value and gradient are normal, with the same variance at every point. The power varies with direction only
+//     through the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
+//     together, follow mixtures of normal distributions.
 
 // vec4 gabor_noise_3d_isotropic_gradient(vec3 p, float frequency, uint seed)
 //     (noise, d/dx, d/dy, d/dz), per kernel radius.
 
 // vec2 gabor_noise_3d_isotropic_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, uint seed)
-//     Like gabor_noise_3d_filtered, at less than twice the cost of the noise. The error against exactly filtered noise,
-//     in standard deviations, is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4.
-//     For larger pixels only the variance is right.
+//     Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
+//     exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at most 0.3 kernel radii,
+//     and 3 % at 0.4. For larger pixels, only the variance is right.
 
 // ---- Noise on a surface --------------------------------------------------------------------------------------------
 
 // float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed)
-//     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
-//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, at twice
-//     the cost. Where the surface is curved, the waves of a kernel bend.
+//     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. As the
+//     angle between direction and normal falls from 30 to 14 degrees, a second noise, with waves at right angles, takes
+//     over; in between, both are computed. On a curved surface, waves bend within each kernel.
 
 // float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
-//     Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
-//     twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface have
-//     the distribution of gabor_noise_3d_isotropic.
+//     Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
+//     and twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
+//     have the distributions of gabor_noise_3d_isotropic.
 
-// ---- For large worlds, and for periods, time and pixels together ---------------------------------------------------
+// ---- For large worlds, and for periods, time and filters combined --------------------------------------------------
 
-// A position in nodes of the lattice, and how space and time repeat: see GaborPlace.
+// A position in nodes of the lattice, with the periods of space and time: see GaborPlace.
 struct GaborPlace3d {
     gabor_ivec3 cell;
     gabor_vec3 local;
@@ -82,7 +84,7 @@ struct GaborPlace3d {
     gabor_ivec3 period;
     bool animated;
     float time;
-    bool filtered; // whether to average over the pixel whose sides are dx and dy: see gabor_noise_3d_filtered
+    bool filtered; // whether to average over a pixel with sides dx and dy: see gabor_noise_3d_filtered
     gabor_vec3 dx;
     gabor_vec3 dy;
 };
@@ -91,20 +93,20 @@ struct GaborPlace3d {
 struct GaborField3d {
     float noise;
     gabor_vec3 gradient;
-    float quadrature; // in isotropic noise, independent of the noise at each place, but not of its gradient
+    float quadrature; // in isotropic noise, independent of the noise at each point, but not of the noise's gradient
     gabor_vec3 quadrature_gradient;
-    float removed; // the share of the variance that the average over the pixel removed
+    float removed; // share of the variance that the average over the pixel removed
 };
 
 // GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
-//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells along
-//     each axis.
+//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     axis.
 
 // GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction, uint seed)
 // GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
 // GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed)
 // GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency, uint seed)
-//     The noises above at a place. All other functions call these.
+//     The noises above, for a GaborPlace3d. All other functions call these four.
 
 // ====================================================================================================================
 // Private implementation
@@ -114,7 +116,7 @@ GABOR_INLINE GaborPlace3d gabor_place_3d(gabor_ivec3 cell, gabor_vec3 local) {
     return GaborPlace3d{cell, local, gabor_vec3(GABOR_RADIUS), gabor_ivec3(0), false, 0.0f, false, gabor_vec3(0.0f), gabor_vec3(0.0f)};
 }
 
-// Scales a vector to length 1 if its length is 10^-15 to 10^15. Shorter ones approach 0.
+// Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
 GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
     v = gabor_cpp_clamp(v, -1.0e15f, 1.0e15f);
     return v * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(v, v), 1.0e-30f));
@@ -122,14 +124,15 @@ GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
 
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 //
-// As in the plane, the nodes c of a lattice, R = 3/2 per kernel radius, send out waves under Hann's windows h, with
-// independent normal amplitudes A. The nearest node and its 26 neighbours reach a point:
+// As in the plane, the nodes c of a lattice with R = 3/2 nodes per kernel radius emit waves under Hann's windows h,
+// with independent normal amplitudes A. The windows of the nearest node and its 26 neighbours reach a point:
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
-// The variance is 1 at every place for any wave vector F. So F may follow a surface, which shows the requested
+// The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative from the windows along x; `slopes`
-// receives those along y and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative along x as far as it comes from the
+// window; `slopes` receives these derivatives along y and z. The filter adds mixed derivatives, weighted by its
+// covariances yz, zx, xy.
 GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
                           int k, gabor_vec3 mixed) {
     for (int j = 0; j < 3; ++j)
@@ -143,8 +146,9 @@ GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, Gabo
                     + mixed.z * gabor_impl_product(slope.zw(), z.node[k].xy()), 0.0f, 0.0f);
 }
 
-// The noise of 27 nodes, filtered by three waves along each axis if the place asks for it. E[n^2] = K^2 E[|A|^2] / 2
-// (sum h^2)^3 = 1, and the derivative of a wave is 2 pi i F times the wave.
+// The noise of 27 nodes. If the place is filtered, the filter uses three waves along each axis: see
+// gabor_spectrum.hpp. K makes E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1. A wave's derivative is the wave times
+// 2 pi i F.
 GABOR_INLINE GaborField3d gabor_impl_sum_3d(GaborPlace3d place, gabor_vec3 wave, GaborMatrix pixel, std::uint32_t salt) {
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
@@ -178,8 +182,8 @@ GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field
     sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
 }
 
-// The perpendicular axes of a pixel, each twice as long as the filter's deviation along it, in units of GABOR_RADIUS
-// nodes.
+// The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it, in units of
+// GABOR_RADIUS nodes.
 struct GaborPixelAxes {
     gabor_vec3 major;
     gabor_vec3 minor;
@@ -188,14 +192,14 @@ struct GaborPixelAxes {
 GABOR_INLINE GaborPixelAxes gabor_impl_pixel(GaborPlace3d place, gabor_vec3 stretch) {
     gabor_vec3 dx = gabor_cpp_clamp(place.dx, -1.0e6f, 1.0e6f) * stretch;
     gabor_vec3 dy = gabor_cpp_clamp(place.dy, -1.0e6f, 1.0e6f) * stretch;
-    gabor_vec2 twice = gabor_vec2(gabor_cpp_dot(dx, dx) - gabor_cpp_dot(dy, dy), 2.0f * gabor_cpp_dot(dx, dy)); // the pixel's axes have half the angle of this
+    gabor_vec2 twice = gabor_vec2(gabor_cpp_dot(dx, dx) - gabor_cpp_dot(dy, dy), 2.0f * gabor_cpp_dot(dx, dy)); // at twice the angle of `turn`
     float cosine = twice.x / gabor_cpp_max(gabor_cpp_length(twice), 1.0e-30f);
     gabor_vec2 turn = gabor_cpp_sqrt(gabor_cpp_max(0.5f + gabor_vec2(0.5f, -0.5f) * cosine, 0.0f));
     if (twice.y < 0.0f) turn.y = -turn.y;
     return GaborPixelAxes{turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx};
 }
 
-// Shortens each axis to at most `most`.
+// Limits the length of each axis to `most`.
 GABOR_INLINE GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
     return GaborPixelAxes{most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.major, pixel.major), most * most)) * pixel.major,
                       most * gabor_cpp_inversesqrt(gabor_cpp_max(gabor_cpp_dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
@@ -206,19 +210,20 @@ GABOR_INLINE GaborMatrix gabor_impl_covariance(GaborPixelAxes pixel) {
     return GaborMatrix{major * major + minor * minor, major.yzx() * major.zxy() + minor.yzx() * minor.zxy()};
 }
 
-// d of gabor_impl_transmitted, along each axis of a pixel.
+// 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
 GABOR_INLINE gabor_vec2 gabor_impl_spread(GaborPixelAxes pixel) {
     return 1.0f + 1.6449341f * gabor_vec2(gabor_cpp_dot(pixel.major, pixel.major), gabor_cpp_dot(pixel.minor, pixel.minor));
 }
 
-// The share of its variance that a lobe keeps.
+// The share of its variance that a lobe keeps under a pixel's filter.
 GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborPixelAxes pixel) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 k = gabor_vec2(gabor_cpp_dot(wave, pixel.major), gabor_cpp_dot(wave, pixel.minor));
     return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y);
 }
 
-// With periods, nodes are not 1 / GABOR_RADIUS apart, so all lengths are in units of GABOR_RADIUS nodes.
+// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
+// node spacings.
 GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     gabor_vec3 stretch = place.radius / GABOR_RADIUS;
     gabor_vec3 wave = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_unit(direction) / stretch;
@@ -249,14 +254,13 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, ga
     return sum;
 }
 
-// Adds the one of two independent noises that replaces the other as x goes from 0 to 1.
+// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
 GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
     gabor_impl_accumulate_3d(sum, term, gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     sum.removed += power * term.removed;
 }
 
-// Where the surface's normal is 14 to 30 degrees from the direction, a perpendicular direction takes over.
 GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
@@ -275,15 +279,15 @@ GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal
 //
 // Node c emits waves along three perpendicular unit vectors u_cm, turned at random, each with its own amplitude:
 //     n(p) = K Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
-// Given the directions, n is normal with the constant variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2. The gradient has the
-// constant covariance K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 1, and
-// is independent of the value. Since none of this depends on the directions, both are also normal over random
-// directions. On a surface there are two tangent vectors, and the same holds for the value and its derivatives along
-// the surface.
+// Given the directions, n is normal with the constant variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2. The gradient is
+// independent of the value and has the constant covariance K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2
+// I), because sum_m u_cm u_cm^T is the identity I. Since none of this depends on the directions, both are also normal
+// over random directions. On a surface there are two tangent vectors, and the same holds for the value and its
+// derivatives along the surface.
 
 // Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
-// node to the point. The filter (see gabor_spectrum.hpp) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
-// window along each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
+// node to the point. The filter (see gabor_spectrum.hpp) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
+// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, gabor_vec4 wave, GaborPlace3d place,
                          GaborMatrix pixel, std::uint32_t word) {
     gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
@@ -311,7 +315,8 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec
     sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853f * value.y * wave.xyz();
 }
 
-// Which waves isotropic noise has: all, or only those along a surface, which these perpendicular vectors span.
+// The waves of isotropic noise: all, or only those along a surface whose tangent plane these perpendicular unit vectors
+// span.
 struct GaborTangents {
     bool only;
     gabor_vec3 along;
@@ -319,8 +324,8 @@ struct GaborTangents {
 };
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
-// along -u is also one along u, so on a surface, turning the first vector by up to half a turn reaches every direction.
-// In space that vector also rises, and a quarter of a turn around it is enough for the other two.
+// along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
+// surface. In space the first vector also rises, and the other two turn around it within a quarter of a circle.
 GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, GaborPlace3d place, GaborMatrix pixel,
                          gabor_vec3 scale, GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     std::uint32_t word = column * row.w;
@@ -343,9 +348,9 @@ GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec
     if (!tangents.only) gabor_impl_add_wave(sum, x, y, z, unit * w, place, pixel, column * row.z);
 }
 
-// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) /
-// 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their
-// ends.
+// (d, middle, cosine, sine) of a node on an axis: the point's offset d from the node; the parts of the window,
+// middle = 1/2 and cosine = cos(pi d) / 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade
+// out within half a standard deviation of their ends.
 GABOR_INLINE gabor_vec4 gabor_impl_node(float offset, gabor_vec4 node, float variance) {
     offset /= GABOR_RADIUS;
     float fade = 1.0f, fall = 1.0f;
@@ -387,10 +392,10 @@ GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatr
     return sum;
 }
 
-// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
-// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). If q_1 is
-// the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
-// E[u_1^2]) q_2.
+// The share of its variance that isotropic noise keeps, within 0.008: the mean, over all directions u, of the share
+// that a lobe keeps. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2).
+// If q_1 is the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean over a circle
+// with q = (1 - E[u_1^2]) q_2, where E weights directions by exp(-q_1 u_1^2).
 GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 unit = gabor_cpp_min(9.8696044f * frequency * frequency, 1.0e6f) / d;
@@ -435,11 +440,11 @@ GABOR_INLINE GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency
     return gabor_impl_isotropic(place, frequency, GaborTangents{false, gabor_vec3(1.0f, 0.0f, 0.0f), gabor_vec3(0.0f, 1.0f, 0.0f)}, seed);
 }
 
-// Waves in all directions of the tangent plane, measured from the circle of latitude around z or, near the poles,
-// around x.
+// Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
+// near that axis, around the x axis.
 GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
-    float aside = gabor_cpp_dot(normal.xy(), normal.xy()); // squared distance from the z axis
+    float aside = gabor_cpp_dot(normal.xy(), normal.xy()); // squared sine of the normal's angle to the z axis
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = aside > 0.25f ? 0 : 1; i < (aside < 0.5f ? 2 : 1); ++i) {
         gabor_vec3 along = gabor_impl_unit(gabor_cpp_cross(i == 0 ? gabor_vec3(0.0f, 0.0f, 1.0f) : gabor_vec3(1.0f, 0.0f, 0.0f), normal));

@@ -1,5 +1,5 @@
 // gabor_lattice_3d.metal: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
-// a normal distribution at every place: for the Metal shading language.
+// a normal distribution at every point: for the Metal shading language.
 //
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal. Paste or include it after gabor_spectrum.metal.
 //
@@ -7,7 +7,8 @@
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
 // Arguments of all functions, besides those of gabor_lattice.metal:
-//     direction  direction of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
+//     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
+//                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
 //     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p. The noise is continuous wherever they are.
@@ -30,7 +31,7 @@ using namespace metal;
 
 // float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed)
 // float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed)
-//     The noise, continuous with its first derivatives.
+//     The noise; it and its first derivatives are continuous.
 
 // float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed)
 // float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
@@ -38,46 +39,47 @@ using namespace metal;
 //     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 
 // float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed)
-//     (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For a bump map, subtract the gradient's
-//     part along the normal.
+//     (noise, d/dx, d/dy, d/dz). The derivatives are per kernel radius, for a constant wave vector. For a bump map,
+//     subtract the gradient's component along the normal.
 
 // float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed)
-//     The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
-//     that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
-//     whole one. Continuous in p, dx and dy. On GPUs it costs 1.4 times as much as gabor_noise_3d for steps up to 0.18
-//     (27 nodes), 4.2 times for steps of 0.2 and more (64 nodes), and at most 6.6 times (125 nodes).
+//     (noise, removed): the noise averaged over a pixel, and the share of its variance that the average removed. The
+//     error is that of gabor_noise_filtered: 1 % while the pixel's longest axis is at most a third of a kernel radius,
+//     and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs it costs 1.4 times as much as
+//     gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most 6.6
+//     times (125 nodes).
 
 // ---- Isotropic solid noise -----------------------------------------------------------------------------------------
 
 // float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed)
-//     Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
-//     and gradient are normal, with the same variance at every place. The power varies with direction only through the
-//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places, and second derivatives, have mixtures of
-//     normal distributions.
+//     Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
+//     Value and gradient are normal, with the same variance at every point. The power varies with direction only
+//     through the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
+//     together, follow mixtures of normal distributions.
 
 // float4 gabor_noise_3d_isotropic_gradient(float3 p, float frequency, uint seed)
 //     (noise, d/dx, d/dy, d/dz), per kernel radius.
 
 // float2 gabor_noise_3d_isotropic_filtered(float3 p, float3 dx, float3 dy, float frequency, uint seed)
-//     Like gabor_noise_3d_filtered, at less than twice the cost of the noise. The error against exactly filtered noise,
-//     in standard deviations, is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4.
-//     For larger pixels only the variance is right.
+//     Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
+//     exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at most 0.3 kernel radii,
+//     and 3 % at 0.4. For larger pixels, only the variance is right.
 
 // ---- Noise on a surface --------------------------------------------------------------------------------------------
 
 // float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed)
-//     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
-//     the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, at twice
-//     the cost. Where the surface is curved, the waves of a kernel bend.
+//     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. As the
+//     angle between direction and normal falls from 30 to 14 degrees, a second noise, with waves at right angles, takes
+//     over; in between, both are computed. On a curved surface, waves bend within each kernel.
 
 // float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed)
-//     Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
-//     twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface have
-//     the distribution of gabor_noise_3d_isotropic.
+//     Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
+//     and twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
+//     have the distributions of gabor_noise_3d_isotropic.
 
-// ---- For large worlds, and for periods, time and pixels together ---------------------------------------------------
+// ---- For large worlds, and for periods, time and filters combined --------------------------------------------------
 
-// A position in nodes of the lattice, and how space and time repeat: see GaborPlace.
+// A position in nodes of the lattice, with the periods of space and time: see GaborPlace.
 struct GaborPlace3d {
     int3 cell;
     float3 local;
@@ -85,7 +87,7 @@ struct GaborPlace3d {
     int3 period;
     bool animated;
     float time;
-    bool filtered; // whether to average over the pixel whose sides are dx and dy: see gabor_noise_3d_filtered
+    bool filtered; // whether to average over a pixel with sides dx and dy: see gabor_noise_3d_filtered
     float3 dx;
     float3 dy;
 };
@@ -94,20 +96,20 @@ struct GaborPlace3d {
 struct GaborField3d {
     float noise;
     float3 gradient;
-    float quadrature; // in isotropic noise, independent of the noise at each place, but not of its gradient
+    float quadrature; // in isotropic noise, independent of the noise at each point, but not of the noise's gradient
     float3 quadrature_gradient;
-    float removed; // the share of the variance that the average over the pixel removed
+    float removed; // share of the variance that the average over the pixel removed
 };
 
 // GaborPlace3d gabor_place_3d(int3 cell, float3 local)
-//     The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells along
-//     each axis.
+//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     axis.
 
 // GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 direction, uint seed)
 // GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
 // GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
 // GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed)
-//     The noises above at a place. All other functions call these.
+//     The noises above, for a GaborPlace3d. All other functions call these four.
 
 // ====================================================================================================================
 // Private implementation
@@ -117,7 +119,7 @@ inline GaborPlace3d gabor_place_3d(int3 cell, float3 local) {
     return GaborPlace3d{cell, local, float3(GABOR_RADIUS), int3(0), false, 0.0, false, float3(0.0), float3(0.0)};
 }
 
-// Scales a vector to length 1 if its length is 10^-15 to 10^15. Shorter ones approach 0.
+// Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
 inline float3 gabor_impl_unit(float3 v) {
     v = clamp(v, -1.0e15, 1.0e15);
     return v * rsqrt(max(dot(v, v), 1.0e-30));
@@ -125,14 +127,15 @@ inline float3 gabor_impl_unit(float3 v) {
 
 // ---- One wave vector -----------------------------------------------------------------------------------------------
 //
-// As in the plane, the nodes c of a lattice, R = 3/2 per kernel radius, send out waves under Hann's windows h, with
-// independent normal amplitudes A. The nearest node and its 26 neighbours reach a point:
+// As in the plane, the nodes c of a lattice with R = 3/2 nodes per kernel radius emit waves under Hann's windows h,
+// with independent normal amplitudes A. The windows of the nearest node and its 26 neighbours reach a point:
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
-// The variance is 1 at every place for any wave vector F. So F may follow a surface, which shows the requested
+// The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative from the windows along x; `slopes`
-// receives those along y and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative along x as far as it comes from the
+// window; `slopes` receives these derivatives along y and z. The filter adds mixed derivatives, weighted by its
+// covariances yz, zx, xy.
 inline void gabor_impl_add_slice(thread float4& sum, thread float4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
                           int k, float3 mixed) {
     for (int j = 0; j < 3; ++j)
@@ -146,8 +149,9 @@ inline void gabor_impl_add_slice(thread float4& sum, thread float4& slopes, Gabo
                     + mixed.z * gabor_impl_product(slope.zw, z.node[k].xy), 0.0, 0.0);
 }
 
-// The noise of 27 nodes, filtered by three waves along each axis if the place asks for it. E[n^2] = K^2 E[|A|^2] / 2
-// (sum h^2)^3 = 1, and the derivative of a wave is 2 pi i F times the wave.
+// The noise of 27 nodes. If the place is filtered, the filter uses three waves along each axis: see
+// gabor_spectrum.metal. K makes E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1. A wave's derivative is the wave times
+// 2 pi i F.
 inline GaborField3d gabor_impl_sum_3d(GaborPlace3d place, float3 wave, GaborMatrix pixel, uint salt) {
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
@@ -181,8 +185,8 @@ inline void gabor_impl_accumulate_3d(thread GaborField3d& sum, GaborField3d fiel
     sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
 }
 
-// The perpendicular axes of a pixel, each twice as long as the filter's deviation along it, in units of GABOR_RADIUS
-// nodes.
+// The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it, in units of
+// GABOR_RADIUS nodes.
 struct GaborPixelAxes {
     float3 major;
     float3 minor;
@@ -191,14 +195,14 @@ struct GaborPixelAxes {
 inline GaborPixelAxes gabor_impl_pixel(GaborPlace3d place, float3 stretch) {
     float3 dx = clamp(place.dx, -1.0e6, 1.0e6) * stretch;
     float3 dy = clamp(place.dy, -1.0e6, 1.0e6) * stretch;
-    float2 twice = float2(dot(dx, dx) - dot(dy, dy), 2.0 * dot(dx, dy)); // the pixel's axes have half the angle of this
+    float2 twice = float2(dot(dx, dx) - dot(dy, dy), 2.0 * dot(dx, dy)); // at twice the angle of `turn`
     float cosine = twice.x / max(length(twice), 1.0e-30);
     float2 turn = sqrt(max(0.5 + float2(0.5, -0.5) * cosine, 0.0));
     if (twice.y < 0.0) turn.y = -turn.y;
     return GaborPixelAxes{turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx};
 }
 
-// Shortens each axis to at most `most`.
+// Limits the length of each axis to `most`.
 inline GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
     return GaborPixelAxes{most * rsqrt(max(dot(pixel.major, pixel.major), most * most)) * pixel.major,
                       most * rsqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor};
@@ -209,19 +213,20 @@ inline GaborMatrix gabor_impl_covariance(GaborPixelAxes pixel) {
     return GaborMatrix{major * major + minor * minor, major.yzx * major.zxy + minor.yzx * minor.zxy};
 }
 
-// d of gabor_impl_transmitted, along each axis of a pixel.
+// 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
 inline float2 gabor_impl_spread(GaborPixelAxes pixel) {
     return 1.0 + 1.6449341 * float2(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
 }
 
-// The share of its variance that a lobe keeps.
+// The share of its variance that a lobe keeps under a pixel's filter.
 inline float gabor_impl_transmitted_3d(float3 wave, GaborPixelAxes pixel) {
     float2 d = gabor_impl_spread(pixel);
     float2 k = float2(dot(wave, pixel.major), dot(wave, pixel.minor));
     return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * rsqrt(d.x * d.y);
 }
 
-// With periods, nodes are not 1 / GABOR_RADIUS apart, so all lengths are in units of GABOR_RADIUS nodes.
+// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
+// node spacings.
 inline GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 direction, uint seed) {
     float3 stretch = place.radius / GABOR_RADIUS;
     float3 wave = min(abs(frequency), 1.0e6) * gabor_impl_unit(direction) / stretch;
@@ -252,14 +257,13 @@ inline GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 d
     return sum;
 }
 
-// Adds the one of two independent noises that replaces the other as x goes from 0 to 1.
+// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
 inline void gabor_impl_add_term(thread GaborField3d& sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
     gabor_impl_accumulate_3d(sum, term, sqrt(power), float3(1.0));
     sum.removed += power * term.removed;
 }
 
-// Where the surface's normal is 14 to 30 degrees from the direction, a perpendicular direction takes over.
 inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
@@ -278,15 +282,15 @@ inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float fr
 //
 // Node c emits waves along three perpendicular unit vectors u_cm, turned at random, each with its own amplitude:
 //     n(p) = K Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
-// Given the directions, n is normal with the constant variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2. The gradient has the
-// constant covariance K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 1, and
-// is independent of the value. Since none of this depends on the directions, both are also normal over random
-// directions. On a surface there are two tangent vectors, and the same holds for the value and its derivatives along
-// the surface.
+// Given the directions, n is normal with the constant variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2. The gradient is
+// independent of the value and has the constant covariance K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2
+// I), because sum_m u_cm u_cm^T is the identity I. Since none of this depends on the directions, both are also normal
+// over random directions. On a surface there are two tangent vectors, and the same holds for the value and its
+// derivatives along the surface.
 
 // Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
-// node to the point. The filter (see gabor_spectrum.metal) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
-// window along each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
+// node to the point. The filter (see gabor_spectrum.metal) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
+// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 inline void gabor_impl_add_wave(thread GaborField3d& sum, float4 x, float4 y, float4 z, float4 wave, GaborPlace3d place,
                          GaborMatrix pixel, uint word) {
     float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
@@ -314,7 +318,8 @@ inline void gabor_impl_add_wave(thread GaborField3d& sum, float4 x, float4 y, fl
     sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853 * value.y * wave.xyz;
 }
 
-// Which waves isotropic noise has: all, or only those along a surface, which these perpendicular vectors span.
+// The waves of isotropic noise: all, or only those along a surface whose tangent plane these perpendicular unit vectors
+// span.
 struct GaborTangents {
     bool only;
     float3 along;
@@ -322,8 +327,8 @@ struct GaborTangents {
 };
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
-// along -u is also one along u, so on a surface, turning the first vector by up to half a turn reaches every direction.
-// In space that vector also rises, and a quarter of a turn around it is enough for the other two.
+// along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
+// surface. In space the first vector also rises, and the other two turn around it within a quarter of a circle.
 inline void gabor_impl_add_node(thread GaborField3d& sum, float4 x, float4 y, float4 z, GaborPlace3d place, GaborMatrix pixel,
                          float3 scale, GaborTangents tangents, uint column, uint4 row) {
     uint word = column * row.w;
@@ -346,9 +351,9 @@ inline void gabor_impl_add_node(thread GaborField3d& sum, float4 x, float4 y, fl
     if (!tangents.only) gabor_impl_add_wave(sum, x, y, z, unit * w, place, pixel, column * row.z);
 }
 
-// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) /
-// 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their
-// ends.
+// (d, middle, cosine, sine) of a node on an axis: the point's offset d from the node; the parts of the window,
+// middle = 1/2 and cosine = cos(pi d) / 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade
+// out within half a standard deviation of their ends.
 inline float4 gabor_impl_node(float offset, float4 node, float variance) {
     offset /= GABOR_RADIUS;
     float fade = 1.0, fall = 1.0;
@@ -390,10 +395,10 @@ inline GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pix
     return sum;
 }
 
-// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
-// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). If q_1 is
-// the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
-// E[u_1^2]) q_2.
+// The share of its variance that isotropic noise keeps, within 0.008: the mean, over all directions u, of the share
+// that a lobe keeps. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2).
+// If q_1 is the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean over a circle
+// with q = (1 - E[u_1^2]) q_2, where E weights directions by exp(-q_1 u_1^2).
 inline float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
     float2 d = gabor_impl_spread(pixel);
     float2 unit = min(9.8696044 * frequency * frequency, 1.0e6) / d;
@@ -438,11 +443,11 @@ inline GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint
     return gabor_impl_isotropic(place, frequency, GaborTangents{false, float3(1.0, 0.0, 0.0), float3(0.0, 1.0, 0.0)}, seed);
 }
 
-// Waves in all directions of the tangent plane, measured from the circle of latitude around z or, near the poles,
-// around x.
+// Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
+// near that axis, around the x axis.
 inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
-    float aside = dot(normal.xy, normal.xy); // squared distance from the z axis
+    float aside = dot(normal.xy, normal.xy); // squared sine of the normal's angle to the z axis
     GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     for (int i = aside > 0.25 ? 0 : 1; i < (aside < 0.5 ? 2 : 1); ++i) {
         float3 along = gabor_impl_unit(cross(i == 0 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0), normal));

@@ -5,7 +5,7 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // other parameters, which may vary by pixel
+//     GaborWood oak = gabor_wood_default();                            // with other parameters, even for each pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -41,13 +41,13 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float roughness, flo
 
 // ---- Where to draw -------------------------------------------------------------------------------------------------
 
-// A place, and the area of its pixel.
+// A position and its pixel.
 struct GaborPixel {
     float2 p;
-    float2 dx; // change of p to the pixel on the right
-    float2 dy; // change of p to the pixel below
-    bool filtered;
-    float2 period; // period of p, 0 for none
+    float2 dx;       // change of p to the pixel on the right
+    float2 dy;       // change of p to the pixel below
+    bool filtered; // whether to average over the pixel
+    float2 period;   // period of p, 0 for none
 };
 
 GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered, float2 period)
@@ -62,23 +62,23 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered, float2 p
 }
 
 // GaborPixel gabor_pixel(float2 p)
-//     The place p.
+//     The point p.
 
 // GaborPixel gabor_pixel_filtered(float2 p, float2 dx, float2 dy)
 //     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
 //     as without the filter, and all others as much as gabor_noise_filtered.
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, float2 period)
-//     The same place in a world that repeats after `period` units of p. A period then holds a whole number of rings or
-//     threads, and scratches and hair take directions that repeat. Each material states the shortest period with which
-//     it looks as it does without one; with a shorter one, slow changes become faster.
+//     The same pixel in a world that repeats after `period` units of p. A period then holds a whole number of rings or
+//     threads, and scratches and hair take directions that repeat.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
-// Each material has a struct of parameters, their defaults, and a function of a place. The short forms use the
-// defaults. Colours are linear, from 0 to 1. Brackets give the number of noises and the shortest period that does not
-// change the look.
-// The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary by pixel.
+// Each material has a struct of parameters, a function that returns their defaults, and a function of a pixel and
+// parameters; the short forms use the defaults. Colours are linear, from 0 to 1. Brackets give the number of noises,
+// and the shortest period with which the material looks as it does without one; shorter periods make slow changes
+// faster. The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary from
+// pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
@@ -112,7 +112,7 @@ struct GaborFabric {
     float3 weft;        // colour of the threads along x
     float threads;    // threads per unit, 2 to 60
     float unevenness; // unevenness of the threads' thickness, shade and course, 0 to 2
-    float relief;     // height of the weave and of the cords, 0 to 3
+    float relief;     // height of the weave and of the cords, relative to the default, 0 to 3
     float roughness;  // 0 to 1
     float cords;      // cords per unit, 0 to 20
 };
@@ -140,7 +140,7 @@ struct GaborLeather {
     float3 crease;     // colour between the cells
     float cells;     // cells per unit, 2 to 30
     float wrinkles;  // how much the rows of cells bend, 0 to 3
-    float relief;    // height of the cells, 0 to 3
+    float relief;    // height of the cells, relative to the default, 0 to 3
     float roughness; // roughness of the cells, 0 to 0.7
 };
 
@@ -186,7 +186,7 @@ GaborMarble GaborMarble_of(float3 stone, float3 vein, float veins, float turbule
 // GaborMaterial gabor_marble(float2 p, uint seed)
 // GaborMaterial gabor_marble_filtered(float2 p, float2 dx, float2 dy, uint seed)
 
-// Wind ripples, steep on one side, and grains [7 noises; period 4 x 4].
+// Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
     float3 trough;     // colour between the ripples
     float3 crest;      // colour on the ripples
@@ -264,11 +264,11 @@ GaborBrushedMetal GaborBrushedMetal_of(float3 colour, float streaks, float contr
 // GaborMaterial gabor_brushed_metal(float2 p, uint seed)
 // GaborMaterial gabor_brushed_metal_filtered(float2 p, float2 dx, float2 dy, uint seed)
 
-// Hairlines in a lacquer [28 noises; period 8 x 8].
+// Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
     float3 lacquer;    // colour of the lacquer
     float3 scratch;    // colour in the scratches
-    float amount;    // how many scratches, 0.01 to 8
+    float amount;    // number of scratches, relative to the default, 0.01 to 8
     float reach;     // length of the scratches, in units, 0.3 to 10
     float direction; // middle of the scratches' directions, -6.2832 to 6.2832 radians
     float spread;    // range of the scratches' directions, 0 to 3.1416 radians
@@ -299,7 +299,7 @@ struct GaborZebra {
     float3 bright;     // colour between the stripes
     float3 stripe;     // colour of the stripes
     float stripes;   // stripes per unit, 0.5 to 20
-    float direction; // direction of the waves, across the stripes, -6.2832 to 6.2832 radians
+    float direction; // direction of the waves, at right angles to the stripes, -6.2832 to 6.2832 radians
     float bends;     // how much the stripes' direction changes, 0 to 1.5708 radians
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
@@ -350,12 +350,12 @@ GaborBark GaborBark_of(float3 plate, float3 furrow, float3 moss, float furrows, 
 // GaborMaterial gabor_bark(float2 p, uint seed)
 // GaborMaterial gabor_bark_filtered(float2 p, float2 dx, float2 dy, uint seed)
 
-// A twill of tows [3 noises; period 3 x 3].
+// A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
     float3 colour;     // colour of the fibres
     float tows;      // tows per unit, 1 to 20
     float contrast;  // contrast of the fibres, 0 to 0.6
-    float relief;    // height of the tows, 0 to 3
+    float relief;    // height of the tows, relative to the default, 0 to 3
     float roughness; // 0 to 1
 };
 
@@ -382,7 +382,7 @@ struct GaborStrata {
     float3 pale;       // colour of the thin layers
     float layers;    // layers per unit, 1 to 30
     float folds;     // how much the layers bend, 0 to 3
-    float relief;    // height of the layers, 0 to 3
+    float relief;    // height of the layers, relative to the default, 0 to 3
     float roughness; // 0 to 1
 };
 
@@ -408,12 +408,12 @@ GaborStrata GaborStrata_of(float3 rock, float3 sandstone, float3 red, float3 pal
 // Private implementation
 // ====================================================================================================================
 //
-// How to filter a nonlinear function f of noise: the pixel's filter leaves the value v of a noise of variance 1, and
-// removes the share r of its variance. The removed part is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
-// over normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution
-// function; a line along the zeros of a noise, a normal curve; a change of tone, an exponential; and a profile of a
-// phase, a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals
-// the mean of the sharp one at every distance; leather and the weaves fade to a measured mean.
+// How to filter a nonlinear function f of noise: the filter leaves the value v of a noise of variance 1, and removes
+// the share r of its variance. The removed part is normal too, so the pixel shows the mean of f(v + sqrt(r) z) over
+// normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution function;
+// a line along the zeros of a noise becomes a Gaussian; a change of tone becomes an exponential; and a profile of a
+// phase becomes a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour
+// is the mean of the unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -423,8 +423,8 @@ GaborPlace gabor_impl_place(GaborPixel pixel, float2 density) {
     return gabor_place((int2)(0), GABOR_RADIUS * density * pixel.p);
 }
 
-// Two independent noises, the parts of a complex one, and the removed share of their variance.
-//   density  kernels per unit along x and y
+// Returns two independent noises, the parts of a complex noise, and the share of the variance that the filter removed.
+// `density` is in kernel radii per unit along x and y.
 float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, density);
     GaborKernel kernel_ = gabor_kernel(frequency, orientation);
@@ -437,12 +437,12 @@ float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float
     return float3(value, removed);
 }
 
-// The same at frequency 0: spots as large as a kernel.
+// A layer of frequency 0: spots as large as a kernel.
 float3 gabor_impl_spots(GaborPixel pixel, float2 density, uint seed) {
     return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
 }
 
-// A sum of spots; each octave is half as large and has `gain` times the amplitude.
+// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes change by `gain`.
 float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gain, uint seed) {
     float3 sum = (float3)(0.0);
     float power = 0.0;
@@ -457,7 +457,7 @@ float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gai
     return sum / float3((float2)(sqrt(power)), power);
 }
 
-// Moves the place by two noises, and changes its steps accordingly.
+// Displaces p by two noises, and changes dx and dy accordingly.
 GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, uint seed) {
     GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0, 0.0), seed);
     float2 along_x = amplitude * density.x * field.slope_x;
@@ -466,10 +466,10 @@ GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, u
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle. With a period, it takes the nearest of 32 directions in which a line closes after whole
-// numbers of periods, `whole`, along both axes; x follows this line. In units of that line's length and of the distance
-// between neighbouring lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes
-// are then not quite at right angles, which long kernels hide.
+// Turns the axes by an angle. With a period, the new x axis takes one of 24 directions near that angle: those of lines
+// that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of periods. So
+// in units of the line's length along x, and of the distance between neighbouring lines along y, p repeats after 1. The
+// axes are then not quite at right angles, which long kernels hide.
 GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     float2 turn = gabor_impl_wave(0.15915494 * angle);
     float2 x = turn;
@@ -494,8 +494,8 @@ GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
                       float2(dot(x, pixel.dy), dot(y, pixel.dy)), pixel.filtered, period);
 }
 
-// Repetitions per unit along each axis: the requested number or, with a period, the nearest for which the period holds
-// a multiple of `whole`.
+// Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
+// multiple of `whole` repetitions.
 float2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
     if (pixel.period.x > 0.0)
         return max(floor(pixel.period * (count / whole) + 0.5), (float2)(1.0)) * whole / pixel.period;
@@ -527,13 +527,13 @@ float2 gabor_impl_phase(float3 layer) {
     return layer.xy * rsqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
 }
 
-// The square of a sawtooth from 0 to 1, with mean 1/3: its integral, and its mean over the width of
-// gabor_impl_phase_of.
+// The integral of the square of a sawtooth from 0 to 1.
 float gabor_impl_rise_integral(float x) {
     float turns = floor(x), t = x - turns;
     return 0.33333333 * (turns + t * t * t);
 }
 
+// The mean of the square of a sawtooth over the (phase, width) of gabor_impl_phase_of.
 float gabor_impl_rise(float2 phase) {
     float3 ends = gabor_impl_ends(phase.x, phase.y);
     return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
@@ -554,7 +554,7 @@ GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
     GaborPixel years = gabor_impl_warp(board, float2(6.5, 0.08), float2(0.455 / wood.rings, 0.0), gabor_lobe_seed(seed, 2));
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0).x;
     float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
-    float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // share of the wave that a normal filter keeps
+    float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // share of the wave that a Gaussian filter keeps
     float ring = gabor_impl_rise(float2(rings * years.p.x, gabor_impl_phase_of(float2(kept, 0.0)).y));
     float3 pore = gabor_impl_spots(pixel, float2(90.0, 4.5), gabor_lobe_seed(seed, 3));
     float3 fibre = gabor_impl_spots(pixel, float2(150.0, 2.0), gabor_lobe_seed(seed, 4));
@@ -573,7 +573,7 @@ GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
 GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     float2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0);
     GaborPixel cloth = gabor_impl_warp(pixel, (float2)(0.7), (float2)(0.02 * fabric.unevenness), gabor_lobe_seed(seed, 0));
-    float3 upright = gabor_impl_spots(cloth, float2(0.7 * count.x, 1.1), gabor_lobe_seed(seed, 1)); // uneven along y
+    float3 upright = gabor_impl_spots(cloth, float2(0.7 * count.x, 1.1), gabor_lobe_seed(seed, 1)); // for threads along y
     float3 level = gabor_impl_spots(cloth, float2(1.1, 0.7 * count.y), gabor_lobe_seed(seed, 2));
     float3 upright_fibre = gabor_impl_spots(cloth, float2(14.0, 2.0) * count, gabor_lobe_seed(seed, 3));
     float3 level_fibre = gabor_impl_spots(cloth, float2(2.0, 14.0) * count, gabor_lobe_seed(seed, 4));
@@ -592,7 +592,8 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     float3 tone = first ? upright : level;
     float3 fibre = first ? upright_fibre : level_fibre;
 
-    // The part of the weave that the filter keeps; the rest becomes the mean, which was measured for each unevenness.
+    // `kept` is the part of the weave that the filter keeps. The rest becomes the mean, which was measured and depends
+    // on the unevenness.
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
     float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
     float uneven = fabric.unevenness;
@@ -602,7 +603,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     colour *= gabor_impl_tone(tone.y, tone.z, 0.09 * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12);
     top = lerp(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top, kept);
     float height = fabric.relief / fabric.threads * (0.3 * top + 0.035 * fibre.y);
-    if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which a filter damps
+    if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
         float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
         float damped = exp(-min(4.9348022 * cords * cords * (cloth.dx.x * cloth.dx.x + cloth.dy.x * cloth.dy.x), 20.0));
         float turn = 6.2831853 * frac(cords * cloth.p.x);
@@ -613,7 +614,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     return gabor_impl_material(colour, height, fabric.roughness, 0.0);
 }
 
-// Two phases and their sum are the phases of three waves, whose crests meet in a lattice of cells, with faults.
+// Two phases and their sum are the phases of three waves. Their crests meet in a lattice of cells with defects.
 GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(0.07 * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, (float2)(4.0), (float2)(0.014 * leather.wrinkles), gabor_lobe_seed(seed, 1));
@@ -638,8 +639,8 @@ GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed
     return gabor_impl_material(colour, height, leather.roughness + 0.15 * (1.0 - pebble), 0.0);
 }
 
-// Adds veins: lines along the zeros of a noise, where its other part is high enough. Such lines are long, but they end.
-// Each has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins: lines along the zeros of layer.x, drawn where layer.y exceeds a threshold, so that they end. Each vein
+// has a core in the middle of a halo. Widths and strengths are (halo, core).
 float3 gabor_impl_vein(float3 colour, float3 layer, float threshold, float3 halo, float3 core, float2 width, float2 strength) {
     float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5);
     strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
@@ -690,8 +691,8 @@ GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed) {
     return gabor_impl_material(colour, height, sand.roughness, 0.0);
 }
 
-// A sum of waves with their second harmonics, after Stokes: sharp crests, flat troughs. The harmonic of the removed
-// part has mean 0.
+// A sum of waves with their second harmonics, after Stokes, which gives sharp crests and flat troughs. The harmonic of
+// the removed part has mean 0.
 GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed) {
     float height = 0.0;
     float crest = 0.0;
@@ -732,7 +733,7 @@ GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uin
     float height = 0.0;
     float size = 1.0;
     float turn = 0.0955;
-    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // noise exceeds it nearly in proportion to the amount
+    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above is nearly proportional to the amount
     for (int i = 0; i < 14; ++i) {
         GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5));
         turned = gabor_impl_warp(turned, float2(0.3, 0.1), float2(0.0, 0.17), gabor_lobe_seed(seed, 2 * i));
@@ -757,7 +758,7 @@ GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed) {
     float3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), gabor_lobe_seed(seed, 3));
     float3 tone = gabor_impl_spots(pixel, (float2)(1.2), gabor_lobe_seed(seed, 4));
 
-    float intensity = length(stripe.xy); // where it is small, stripe.x has a small slope, and the edge is wide
+    float intensity = length(stripe.xy); // where it is small, stripe.x has a small slope, so the edge is wide
     float ragged = 0.1 * zebra.hair;
     float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0,
                                   0.01 + 0.09 * intensity);
@@ -801,7 +802,7 @@ GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, u
     bool first = turn < 1.5;
     float3 fibre = first ? upright : level;
     float2 along_across = first ? within.yx : within;
-    float along = 0.5 * (along_across.x + (frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // spans the tow's two rows
+    float along = 0.5 * (along_across.x + (frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // over two rows, 0 to 1
     float across = 2.0 * along_across.y - 1.0;
 
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
@@ -824,7 +825,7 @@ GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed) {
     float3 lamina = gabor_impl_spots(rock, float2(0.6, 8.3333333) * layers, gabor_lobe_seed(seed, 6));
     float3 grain = gabor_impl_octaves(pixel, float2(16.0, 24.0), 4, 0.8, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // layers that are washed out
+    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // the soft layers, which wash out
     float3 colour = lerp(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0, 0.5));
     colour = lerp(colour, strata.red, 0.8 * soft);
     colour = lerp(colour, strata.pale, 0.75 * gabor_impl_above(thin.x, thin.z, 1.0, 0.2));

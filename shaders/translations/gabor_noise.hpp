@@ -1,14 +1,15 @@
 // clang-format off
-// gabor_noise.hpp: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for C++ on the CPU.
+// gabor_noise.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// point: for C++ on the CPU.
 //
 // Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Use this file for the paper's own noise. gabor_lattice.hpp has the same functions, is faster, and is normal at every
-// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per
-// radius.
+// Use this file for the paper's own noise. The noise of gabor_lattice.hpp, which has the same functions, is faster and
+// is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
+// in cycles per kernel radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -325,18 +326,18 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
-// ---- Macros of the recipe, to define before the file. The defaults are `one`; docs/recipes.md lists others ---------
+// ---- Macros, to define before the file. The defaults are the recipe `one`; docs/recipes.md lists others ------------
 
 #ifndef GABOR_IMPULSES
-#define GABOR_IMPULSES 1 // N, impulses per cell: an int, at least 1
+#define GABOR_IMPULSES 1 // N, the number of impulses per cell: an int, at least 1
 #endif
 #ifndef GABOR_RADIUS
-#define GABOR_RADIUS 1.0f // R, cells per kernel radius: a float, at least 1. Loops cover ceil(2 R) + 1 cells per axis
+#define GABOR_RADIUS 1.0f // R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis
 #endif
 #ifndef GABOR_WEIGHT_FLOOR
 #define GABOR_WEIGHT_FLOOR 0.675f // A, a float in [0, 1]: weights have magnitude A or 1, equally likely
 #endif
-// Number of phases, evenly spread over a turn: a power of two up to 256. 2 gives sine kernels, which integrate to 0.
+// Number of phases, evenly spaced over a turn: a power of two up to 256. 2 gives sine kernels, which integrate to 0.
 #ifndef GABOR_PHASES
 #define GABOR_PHASES 256
 #endif
@@ -359,8 +360,8 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 // ---- Functions -----------------------------------------------------------------------------------------------------
 
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
-//     Gabor noise at p with mean 0 and variance 1 at every place, continuous with its first derivatives. Values pooled
-//     over all places are nearly normal; those at a single place of a cell are less so: see docs/recipes.md.
+//     Gabor noise at p, with mean 0 and variance 1 at every point; it and its first derivatives are continuous. Values
+//     pooled over all points are nearly normal; those at one point of all cells are less so: see docs/recipes.md.
 //       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
@@ -375,8 +376,8 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 // vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
 //     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-//     sines. At each place the two are uncorrelated and have variance 1; with GABOR_PHASES 2 the real part has variance
-//     1 only at frequencies of 1.5 and more.
+//     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
+//     variance 1 only at frequencies of 1.5 and more.
 
 // vec2 gabor_phasor(vec2 value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
@@ -384,31 +385,32 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-//     mean and variance of gabor_noise. If period * GABOR_RADIUS is whole, the distribution is also the same. Otherwise
-//     cells grow to fit, and values become less normal: for `one`, cvm is 1.1 with 5 % fewer cells per radius, 6.4 with
-//     10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+//     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
+//     Otherwise cells grow to fit, and values become less normal: for `one`, the cvm of docs/recipes.md is 1.1 with 5 %
+//     fewer cells per radius, 6.4 with 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below 2, the
+//     diameter of a kernel, counts as 2.
 
 // float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1. At any time it is an instance of gabor_noise. Its autocorrelation is
-//     the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the
-//     places it hardly moves.
+//     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
+//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
+//     points it hardly changes.
 
 // float gabor_unorm(float noise)
-//     Maps -2 ... 2 to [0, 1], as [TNVT19] does, and clamps the other 5 % of the values.
+//     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// ---- For large worlds, and for periods and time together -----------------------------------------------------------
+// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
-// A wave and its normalization, made by gabor_kernel.
+// A wave and its normalization; gabor_kernel makes it.
 struct GaborKernel {
     gabor_vec2 wave;             // wave vector, cycles per kernel radius
     float amplitude;       // K
     float variance_factor; // variance for K = 1, relative to high frequencies: 1 unless there are two phases
 };
 
-// A position in cells, and how space and time repeat.
+// A position in cells, with the periods of space and time.
 struct GaborPlace {
     gabor_ivec2 cell;   // any integers except the last few before 2^31, where the world wraps around
-    gabor_vec2 local;   // offset from that cell's corner in cells: small, most precise in [0, 1)^2
+    gabor_vec2 local;   // offset from that cell's corner in cells, most precise in [0, 1)^2
     gabor_vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or down to half of that to fit a period
     gabor_ivec2 period; // period in cells, 0 for none
     float time;   // time in periods, of which only the fraction counts
@@ -422,10 +424,12 @@ struct GaborField {
 };
 
 // GaborKernel gabor_kernel(float frequency, float orientation)
-//     The kernel of a frequency and an orientation, with the ranges of gabor_noise: compute it once for many calls.
+//     The kernel with a given frequency and orientation; ranges are those of gabor_noise. Compute it once for many
+//     calls.
 
 // GaborPlace gabor_place(ivec2 cell, vec2 local)
-//     The place (cell + local) / GABOR_RADIUS kernel radii, precise anywhere in a world of 2^32 cells along each axis.
+//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
 //     Noise, quadrature and both gradients at a place. All other functions call it.
@@ -441,11 +445,11 @@ struct GaborField {
 //
 //     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
 //
-// with a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
-// radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
-// phase starts at its own impulse, so frequency and orientation may vary with the place.
+// with a fixed number of impulses in each cell of a grid, and weights that vary little. The unit of length is the
+// kernel radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every point. Each
+// wave's phase starts at its own impulse, so frequency and orientation may vary with the position.
 //
-// [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+// After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
 GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int, float, float, int, gabor_vec3) {
 }
@@ -458,7 +462,7 @@ GABOR_INLINE void gabor_impl_check_macros() { // a macro of the wrong type fails
 #define GABOR_IMPL_CELL_STRIDE 0x9e3779b1u // odd, and spreads consecutive cells over all 32 bits
 
 // Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
-// between the rounds, so the sequences of two salts share no run.
+// between the rounds, so that no salt's sequence is a shifted copy of another's.
 GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt) {
     word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
     word = (word ^ (word >> 15u)) * 0xd35a2d97u;
@@ -475,8 +479,8 @@ GABOR_INLINE std::uint32_t gabor_impl_row_word(int row, std::uint32_t seed_word)
 }
 
 // The word of impulse `index` in a cell. Its bits hold y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
-// phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading ones of y and the trailing ones
-// of x: only offsets in x below 1/256 of a cell depend on y.
+// phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading bits of y and trailing bits of
+// x: only offsets in x below 1/256 of a cell depend on y.
 GABOR_INLINE std::uint32_t gabor_impl_impulse_word(int column, std::uint32_t row_word, int index) {
     std::uint32_t salt = row_word + std::uint32_t(index) * 0x85ebca6bu;
     return gabor_impl_mix(std::uint32_t(column) * GABOR_IMPL_CELL_STRIDE + salt, salt);
@@ -498,8 +502,8 @@ GABOR_INLINE GaborImpulse gabor_impl_impulse(std::uint32_t word) {
                         rate < 0.0f ? rate : rate + 1.0f, int(word) < 0 ? 1.0f : GABOR_WEIGHT_FLOOR};
 }
 
-// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond that, the rounding
-// of t adds to the error.
+// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. It is within 3e-7 in [-1, 1]; beyond that, the
+// rounding of t adds to the error.
 GABOR_INLINE float gabor_impl_sine(float t) {
     t = gabor_cpp_fract(t) - 0.5f;
     float s = t * t;
@@ -510,7 +514,8 @@ GABOR_INLINE float gabor_impl_sine(float t) {
     return t * (s - 0.25f) * p;
 }
 
-// The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials, within 1e-7.
+// The unit vector at an angle in radians, within 1e-7. Multiples of pi/2 are subtracted in three steps, for precision;
+// minimax polynomials give the sine and cosine of the rest.
 GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle) {
     float quarter = gabor_cpp_floor(angle * 0.63661977f + 0.5f);
     float r = angle - quarter * 1.5703125f;
@@ -527,7 +532,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle) {
 // ---- Normalization -------------------------------------------------------------------------------------------------
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
 // I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
-// Bessel function (Poisson's integral, DLMF 10.54.1). The five c_n I_n, whose sum is the integral of q^2:
+// Bessel function (Poisson's integral, DLMF 10.54.1). GaborEnergy holds the five c_n I_n and their sum, the integral of
+// q^2.
 struct GaborEnergy {
     gabor_vec4 e4567;
     float e8;
@@ -543,8 +549,9 @@ GABOR_INLINE GaborEnergy gabor_impl_energy() {
 }
 
 // 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
-// a sine kernel of k cycles per radius, relative to that at high frequency. For small a it is computed from 1 - L_n, by
-// the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from L_0 = sin(a) / a:
+// a sine kernel with k cycles per radius, relative to the energy at high frequency. For small a, it is computed from
+// 1 - L_n, by the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from
+// L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
 GABOR_INLINE float gabor_impl_relative_energy(float k, GaborEnergy energy) {
     float a = 12.566371f * k;
@@ -593,8 +600,8 @@ GABOR_INLINE int gabor_impl_wrap(int cell, int period) {
     return within < 0 ? within + period : within;
 }
 
-// The gain that keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is
-// multiplied by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
+// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
+// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
 GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel, float time) {
     if (GABOR_PHASES != 2 || time == 0.0f)
         return 1.0f;
@@ -612,7 +619,7 @@ GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
 
 // There are N R^2 impulses per unit area, so by Campbell's theorem
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
-// With two phases sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, a = 4 pi F omega.
+// With two phases, sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, with a = 4 pi F omega.
 GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
     gabor_vec2 wave = gabor_cpp_min(gabor_cpp_abs(frequency) > 1.0e-6f ? gabor_cpp_abs(frequency) : 1.0e-6f, 1.0e6f) * gabor_impl_direction(orientation);
     GaborEnergy energy = gabor_impl_energy();
@@ -663,7 +670,7 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::u
             }
         }
     }
-    // Compensates for fewer impulses if there are fewer cells per radius.
+    // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
     float scale = kernel.amplitude * GABOR_RADIUS * gabor_cpp_inversesqrt(place.radius.x * place.radius.y)
                 * gabor_impl_phase_gain(kernel, time);
     return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};

@@ -1,21 +1,22 @@
-// gabor_noise.wgsl: the sparse Gabor noise of [TNVT19] in the plane, with mean 0 and variance 1 at every place: for WGSL.
+// gabor_noise.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// point: for WGSL.
 //
+// Digest of the GLSL and of this file: 5394b51c45649c78
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 10e7a82e029a15d2
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Use this file for the paper's own noise. gabor_lattice.wgsl has the same functions, is faster, and is normal at every
-// place. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are in cycles per
-// radius.
+// Use this file for the paper's own noise. The noise of gabor_lattice.wgsl, which has the same functions, is faster and
+// is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
+// in cycles per kernel radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 const GABOR_NOISE_VERSION: u32 = 20000u;
 
-// Gabor noise at p with mean 0 and variance 1 at every place, continuous with its first derivatives. Values pooled
-// over all places are nearly normal; those at a single place of a cell are less so: see docs/recipes.md.
+// Gabor noise at p, with mean 0 and variance 1 at every point; it and its first derivatives are continuous. Values
+// pooled over all points are nearly normal; those at one point of all cells are less so: see docs/recipes.md.
 //   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                steps of 0.008
 //   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
@@ -45,8 +46,8 @@ fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u3
 }
 
 // (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-// sines. At each place the two are uncorrelated and have variance 1; with GABOR_PHASES 2 the real part has variance
-// 1 only at frequencies of 1.5 and more.
+// sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
+// variance 1 only at frequencies of 1.5 and more.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     let _e8 = gabor_place(vec2(0i), (p * 1f));
     let _e9 = gabor_kernel(frequency, orientation);
@@ -85,9 +86,10 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 }
 
 // Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-// mean and variance of gabor_noise. If period * GABOR_RADIUS is whole, the distribution is also the same. Otherwise
-// cells grow to fit, and values become less normal: for `one`, cvm is 1.1 with 5 % fewer cells per radius, 6.4 with
-// 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below 2, a kernel's diameter, counts as 2.
+// mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
+// Otherwise cells grow to fit, and values become less normal: for `one`, the cvm of docs/recipes.md is 1.1 with 5 %
+// fewer cells per radius, 6.4 with 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below 2, the
+// diameter of a kernel, counts as 2.
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var period_2: vec2<f32>;
     var cells: vec2<f32>;
@@ -117,9 +119,9 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     return _e39.value.y;
 }
 
-// Noise that evolves in place with period 1. At any time it is an instance of gabor_noise. Its autocorrelation is
-// the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of the
-// places it hardly moves.
+// Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
+// is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
+// points it hardly changes.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
 
@@ -132,19 +134,19 @@ fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f3
     return _e14.value.y;
 }
 
-// Maps -2 ... 2 to [0, 1], as [TNVT19] does, and clamps the other 5 % of the values.
+// Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
 
-// A wave and its normalization, made by gabor_kernel.
+// A wave and its normalization; gabor_kernel makes it.
 struct GaborKernel {
     wave: vec2<f32>,
     amplitude: f32,
     variance_factor: f32,
 }
 
-// A position in cells, and how space and time repeat.
+// A position in cells, with the periods of space and time.
 struct GaborPlace {
     cell: vec2<i32>,
     local: vec2<f32>,
@@ -160,7 +162,8 @@ struct GaborField {
     slope_y: vec2<f32>,
 }
 
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise: compute it once for many calls.
+// The kernel with a given frequency and orientation; ranges are those of gabor_noise. Compute it once for many
+// calls.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     var local_7: f32;
     var wave: vec2<f32>;
@@ -212,7 +215,8 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
 }
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, precise anywhere in a world of 2^32 cells along each axis.
+// The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+// axis.
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
 }
@@ -405,14 +409,14 @@ fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: 
 //
 //     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
 //
-// with a fixed number of impulses in each cell of a grid and weights that vary little. The unit of length is the kernel
-// radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every place. Each wave's
-// phase starts at its own impulse, so frequency and orientation may vary with the place.
+// with a fixed number of impulses in each cell of a grid, and weights that vary little. The unit of length is the
+// kernel radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every point. Each
+// wave's phase starts at its own impulse, so frequency and orientation may vary with the position.
 //
-// [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+// After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
 // Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
-// between the rounds, so the sequences of two salts share no run.
+// between the rounds, so that no salt's sequence is a shifted copy of another's.
 fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     var word_1: u32;
 
@@ -440,8 +444,8 @@ fn gabor_impl_row_word(row: i32, seed_word: u32) -> u32 {
 }
 
 // The word of impulse `index` in a cell. Its bits hold y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
-// phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading ones of y and the trailing ones
-// of x: only offsets in x below 1/256 of a cell depend on y.
+// phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading bits of y and trailing bits of
+// x: only offsets in x below 1/256 of a cell depend on y.
 fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
     var salt_1: u32;
 
@@ -488,8 +492,8 @@ fn gabor_impl_impulse(word: u32) -> GaborImpulse {
     return GaborImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
 }
 
-// sin(2 pi t), from t (1/4 - t^2) times a minimax polynomial in t^2: within 3e-7 in [-1, 1]; beyond that, the rounding
-// of t adds to the error.
+// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. It is within 3e-7 in [-1, 1]; beyond that, the
+// rounding of t adds to the error.
 fn gabor_impl_sine(t: f32) -> f32 {
     var t_1: f32;
     var s: f32;
@@ -518,7 +522,8 @@ fn gabor_impl_sine(t: f32) -> f32 {
     return ((_e31 * (_e32 - 0.25f)) * _e36);
 }
 
-// The unit vector at an angle in radians: reduced by pi/2 in three steps, then minimax polynomials, within 1e-7.
+// The unit vector at an angle in radians, within 1e-7. Multiples of pi/2 are subtracted in three steps, for precision;
+// minimax polynomials give the sine and cosine of the rest.
 fn gabor_impl_direction(angle: f32) -> vec2<f32> {
     var quarter: f32;
     var r_1: f32;
@@ -590,7 +595,8 @@ fn gabor_impl_direction(angle: f32) -> vec2<f32> {
 // ---- Normalization -------------------------------------------------------------------------------------------------
 // With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
 // I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
-// Bessel function (Poisson's integral, DLMF 10.54.1). The five c_n I_n, whose sum is the integral of q^2:
+// Bessel function (Poisson's integral, DLMF 10.54.1). GaborEnergy holds the five c_n I_n and their sum, the integral of
+// q^2.
 struct GaborEnergy {
     e4567_: vec4<f32>,
     e8_: f32,
@@ -624,8 +630,9 @@ fn gabor_impl_energy() -> GaborEnergy {
 }
 
 // 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
-// a sine kernel of k cycles per radius, relative to that at high frequency. For small a it is computed from 1 - L_n, by
-// the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from L_0 = sin(a) / a:
+// a sine kernel with k cycles per radius, relative to the energy at high frequency. For small a, it is computed from
+// 1 - L_n, by the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from
+// L_0 = sin(a) / a:
 //     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
 fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
     var a_1: f32;
@@ -778,8 +785,8 @@ fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
     return _e15;
 }
 
-// The gain that keeps the variance of sine kernels at 1 while time turns their phases: J(a.x) J(a.y) in gabor_kernel is
-// multiplied by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
+// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
+// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
 fn gabor_impl_phase_gain(kernel: GaborKernel, time: f32) -> f32 {
     var kernel_1: GaborKernel;
     var sines: vec4<f32>;

@@ -1,4 +1,4 @@
-// gabor_spectrum.hlsl: Gabor noise with any power spectrum, or filtered for a pixel: for HLSL, shader model 5.0 and up.
+// gabor_spectrum.hlsl: Gabor noise with any power spectrum, or averaged over a pixel: for HLSL, shader model 5.0 and up.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl.
 //
@@ -16,7 +16,7 @@
 #ifndef GABOR_SPECTRUM_HLSL
 #define GABOR_SPECTRUM_HLSL
 
-// The most lobes that a GaborLobes can hold; define it before this file to change it.
+// The maximum number of lobes in a GaborLobes; to change it, define it before this file.
 #ifndef GABOR_LOBES
 #define GABOR_LOBES 4
 #endif
@@ -26,7 +26,7 @@
 
 // ---- Sums of lobes -------------------------------------------------------------------------------------------------
 
-// Waves around one wave vector, made by gabor_lobe.
+// Waves around one wave vector; gabor_lobe makes it and documents its members.
 struct GaborLobe {
     float frequency;
     float orientation;
@@ -52,17 +52,18 @@ struct GaborLobes {
 
 // GaborLobe gabor_lobe(float frequency, float orientation, float radius, float power)
 //     A lobe of waves around one wave vector.
-//       frequency, orientation  as in gabor_noise, in cycles per unit of p and radians, independent of the radius
-//       radius                  radius of its kernel, positive. The lobe's standard deviation along each axis is
-//                               1/sqrt(12) / radius cycles per unit of p
-//       power                   power relative to other lobes, not negative
+//       frequency    cycles per unit of p, whatever the radius
+//       orientation  as in gabor_noise
+//       radius       radius of the lobe's kernels in units of p, positive. The lobe's standard deviation along each
+//                    axis is 1/sqrt(12) / radius cycles per unit of p
+//       power        power relative to the other lobes, not negative
 
 // GaborLobe gabor_lobe_elliptical(float frequency, float orientation, float2 radius, float power)
-//     The same with a kernel radius along x and another along y, at the same cost.
+//     The same with different kernel radii along x and y, at the same cost.
 
 // float gabor_noise_lobes(float2 p, GaborLobes lobes, uint seed)
-//     The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1.
-//     Costs one gabor_noise per lobe.
+//     The noise of several lobes at p: a sum of independent noises, normal with mean 0 and variance 1. Costs one
+//     gabor_noise per lobe.
 //         #define GABOR_LOBES 2              // before the file
 //         GaborLobes lobes;
 //         lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
@@ -70,7 +71,7 @@ struct GaborLobes {
 //         lobes.count = 2;
 
 // float3 gabor_noise_lobes_gradient(float2 p, GaborLobes lobes, uint seed)
-//     The noise with its analytic gradient: (noise, d/dx, d/dy).
+//     The noise with its analytic gradient per unit of p: (noise, d/dx, d/dy).
 
 // float2 gabor_noise_lobes_complex(float2 p, GaborLobes lobes, uint seed)
 //     The noise with its quadrature, like gabor_noise_complex.
@@ -83,12 +84,11 @@ struct GaborLobes {
 //     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, as evenly as lobes of kernel radius 1
 //     allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most 5 % at
 //     frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and its
-//     derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. With o =
-//     orientation_spread, there are
-//         (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
-//     directions (10 for isotropic noise of frequency 2), and 2.86 frequency_spread frequency + 0.8 frequencies,
-//     rounded down, up to 16. Near each change of a count, for a fifth of all arguments, the lobes of both counts are
-//     summed.
+//     derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
+//         2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
+//         (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
+//     both rounded down: 10 directions for isotropic noise of frequency 2. Just below a change of one of these numbers,
+//     for a fifth of all arguments, the lobes of both numbers are summed.
 
 // float3 gabor_noise_spread_gradient(float2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
@@ -101,10 +101,10 @@ struct GaborLobes {
 // ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
 
 // float gabor_noise_isotropic(float2 p, float frequency, uint seed)
-//     Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times gabor_noise. Mean 0,
-//     variance 1; value and gradient are normal at every place. The power varies with direction only through the
-//     window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
-//     distributions; those of gabor_noise_spread, a sum of directions, are jointly normal.
+//     Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times that of gabor_noise. It
+//     has mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only
+//     through the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of
+//     normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
 
 // float3 gabor_noise_isotropic_gradient(float2 p, float frequency, uint seed)
 //     The noise with its analytic gradient: (noise, d/dx, d/dy).
@@ -113,24 +113,24 @@ struct GaborLobes {
 //     The noise with a period, like gabor_noise_tiled.
 
 // float2 gabor_noise_isotropic_filtered(float2 p, float2 dx, float2 dy, float frequency, uint seed)
-//     (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of the noise. The error
-//     against exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 %
-//     at 0.4. For larger pixels only the variance is right.
+//     (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of gabor_noise_isotropic.
+//     The rms error against exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at
+//     most 0.3 kernel radii, and 4 % at 0.4. For larger pixels, only the variance is right.
 
 // ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
 // float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
-//     (noise, removed): Gabor noise at p averaged over a pixel, and the share of the variance that this removed. Add
-//     the removed share, which is lost contrast, to a material's roughness.
-//       dx, dy  change of p from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel
-//               is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-//     The error against exactly filtered noise, in standard deviations of the noise, is at most 1 % (rms) while the
-//     pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
-//     a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
-//     and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
-//     0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25 nodes); between 0.18 and
-//     0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch, it is 3 for small pixels
-//     and 5 for larger ones.
+//     (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that the average removed.
+//     A material can add the removed share, which is lost contrast, to its roughness.
+//       dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
+//               filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+//     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
+//     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
+//     radius; at the worst point it is 2 and 3 %. For larger pixels, only the variance is right. The result is
+//     continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel radii
+//     (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
+//     nodes); between 0.18 and 0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch,
+//     the cost is 3 for small pixels and 5 for larger ones.
 
 // float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 //     The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
@@ -147,13 +147,13 @@ struct GaborLobes {
 //     The noise with its gradient: (noise, d/dx, d/dy, removed).
 
 // float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave, float sharpness, uint seed)
-//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part, within
-//     0.1. So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
+//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part of the
+//     noise, within 0.1. So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
 
 // ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
 //
 // The first five take a phase in turns and average over `width` turns, 0.001 to 1: the change of the phase over a
-// pixel, such as the frequency times the length of dFdx(p).
+// pixel, for example the frequency times the length of dFdx(p).
 
 // float gabor_profile_sine(float phase, float width)
 //     A sine wave from 0 at phase 0 to 1 at half a turn.
@@ -170,9 +170,9 @@ struct GaborLobes {
 // float gabor_profile_ridges(float phase, float width)
 //     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
 
-// The others take the (cosine, sine) of stripes, without a width. The profile is sharp where this vector has length 1.
-// Where it is shorter, because variance was removed or stripes fork, the profile is averaged over a range of phases
-// whose mean has that length.
+// The others take the (cosine, sine) of stripes instead of a phase and a width. The profile is sharp where this vector
+// has length 1. Where the vector is shorter, because variance was removed or stripes fork, the profile is averaged over
+// a range of phases whose mean vector has that length.
 
 // float gabor_stripes_sine(float2 stripes)
 // float gabor_stripes_triangle(float2 stripes)
@@ -181,7 +181,7 @@ struct GaborLobes {
 // float gabor_stripes_ridges(float2 stripes)
 //     The profiles of gabor_profile_sine and so on.
 
-// ---- For large worlds, and for periods and time together -----------------------------------------------------------
+// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 // GaborPlace gabor_place_stretched(GaborPlace place, float2 radius)
@@ -196,14 +196,14 @@ struct GaborLobes {
 //     The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
 // GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
-//     Isotropic noise at a place, with quadrature and derivatives. At each place the quadrature is independent of the
-//     noise, but not of its gradient.
+//     Isotropic noise at a place, with quadrature and derivatives. At each point the quadrature is independent of the
+//     noise, but not of the noise's gradient.
 
 #if GABOR_TAPS == 3
-// The area of a pixel, made by gabor_footprint.
+// The filter of a pixel; gabor_footprint makes it.
 struct GaborFootprint {
     float3 covariance; // xx, yy, xy in kernel radii^2
-    float3 resolved;   // the same, limited to standard deviations of 1/2, for which the windows are made
+    float3 resolved;   // the same, limited to standard deviations of 1/2, the most that the windows allow
 };
 #endif
 
@@ -216,8 +216,8 @@ struct GaborFootprint {
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
 //     The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
-//     period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because nodes are then not 1 /
-//     GABOR_RADIUS apart.
+//     period, multiply dx and dy by place.radius / GABOR_RADIUS before calling gabor_footprint, because nodes are then
+//     not 1 / GABOR_RADIUS kernel radii apart.
 
 // GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, GaborFootprint footprint, uint seed,
 //                                           out float removed)
@@ -246,7 +246,7 @@ GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
     return gabor_place_stretched(place, (float2)(radius));
 }
 
-// A lobe's wave in cycles per kernel radius along each axis.
+// A lobe's wave vector, in cycles per kernel radius along each axis.
 GaborKernel gabor_impl_lobe_kernel(GaborLobe lobe) {
     GaborKernel kernel_ = gabor_kernel(lobe.frequency * lobe.radius.x, lobe.orientation);
     kernel_.wave.y *= lobe.radius.y / lobe.radius.x;
@@ -271,18 +271,18 @@ GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
 
 // ---- Spreads -------------------------------------------------------------------------------------------------------
 
-// A range of waves is cut into equal pieces of at most 0.7 cycles, with a lobe in the middle of each. The power of
-// Hann's window has a standard deviation of 1/sqrt(12) cycles, so the sum is even. The number of pieces is the whole
-// part of a number c. As the fraction of c goes from 0.8 to 1, these pieces fade out and a set with one more piece
-// fades in, so that the noise is continuous in frequency and spread.
+// A range of waves is cut into equal pieces of at most 0.7 cycles per kernel radius, with a lobe in the middle of each.
+// The power of Hann's window has a standard deviation of 1/sqrt(12) cycles per kernel radius, so the sum is even. The
+// number of pieces is the integer part of a number c. As the fraction of c goes from 0.8 to 1, these pieces fade out
+// and a set with one more piece fades in, so that the noise is continuous in frequency and spread.
 
-// The power of a sum that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
 // square roots, with infinite slopes at the ends.
 float gabor_impl_takeover(float x) {
     return x * x / (x * x + (1.0 - x) * (1.0 - x));
 }
 
-// The number of lobes for `c`, or the sum of both numbers while one set fades into the other.
+// The number of lobes for `c`; while one set fades into the next, the total of both.
 int gabor_impl_pieces(float c) {
     return frac(c) > 0.8 ? 2 * int(c) + 1 : int(c);
 }
@@ -326,23 +326,23 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
 
 // ---- The filter ----------------------------------------------------------------------------------------------------
 //
-// A normal filter of covariance S multiplies a wave of k cycles by exp(-2 pi^2 k.S k). With H the transform of h, one
-// node's kernel h(x) h(y) e^(2 pi i F.d) becomes the integral over q of
+// A Gaussian filter of covariance S multiplies a wave with wave vector k by exp(-2 pi^2 k.S k). If H is the Fourier
+// transform of h, one node's kernel h(x) h(y) e^(2 pi i F.d) becomes the integral over q of
 //
 //     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
 //
 // Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
-// three waves a = -1, 0, 1 are h itself. After the filter, these waves are wrong only near the ends of h, by less than
-// 1 % of the noise's standard deviation if the filter's is at most 0.1 radii. The filter widens the kernel, and the
-// seven waves a = -3 ... 3 make room for that: up to a deviation of 0.33 with w = 4/3 and four nodes along the axis,
-// beyond it with w up to 5/3 and five nodes. Between 0.09 and 0.1, seven waves gradually replace three. All of this is
-// for GABOR_TAPS 3.
+// three waves a = -1, 0, 1 are h itself. After the filter, they are wrong only near the ends of h: by less than 1 % of
+// the noise's standard deviation if the filter's standard deviation is at most 0.1 kernel radii. A wider filter widens
+// the kernel beyond the ends of h, and needs the seven waves a = -3 ... 3: with w = 4/3 and four nodes along the axis
+// up to a standard deviation of 0.33, and with w up to 5/3 and five nodes beyond that. Between 0.09 and 0.1, seven
+// waves gradually replace three. All of this is for GABOR_TAPS 3.
 //
-// The axes are coupled by exp(-4 pi^2 S_xy q_x q_y), a derivative along x and y: for three waves 1 + S_xy d/dx d/dy is
-// enough. For seven waves, we use that H is nearly a normal curve: H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v
-// = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF 18.18.28) then separates the axes: with M = S + v, the
-// center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r)
-// and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
+// The factor exp(-4 pi^2 S_xy q_x q_y) couples the axes. It acts like exp(S_xy d/dx d/dy): for three waves, 1 + S_xy
+// d/dx d/dy is enough. For seven waves, we use that H is nearly a Gaussian: H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2),
+// where v = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF 18.18.28) then separates the axes: with M = S +
+// v, the center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho /
+// (1 + r) and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
 //                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...).
@@ -355,8 +355,8 @@ float2 gabor_impl_symmetric(float3 matrix_, float2 v) {
     return matrix_.xy * v + matrix_.z * v.yx;
 }
 
-// The share of its variance that a lobe keeps under a filter of covariance S. If the lobe's power is taken to be
-// normal, with Hann's variance of 1/12 along each axis, and d is the determinant of 1 + 2/3 pi^2 S, the share is
+// The share of its variance that a lobe keeps under a filter of covariance S. If we approximate the lobe's power by a
+// Gaussian with the variance 1/12 of Hann's window along each axis, and d is the determinant of 1 + 2/3 pi^2 S, this is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 float gabor_impl_transmitted(float2 wave, float3 covariance) {
     float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
@@ -371,18 +371,18 @@ float gabor_impl_mean_angle(float q) {
                 / (1.0 + q * (1.1907595 + q * (0.60787136 + 0.27193595 * q))));
 }
 
-// Returns a node's window, filtered by three waves, and its derivative. The filter multiplies the wave q = -1/2, 0 or
-// 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along the axis. If `even` and
-// `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes 1/2 + even (h - 1/2) + i odd h' /
-// pi.
+// Returns a node's filtered window, in the form with three waves, and the window's derivative. The filter multiplies
+// the wave q = -1/2, 0 or 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along
+// the axis. If `even` and `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes
+// 1/2 + even (h - 1/2) + i odd h' / pi.
 float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 phase) {
     float2 wave = float2(value - 0.5, slope);
     float2 even = part.x * wave, odd = part.y * float2(-3.1415927, 0.31830989) * wave;
     return float4(gabor_impl_product(float2(0.5 + even.x, odd.y), phase), gabor_impl_product(float2(even.y, odd.x), phase));
 }
 
-// Filters an axis with the given S and S F. Windows fade within half a deviation of their ends; the middle one never
-// fades.
+// Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
+// window never fades.
 void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
     float rise = exp(19.739209 * blurred);
     float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
@@ -397,7 +397,7 @@ void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
     axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, fade.y * float2(turn.x, -turn.y));
 }
 
-// The noise at a place, filtered by three waves along each axis.
+// The filtered noise at a place, with three waves along each axis.
 GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint salt) {
     float2 blurred = gabor_impl_symmetric(s, wave);
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
@@ -412,7 +412,7 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, u
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, (float2)(1.0));
 }
 
-// For the form with seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
+// For the form with seven waves: a complex number for each of an axis's factors 1, q - c and (q - c)^2 - 1 / 4g.
 struct GaborFactors {
     float3 real;
     float3 imaginary;
@@ -440,15 +440,15 @@ struct GaborBand {
     float reach;  // w, in node spacings
     float offset; // offset of the point from the first node, in node spacings
     int count;    // number of nodes, 4 or 5
-    int first;
+    int first;    // index of the first node
     int period;
     uint salt;
-    float2 turn_back; // turn of the wave of 1 / 2w cycles from one node to the next
+    float2 turn_back; // turn of the wave q = 1 / 2w from one node to the next
     float2 back;      // the same for the noise's wave
 };
 
-// Builds the windows, without their common factor e^(-g c^2), for a filter of a given deviation along the axis. `m` is
-// r M.
+// Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
+// axis. `m` is r M.
 GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
     GaborBand b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
@@ -464,8 +464,8 @@ GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float loc
     float g = 19.739209 * m, unit = 0.75 / b.reach;
     float fall = exp((2.5797363 - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
     float rise = exp(2.0 * g * c * unit), sink = 1.0 / rise;
-    // H(q) / 2w, within 0.00024, for the waves of 1, 2 and 3 times 1 / 2w, times 1, 2 and 4: the leading coefficients
-    // of their cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
+    // H(q) / 2w, within 0.00024, at q = 1, 2 and 3 times 1 / 2w. The values are multiplied by 1, 2 and 4, the leading
+    // coefficients of the waves' cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
     float t = b.reach - 2.0;
     float3 wave = float3(0.25723323, 0.12732396, -0.03693604)
               + t * (float3(-0.03099653, 0.22852218, 0.10636504) - t * float3(0.0214304, 0.11618766, -0.1615392));
@@ -476,7 +476,7 @@ GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float loc
     float3 even = above + below, odd = above - below;
     float3 q = unit * float3(1.0, 2.0, 3.0);
     float quarter = 0.25 / g;
-    float3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // used by the second factor
+    float3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // for the factor q - c
     float3 even_2 = q * odd_1 - c * even_1 - quarter * even, odd_2 = q * even_1 - c * odd_1 - quarter * odd;
     b.even_2 = float3(even.y, even_1.y, even_2.y);
     b.even_3 = float3(even.z, even_1.z, even_2.z);
@@ -496,7 +496,7 @@ struct GaborLine {
     float2 phase; // the same for the noise's wave
 };
 
-// The fade of the windows of line `index`, over a quarter of a node spacing.
+// The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
 float gabor_impl_fade(GaborBand b, int index) {
     float fade = clamp(4.0 * (b.reach - abs(b.offset - float(index))), 0.0, 1.0);
     return fade * fade * (3.0 - 2.0 * fade);
@@ -586,7 +586,7 @@ float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weights) {
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The noise at a place, filtered by seven waves along each axis. Computes only one row unless `wanted`.
+// The filtered noise at a place, with seven waves along each axis. Computes only one row unless `wanted`.
 GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, bool wanted, uint salt) {
     float2 m = s.xy + 0.13069097; // v
     float2 deviation = sqrt(s.xy);
@@ -664,10 +664,10 @@ GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFoot
 // For gabor_lattice_3d.hlsl. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
 // D^(-1/2), B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), the coupling of three axes is again a sum of products:
 //     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...).
-// This is the exponential series of the last sum, with Hermite polynomials for powers of z and without B's diagonal,
+// The right side is the series of exp(z.B z) with Hermite polynomials instead of powers of z, and without B's diagonal,
 // which is at most 0.01. We use the terms up to the square of each factor.
 
-// A symmetric matrix.
+// A symmetric 3 x 3 matrix.
 struct GaborMatrix {
     float3 diagonal;
     float3 mixed; // yz, zx, xy
@@ -693,13 +693,13 @@ GaborMatrix gabor_impl_adjugate(GaborMatrix m, out float determinant) {
     return a;
 }
 
-#define GABOR_IMPL_SLICES 0x27d4eb2fu // salts the slices, as GABOR_IMPL_ROWS salts the rows
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // like GABOR_IMPL_ROWS, for slices
 // The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
 uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y; their components are those along x.
+// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y, and their components those along x.
 float3 gabor_impl_along_z(float3 y_0, float3 y_1, float3 y_2, float3 w) {
     return float3(y_0.x + w.z * (y_1.y + 0.5 * w.z * y_2.z),
                 w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
@@ -713,7 +713,7 @@ float2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, GaborFactors
     return gabor_impl_contracted(slice, z, (float3)(1.0));
 }
 
-// The noise in space and its derivatives, `local` node spacings from a cell's corner, filtered by seven waves along
+// The filtered noise in space and its derivatives, `local` node spacings from a cell's corner, with seven waves along
 // each axis. Computes only one row unless `wanted`.
 void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animated, float time, float3 wave,
                                GaborMatrix s, bool wanted, uint salt, out float4 noise, out float4 quadrature) {
@@ -724,7 +724,7 @@ void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animat
     float3 c = gabor_impl_symmetric_3d(adjugate, blurred) / -determinant;
     float3 d = sqrt(m.diagonal * determinant / adjugate.diagonal);
     float3 pairs = sqrt(d.yzx * d.zxy);
-    adjugate = gabor_impl_adjugate(GaborMatrix_of(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // for 1 + C
+    adjugate = gabor_impl_adjugate(GaborMatrix_of(1.0 + m.diagonal / d, s.mixed / pairs), determinant); // of 1 + C
     float3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
     GaborBand x = gabor_impl_band(sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
                                   gabor_impl_wave(wave.x / GABOR_RADIUS));
@@ -778,10 +778,11 @@ void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animat
 // Node c emits waves along three unit vectors u_cm, 60 degrees apart and turned at random, each with its own amplitude:
 //     n(p) = K / sqrt(3) Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
 // Given the directions, n is normal with variance 1. Its gradient is normal with the constant covariance
-// K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 1), because sum_m u_cm u_cm^T = 3/2. Value and gradient are
-// independent. Since none of this depends on the directions, both are also normal over random directions.
+// K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 I), because sum_m u_cm u_cm^T = 3/2 I, with I the identity.
+// Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
+// directions.
 
-// Four more words of a row; their products with column words are just as random.
+// Derives four more words from a row's word. Their products with the words of columns are just as random.
 uint4 gabor_impl_row(uint word) {
     uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;
@@ -791,8 +792,8 @@ uint4 gabor_impl_row(uint word) {
                  (fourth >> 8u) | 0x800001u);
 }
 
-// The windows of a node along both axes, and their derivatives. A filtered window is middle + cosine, its derivative
-// sine.
+// The windows of a node along both axes, and their derivatives. Filtered windows are middle + cosine, and their
+// derivatives `sine`.
 struct GaborWindows {
     float2 value;
     float2 slope;
@@ -801,7 +802,7 @@ struct GaborWindows {
     float2 sine;
 };
 
-// The covariance of a filter, and how much it damps the windows' own waves.
+// The covariance of a filter, and the factors by which it damps the cosines of the windows.
 struct GaborFilter {
     bool used;
     float3 covariance;
@@ -845,10 +846,10 @@ void gabor_impl_add_wave_2d(inout GaborField sum, GaborWindows node, GaborFilter
     sum.slope_y += slope_y + wave.y * turned;
 }
 
-// Adds a node's three waves, at `d` node spacings from it. The phase of the third is the difference of the other two.
+// Adds a node's three waves, at `d` node spacings from it. The third phase is the difference of the other two.
 void gabor_impl_add_star(inout GaborField sum, GaborPlace place, GaborWindows node, GaborFilter pixel, float2 d,
                          float frequency, uint4 words) {
-    if (pixel.used) { // windows fade within half a deviation of their ends
+    if (pixel.used) { // windows fade out within half a standard deviation of their ends
         float2 fade = clamp((1.0 - abs(d) / GABOR_RADIUS) / clamp(0.5 * sqrt(pixel.covariance.xy), 0.001, 0.05), 0.0, 1.0);
         fade *= fade * (3.0 - 2.0 * fade);
         node.middle = 0.5 * fade;
@@ -920,7 +921,8 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, float frequency, Gab
         removed = 1.0;
         return GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
     }
-    float3 s = footprint.covariance; // windows have room for a deviation of 0.2
+    float3 s = footprint.covariance;
+    // The windows allow a standard deviation of at most 0.2.
     s *= 0.04 / max(0.5 * (s.x + s.y + length(float2(s.x - s.y, 2.0 * s.z))), 0.04);
     GaborFilter pixel = GaborFilter_of(true, s, exp(-4.934802 * s.xy));
     return gabor_impl_scaled_field(gabor_impl_sum_isotropic_2d(place, frequency, pixel, seed),
@@ -993,8 +995,7 @@ GaborFootprint gabor_footprint(float2 dx, float2 dy) {
     GaborFootprint footprint;
     footprint.covariance = 0.25 * float3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
 
-    // The eigenvalues are mean +- apart; the smaller one is more precise if computed as the determinant over the larger
-    // one.
+    // The eigenvalues are mean +- apart. Dividing the determinant by the larger gives the smaller more precisely.
     float mean = 0.5 * (footprint.covariance.x + footprint.covariance.y);
     float2 axis = float2(0.5 * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
     float apart = length(axis);
@@ -1080,7 +1081,7 @@ float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave, float
 #endif // GABOR_TAPS == 3
 
 // The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends,
-// over the width. Each whole turn adds the integral of a period.
+// divided by the width. Each whole turn adds the integral of one period.
 float3 gabor_impl_ends(float phase, float width) {
     width = clamp(width, 0.001, 1.0);
     phase -= floor(phase);
@@ -1132,8 +1133,8 @@ float gabor_profile_ridges(float phase, float width) {
     return ends.z * (gabor_impl_ridges_integral(ends.y) - gabor_impl_ridges_integral(ends.x));
 }
 
-// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); the
-// polynomial inverts this within 0.0025.
+// The (phase, width) of stripes. The mean of a unit vector over `width` turns has the length sin(pi width) / (pi
+// width); the polynomial inverts this within 0.0025.
 float2 gabor_impl_phase_of(float2 stripes) {
     float2 phasor = gabor_phasor(stripes);
     float y = max(1.0 - phasor.y, 0.0);

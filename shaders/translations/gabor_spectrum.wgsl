@@ -1,7 +1,7 @@
-// gabor_spectrum.wgsl: Gabor noise with any power spectrum, or filtered for a pixel: for WGSL.
+// gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 9a191df4e4b956d1
+// Digest of the GLSL and of this file: 09c8fd4893dfc47e
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -11,7 +11,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Waves around one wave vector, made by gabor_lobe.
+// Waves around one wave vector; gabor_lobe makes it and documents its members.
 struct GaborLobe {
     frequency: f32,
     orientation: f32,
@@ -26,21 +26,22 @@ struct GaborLobes {
 }
 
 // A lobe of waves around one wave vector.
-//   frequency, orientation  as in gabor_noise, in cycles per unit of p and radians, independent of the radius
-//   radius                  radius of its kernel, positive. The lobe's standard deviation along each axis is
-//                           1/sqrt(12) / radius cycles per unit of p
-//   power                   power relative to other lobes, not negative
+//   frequency    cycles per unit of p, whatever the radius
+//   orientation  as in gabor_noise
+//   radius       radius of the lobe's kernels in units of p, positive. The lobe's standard deviation along each
+//                axis is 1/sqrt(12) / radius cycles per unit of p
+//   power        power relative to the other lobes, not negative
 fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
     return GaborLobe(frequency, orientation, vec2(radius), power);
 }
 
-// The same with a kernel radius along x and another along y, at the same cost.
+// The same with different kernel radii along x and y, at the same cost.
 fn gabor_lobe_elliptical(frequency: f32, orientation: f32, radius: vec2<f32>, power: f32) -> GaborLobe {
     return GaborLobe(frequency, orientation, radius, power);
 }
 
-// The noise of several lobes at p, a sum of independent noises [TNVT19, figure 6]: normal, mean 0, variance 1.
-// Costs one gabor_noise per lobe.
+// The noise of several lobes at p: a sum of independent noises, normal with mean 0 and variance 1. Costs one
+// gabor_noise per lobe.
 //     #define GABOR_LOBES 2              // before the file
 //     GaborLobes lobes;
 //     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
@@ -74,7 +75,7 @@ fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
     }
 }
 
-// The noise with its analytic gradient: (noise, d/dx, d/dy).
+// The noise with its analytic gradient per unit of p: (noise, d/dx, d/dy).
 fn gabor_noise_lobes_gradient(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var lobes_5: GaborLobes;
@@ -151,12 +152,11 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 // frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, as evenly as lobes of kernel radius 1
 // allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most 5 % at
 // frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and its
-// derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. With o =
-// orientation_spread, there are
-//     (4.44 frequency + 0.6) o / (pi/2) + 0.8, rounded down, from 1 to 64,
-// directions (10 for isotropic noise of frequency 2), and 2.86 frequency_spread frequency + 0.8 frequencies,
-// rounded down, up to 16. Near each change of a count, for a fifth of all arguments, the lobes of both counts are
-// summed.
+// derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
+//     2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
+//     (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
+// both rounded down: 10 directions for isotropic noise of frequency 2. Just below a change of one of these numbers,
+// for a fifth of all arguments, the lobes of both numbers are summed.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_14: GaborPlace;
@@ -258,10 +258,10 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
     }
 }
 
-// Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times gabor_noise. Mean 0,
-// variance 1; value and gradient are normal at every place. The power varies with direction only through the
-// window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places are jointly a mixture of normal
-// distributions; those of gabor_noise_spread, a sum of directions, are jointly normal.
+// Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times that of gabor_noise. It
+// has mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only
+// through the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of
+// normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
 fn gabor_noise_isotropic(p: vec2<f32>, frequency: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         let _e10 = gabor_place(vec2(0i), (p * 1f));
@@ -342,9 +342,9 @@ fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, 
     }
 }
 
-// (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of the noise. The error
-// against exactly filtered noise is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 4 %
-// at 0.4. For larger pixels only the variance is right.
+// (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of gabor_noise_isotropic.
+// The rms error against exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at
+// most 0.3 kernel radii, and 4 % at 0.4. For larger pixels, only the variance is right.
 fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var removed_4: f32;
     var field_11: GaborField;
@@ -358,17 +358,17 @@ fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fr
     return vec2<f32>(_e19.value.y, _e22);
 }
 
-// (noise, removed): Gabor noise at p averaged over a pixel, and the share of the variance that this removed. Add
-// the removed share, which is lost contrast, to a material's roughness.
-//   dx, dy  change of p from one pixel to the next along x and y, dFdx(p) and dFdy(p): any two vectors. The pixel
-//           is a normal filter of covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// The error against exactly filtered noise, in standard deviations of the noise, is at most 1 % (rms) while the
-// pixel's longest axis, twice the filter's largest deviation, is at most a third of a kernel radius, and 2 % up to
-// a whole radius; at the worst place it is 2 and 3 %. For larger pixels only the variance is right. Continuous in p
-// and both steps. Cost on GPUs, relative to gabor_noise: 1.4 for steps up to 0.18 kernel radii (9 nodes), 3.1 from
-// 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25 nodes); between 0.18 and
-// 0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch, it is 3 for small pixels
-// and 5 for larger ones.
+// (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that the average removed.
+// A material can add the removed share, which is lost contrast, to its roughness.
+//   dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
+//           filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+// The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
+// axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
+// radius; at the worst point it is 2 and 3 %. For larger pixels, only the variance is right. The result is
+// continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel radii
+// (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
+// nodes); between 0.18 and 0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch,
+// the cost is 3 for small pixels and 5 for larger ones.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var field_10: vec4<f32>;
 
@@ -523,8 +523,8 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     return _e112;
 }
 
-// gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part, within
-// 0.1. So (cosine, sine) gets shorter as waves are removed, and profiles of it fade to their mean.
+// gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part of the
+// noise, within 0.1. So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
 fn gabor_stripes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec4<f32> {
     let _e13 = gabor_place(vec2(0i), (p * 1.5f));
     let _e14 = gabor_footprint(dx, dy);
@@ -1079,8 +1079,8 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     return _e127;
 }
 
-// Isotropic noise at a place, with quadrature and derivatives. At each place the quadrature is independent of the
-// noise, but not of its gradient.
+// Isotropic noise at a place, with quadrature and derivatives. At each point the quadrature is independent of the
+// noise, but not of the noise's gradient.
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var none: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
@@ -1127,7 +1127,7 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
     }
 }
 
-// The area of a pixel, made by gabor_footprint.
+// The filter of a pixel; gabor_footprint makes it.
 struct GaborFootprint {
     covariance: vec3<f32>,
     resolved: vec3<f32>,
@@ -1243,8 +1243,8 @@ fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: Gabo
 }
 
 // The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
-// period, multiply the steps for gabor_footprint by place.radius / GABOR_RADIUS, because nodes are then not 1 /
-// GABOR_RADIUS apart.
+// period, multiply dx and dy by place.radius / GABOR_RADIUS before calling gabor_footprint, because nodes are then
+// not 1 / GABOR_RADIUS kernel radii apart.
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
     var kernel_9: GaborKernel;
 
@@ -1313,7 +1313,7 @@ fn gabor_impl_accumulate(sum: ptr<function, GaborField>, field: GaborField, ampl
     return;
 }
 
-// A lobe's wave in cycles per kernel radius along each axis.
+// A lobe's wave vector, in cycles per kernel radius along each axis.
 fn gabor_impl_lobe_kernel(lobe: GaborLobe) -> GaborKernel {
     var kernel_4: GaborKernel;
 
@@ -1325,13 +1325,13 @@ fn gabor_impl_lobe_kernel(lobe: GaborLobe) -> GaborKernel {
     return _e19;
 }
 
-// The power of a sum that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
 // square roots, with infinite slopes at the ends.
 fn gabor_impl_takeover(x: f32) -> f32 {
     return ((x * x) / ((x * x) + ((1f - x) * (1f - x))));
 }
 
-// The number of lobes for `c`, or the sum of both numbers while one set fades into the other.
+// The number of lobes for `c`; while one set fades into the next, the total of both.
 fn gabor_impl_pieces(c: f32) -> i32 {
     var local_14: i32;
 
@@ -1384,8 +1384,8 @@ fn gabor_impl_symmetric(matrix: vec3<f32>, v: vec2<f32>) -> vec2<f32> {
     return ((matrix.xy * v) + (matrix.z * v.yx));
 }
 
-// The share of its variance that a lobe keeps under a filter of covariance S. If the lobe's power is taken to be
-// normal, with Hann's variance of 1/12 along each axis, and d is the determinant of 1 + 2/3 pi^2 S, the share is
+// The share of its variance that a lobe keeps under a filter of covariance S. If we approximate the lobe's power by a
+// Gaussian with the variance 1/12 of Hann's window along each axis, and d is the determinant of 1 + 2/3 pi^2 S, this is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     var area: f32;
@@ -1409,10 +1409,10 @@ fn gabor_impl_mean_angle(q: f32) -> f32 {
     return sqrt(((1f + (q * (0.19075951f + (0.0865599f * q)))) / (1f + (q * (1.1907595f + (q * (0.60787135f + (0.27193594f * q))))))));
 }
 
-// Returns a node's window, filtered by three waves, and its derivative. The filter multiplies the wave q = -1/2, 0 or
-// 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along the axis. If `even` and
-// `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes 1/2 + even (h - 1/2) + i odd h' /
-// pi.
+// Returns a node's filtered window, in the form with three waves, and the window's derivative. The filter multiplies
+// the wave q = -1/2, 0 or 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along
+// the axis. If `even` and `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes
+// 1/2 + even (h - 1/2) + i odd h' / pi.
 fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2<f32>) -> vec4<f32> {
     var wave_11: vec2<f32>;
     var even: vec2<f32>;
@@ -1432,8 +1432,8 @@ fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2
     return vec4<f32>(_e28.x, _e28.y, _e34.x, _e34.y);
 }
 
-// Filters an axis with the given S and S F. Windows fade within half a deviation of their ends; the middle one never
-// fades.
+// Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
+// window never fades.
 fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32) {
     var rise: f32;
     var part_1: vec2<f32>;
@@ -1486,7 +1486,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     return;
 }
 
-// The noise at a place, filtered by three waves along each axis.
+// The filtered noise at a place, with three waves along each axis.
 fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, salt: u32) -> GaborField {
     var blurred_1: vec2<f32>;
     var columns: GaborAxis;
@@ -1526,7 +1526,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     return _e90;
 }
 
-// For the form with seven waves: complex numbers for the factors 1, q - c and (q - c)^2 - 1 / 4g of an axis.
+// For the form with seven waves: a complex number for each of an axis's factors 1, q - c and (q - c)^2 - 1 / 4g.
 struct GaborFactors {
     real: vec3<f32>,
     imaginary: vec3<f32>,
@@ -1553,8 +1553,8 @@ struct GaborBand {
     back: vec2<f32>,
 }
 
-// Builds the windows, without their common factor e^(-g c^2), for a filter of a given deviation along the axis. `m` is
-// r M.
+// Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
+// axis. `m` is r M.
 fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
     var b_2: GaborBand;
     var local_16: i32;
@@ -1732,7 +1732,7 @@ struct GaborLine {
     phase: vec2<f32>,
 }
 
-// The fade of the windows of line `index`, over a quarter of a node spacing.
+// The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
 fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
     var fade_1: f32;
 
@@ -1883,7 +1883,7 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
     return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
 }
 
-// The noise at a place, filtered by seven waves along each axis. Computes only one row unless `wanted`.
+// The filtered noise at a place, with seven waves along each axis. Computes only one row unless `wanted`.
 fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
     var m_1: vec2<f32>;
     var deviation_1: vec2<f32>;
@@ -2133,7 +2133,7 @@ fn gabor_impl_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborF
     return _e93;
 }
 
-// A symmetric matrix.
+// A symmetric 3 x 3 matrix.
 struct GaborMatrix {
     diagonal: vec3<f32>,
     mixed: vec3<f32>,
@@ -2161,7 +2161,7 @@ fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
     return (((row * slice) >> 8u) | 8388609u);
 }
 
-// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y; their components are those along x.
+// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y, and their components those along x.
 fn gabor_impl_along_z(y_0: vec3<f32>, y_1: vec3<f32>, y_2: vec3<f32>, w: vec3<f32>) -> vec3<f32> {
     return vec3<f32>((y_0.x + (w.z * (y_1.y + ((0.5f * w.z) * y_2.z)))), ((w.y * (y_0.y + (w.z * y_1.z))) + (w.x * (y_1.x + (w.z * y_2.y)))), ((0.5f * (((w.y * w.y) * y_0.z) + ((w.x * w.x) * y_2.x))) + ((w.x * w.y) * (y_1.y + (w.z * y_2.z)))));
 }
@@ -2178,7 +2178,7 @@ fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFact
     return _e18;
 }
 
-// The noise in space and its derivatives, `local` node spacings from a cell's corner, filtered by seven waves along
+// The filtered noise in space and its derivatives, `local` node spacings from a cell's corner, with seven waves along
 // each axis. Computes only one row unless `wanted`.
 fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32>, animated: bool, time: f32, wave: vec3<f32>, s: GaborMatrix, wanted: bool, salt: u32, noise: ptr<function, vec4<f32>>, quadrature: ptr<function, vec4<f32>>) {
     var determinant_1: f32;
@@ -2461,7 +2461,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     return;
 }
 
-// Four more words of a row; their products with column words are just as random.
+// Derives four more words from a row's word. Their products with the words of columns are just as random.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
     if GABOR_TAPS == 2 {
         var first: u32;
@@ -2529,8 +2529,8 @@ fn gabor_impl_row(word: u32) -> vec4<u32> {
     }
 }
 
-// The windows of a node along both axes, and their derivatives. A filtered window is middle + cosine, its derivative
-// sine.
+// The windows of a node along both axes, and their derivatives. Filtered windows are middle + cosine, and their
+// derivatives `sine`.
 struct GaborWindows {
     value: vec2<f32>,
     slope: vec2<f32>,
@@ -2539,7 +2539,7 @@ struct GaborWindows {
     sine: vec2<f32>,
 }
 
-// The covariance of a filter, and how much it damps the windows' own waves.
+// The covariance of a filter, and the factors by which it damps the cosines of the windows.
 struct GaborFilter {
     used: bool,
     covariance: vec3<f32>,
@@ -2702,7 +2702,7 @@ fn gabor_impl_add_wave_2d(sum: ptr<function, GaborField>, node: GaborWindows, pi
     }
 }
 
-// Adds a node's three waves, at `d` node spacings from it. The phase of the third is the difference of the other two.
+// Adds a node's three waves, at `d` node spacings from it. The third phase is the difference of the other two.
 fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: GaborWindows, pixel: GaborFilter, d: vec2<f32>, frequency: f32, words: vec4<u32>) {
     if GABOR_TAPS == 2 {
         var node_2: GaborWindows;
@@ -3212,7 +3212,7 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
 }
 
 // The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends,
-// over the width. Each whole turn adds the integral of a period.
+// divided by the width. Each whole turn adds the integral of one period.
 fn gabor_impl_ends(phase: f32, width: f32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var phase_2: f32;
@@ -3424,8 +3424,8 @@ fn gabor_impl_ridges_integral(x: f32) -> f32 {
     }
 }
 
-// (phase, width) of stripes. The mean of a wave over `width` turns has the length sin(pi width) / (pi width); the
-// polynomial inverts this within 0.0025.
+// The (phase, width) of stripes. The mean of a unit vector over `width` turns has the length sin(pi width) / (pi
+// width); the polynomial inverts this within 0.0025.
 fn gabor_impl_phase_of(stripes: vec2<f32>) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         var phasor: vec2<f32>;

@@ -1,7 +1,7 @@
 #define_import_path gabor_noise::direction
 #import gabor_noise::lattice::{GaborPlace, GaborField, gabor_impl_salt, gabor_impl_product, gabor_impl_wave, gabor_impl_wrap, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at}
 
-// gabor_direction.wgsl: Gabor noise along a map of directions, read at the nodes of the lattice instead of at the
+// gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for WGSL.
 //
 // Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one.
@@ -14,15 +14,17 @@
 //
 // gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius. Value and gradient are normal at every place for any map. The value has variance 1, and the
-// gradient includes the map's own variation. Values are normal up to three standard deviations, as in
-// gabor_lattice.wgsl. Wave vectors are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the
-// map has no direction. Costs 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed
-// map.
+// within a kernel radius.
+//
+// For any map, value and gradient are normal at every point (up to three standard deviations, as in
+// gabor_lattice.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
+// are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
+// 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// The wave vectors of the nine nodes around a place, row by row, at the positions of gabor_node_position.
+// The map's wave vectors at the nine nodes around a place, row by row: node `index` is at gabor_node_position(place,
+// index).
 struct GaborWaves {
     wave: array<vec2<f32>, 9>,
 }
@@ -143,10 +145,10 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //
-// where F_c does not depend on p. Multiplying A_c by a number of length 1 does not change its distribution, so the
-// value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and therefore
-// also normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is the
-// product of both windows.
+// where F_c does not depend on p. Multiplying A_c by a complex number of modulus 1 does not change its distribution, so
+// the value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and
+// therefore also normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is
+// the product of both windows.
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
 fn gabor_impl_add_directed(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {

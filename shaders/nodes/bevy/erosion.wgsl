@@ -1,15 +1,15 @@
 #define_import_path gabor_noise::erosion
 #import gabor_noise::lattice::{gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_place, gabor_field, gabor_impl_salt, gabor_impl_line_word, gabor_impl_wave, gabor_impl_wrap, gabor_impl_next_node}
 
-// gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any slope: for WGSL.
+// gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for WGSL.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
 //
-// In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of gullies. The idea
-// comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
+// In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
+// idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -46,16 +46,17 @@ fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
     return _e6;
 }
 
-// Adds gullies and ridges to the base at p. base.ridge says what flat places of the base are: -1 for valleys, 1 for
-// peaks. The height is continuous where the base and its slope are, and the result can be eroded again. The
-// returned slope ignores how gullies turn and fade, and follows only their phase: its rms error is 0.63 times the
-// rms slope.
+// Adds gullies and ridges to the base at p. Where the base is flat, base.ridge distinguishes valleys, -1, from
+// peaks, 1. The height is continuous where the base and its slope are, and the result can be eroded again. The
+// returned slope takes only the phase of the gullies into account, not how they turn and fade: its rms error is
+// 0.63 times the rms slope.
 fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     let _e8 = gabor_eroded_filtered(p, vec2(0f), vec2(0f), base, erosion, seed);
     return _e8;
 }
 
-// The same without features too fine for a pixel, and with the same mean height. dx and dy are dFdx(p) and dFdy(p).
+// The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
+// and dFdy(p).
 fn gabor_terrain_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     let _e9 = gabor_terrain_at(GaborGround(vec2(0i), p, vec2(0f)), dx, dy, seed);
     return _e9;
@@ -66,7 +67,8 @@ fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: Gabor
     return _e11;
 }
 
-// The same with an exact period along x and y, at least 4. Whole periods do not change the width of the hills.
+// The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
+// the hills.
 fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
     let _e10 = gabor_terrain_at(GaborGround(vec2(0i), p, period), vec2(0f), vec2(0f), seed);
     return _e10;
@@ -83,7 +85,7 @@ struct GaborGround {
     period: vec2<f32>,
 }
 
-// All of these together: full precision far away, a period, and a filter unless dx and dy are vec2(0.0).
+// These combine full precision far away, a period, and a filter unless dx and dy are vec2(0.0).
 fn gabor_terrain_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
@@ -342,8 +344,8 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice whose number of nodes per unit of p is a multiple of 1 / 65536, so that cell times nodes
-// splits exactly into integer and fraction. The kernel radius is one unit of p.
+// The place on a lattice with about `nodes` nodes per unit of p: a multiple of 1 / 65536, so that this number times the
+// cell splits exactly into integer and fraction. The kernel radius is one unit of p.
 fn gabor_impl_ground(ground: GaborGround, nodes: f32) -> GaborPlace {
     var rounded: u32;
     var place_7: GaborPlace;

@@ -1,6 +1,6 @@
 #define_import_path gabor_noise::lattice
 
-// gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every place: for WGSL.
+// gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
@@ -8,21 +8,21 @@
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
 // Values are normal up to three standard deviations. Values beyond 3.5 are 13 % too rare overall, and 56 % too rare at
-// a node.
+// the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii: a wave fades out within one radius of its node. |p| < 2^31 / GABOR_RADIUS,
-//                  but float rounding shows earlier: at 10^5, p has steps of 0.008.
+//     p            position in kernel radii. Each wave fades out within one kernel radius of its node. |p| < 2^31 /
+//                  GABOR_RADIUS, but float rounding shows earlier: at 10^5, p has steps of 0.008.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
-//     orientation  direction of the wave vector, in radians from +x towards +y. Rounding adds an error of 1.5e-6 for
-//                  each radian at frequency 4.
-//     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis, instead of frequency and
-//                  orientation. Use it for direction maps; (0, 0) gives noise of frequency 0.
-//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Periods
-//                  below 2 narrow the windows; longer ones stretch them by at most a sixth.
-//     seed         any; different seeds give independent noises
-// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are; gabor_direction.wgsl
-// keeps stripes whole where a map jumps. NaN gives an unspecified value.
+//     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
+//                  of 1.5e-6 to the noise for each radian.
+//     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
+//                  orientation, for example in direction maps; (0, 0) gives noise of frequency 0.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. To fit a period
+//                  below 2, kernels shrink; to fit a longer one, they change by at most a sixth with GABOR_TAPS 3.
+//     seed         any number; different seeds give independent noises
+// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are. If a direction map jumps,
+// gabor_direction.wgsl keeps stripes unbroken. NaN gives an unspecified value.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -31,7 +31,7 @@ const GABOR_NOISE_VERSION: u32 = 20000u;
 // 3, 2 or 4: change it here, or give it to the pipeline as a constant.
 const GABOR_TAPS: i32 = 3;
 
-// The noise, continuous with its first derivatives.
+// The noise; it and its first derivatives are continuous.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_kernel(frequency, orientation);
@@ -86,8 +86,8 @@ fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed
     return _e13.value.y;
 }
 
-// Noise that evolves in place with period 1; time 0 gives gabor_noise. Its correlation over a time t is cos^2(pi
-// t). Costs three times as much as gabor_noise.
+// Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
+// cos^2(pi t). Costs three times as much as gabor_noise.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_3: GaborPlace;
@@ -129,7 +129,7 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
     return vec4<f32>(_e4, _e8, _e12, _e16);
 }
 
-// (noise, d/dx, d/dy), per kernel radius, for a constant wave vector.
+// (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var field: GaborField;
@@ -205,7 +205,7 @@ fn gabor_noise_wave_gradient(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec3<f
 }
 
 // (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-// sines. At each place the two are independent and have variance 1.
+// sines. At each point the two are independent and have variance 1.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -274,9 +274,9 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(_e25, _e26);
 }
 
-// Stripes of even contrast across the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6; 2 is a good
-// value. With the complex noise z, the intensity is |z|, and (cosine, sine) is z scaled to length 1 where |z|
-// exceeds 1 / sharpness. Where |z| is smaller, the length is sharpness |z|, so stripes fade where they fork.
+// Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
+// 2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
+// exceeds 1 / sharpness. Elsewhere it is sharpness z, so stripes fade where they fork.
 fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -303,7 +303,7 @@ fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpne
     return _e13;
 }
 
-// The stripes of any complex value.
+// The same for any complex value.
 fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
     var intensity_1: f32;
 
@@ -314,23 +314,23 @@ fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
     return vec3<f32>(_e9.x, _e9.y, _e10);
 }
 
-// Maps -2 ... 2 to [0, 1], as [TNVT19] does, and clamps the other 5 % of the values.
+// Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 fn gabor_unorm(noise: f32) -> f32 {
     return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
 
-// The seed of part `index` in a sum of independent noises.
+// The seed of noise `index` in a sum of independent noises.
 fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
     let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
     return _e7;
 }
 
-// A wave vector, made by gabor_kernel.
+// A wave vector; gabor_kernel makes it.
 struct GaborKernel {
     wave: vec2<f32>,
 }
 
-// A position in nodes of the lattice, and how space and time repeat.
+// A position in nodes of the lattice, with the periods of space and time.
 struct GaborPlace {
     cell: vec2<i32>,
     local: vec2<f32>,
@@ -347,18 +347,19 @@ struct GaborField {
     slope_y: vec2<f32>,
 }
 
-// The kernel of a frequency and an orientation, with the ranges of gabor_noise.
+// The kernel with a given frequency and orientation; ranges are those of gabor_noise.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     let _e11 = gabor_impl_wave((0.15915494f * clamp(orientation, -1000000f, 1000000f)));
     return GaborKernel((min(abs(frequency), 1000000f) * _e11));
 }
 
-// The kernel of a wave vector, with the range of gabor_noise_wave.
+// The kernel with a given wave vector; its range is that of gabor_noise_wave.
 fn gabor_kernel_wave(wave: vec2<f32>) -> GaborKernel {
     return GaborKernel(clamp(wave, vec2(-1000000f), vec2(1000000f)));
 }
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, precise anywhere in a world of 2^32 cells along each axis.
+// The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+// axis.
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
@@ -369,8 +370,8 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     }
 }
 
-// The place p in a world that repeats after `period` kernel radii, or that is endless along an axis where the
-// period is 0. A period has a whole number of nodes, from GABOR_TAPS to 2^31.
+// The position p in a world that repeats after `period` kernel radii, or is endless along an axis whose period is
+// 0. A period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;
@@ -649,26 +650,26 @@ fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u3
 // Private implementation
 // ====================================================================================================================
 //
-// The nodes (x_i, y_j) of a square lattice, R = GABOR_RADIUS per kernel radius, have independent, normal, complex
-// amplitudes A_ij. Each node emits a wave under a window that ends one kernel radius away along x and y:
+// The nodes (x_k, y_j) of a square lattice with R = GABOR_RADIUS nodes per kernel radius have independent, normal,
+// complex amplitudes A_kj. Each node emits a wave under a window that ends one kernel radius away along x and y:
 //
-//     n(p) = K Im sum_ij A_ij h(x - x_i) h(y - y_j) exp(2 pi i F.(p - (x_i, y_j))),   F = frequency (cos o, sin o).
+//     n(p) = K Im sum_kj A_kj h(x - x_k) h(y - y_j) exp(2 pi i F.(p - (x_k, y_j))),   F = frequency (cos o, sin o).
 //
 // The window is Hann's, h(d) = (1 + cos pi d) / 2. GABOR_TAPS of its shifts overlap at every x. Three or more evenly
 // spaced shifts of cos and of cos^2 over a period sum to a constant, so that
 //
-//     sum_i h(x - x_i)^2 = 3/8 GABOR_TAPS   at every x.
+//     sum_k h(x - x_k)^2 = 3/8 GABOR_TAPS   at every x.
 //
-// The squares of the derivatives also sum to a constant. So the variances of the noise, its gradient and its second
-// derivatives depend neither on the place nor on the frequency. The second derivatives jump where windows end, midway
-// between nodes for 3 taps and at nodes for 4, by 0.16 standard deviations at frequency 1 and by 1.1 at 0. The noise is
-// normal because sums of normal numbers are.
+// The squares of the window's derivatives also sum to a constant. So the variances of the noise, its gradient and its
+// second derivatives are the same at every point; that of the noise does not depend on the frequency either. The second
+// derivatives jump where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16 of their standard
+// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because a sum of normal numbers is normal.
 //
-// Each wave's phase starts at its own node, so the wave vector F may vary with the place. From one node to the next the
-// phase turns by u = 2 pi F_x / R or v = 2 pi F_y / R. With node (0, 0) next to p, the sum separates into one sum per
-// axis:
+// Each wave's phase starts at its own node, so the wave vector F may vary with the position. From one node to the next,
+// the phase turns by u = 2 pi F_x / R along x and v = 2 pi F_y / R along y. If node (0, 0) is next to p, the sum
+// separates into one sum per axis:
 //
-//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_i h(x - x_i) e^(-i u i) A_ij.
+//     n(p) = K Im e^(2 pi i F.(p - (x_0, y_0))) sum_j h(y - y_j) e^(-i v j) sum_k h(x - x_k) e^(-i u k) A_kj.
 //
 // After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
@@ -688,17 +689,17 @@ fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     return (_e18 ^ (_e19 >> 15u));
 }
 
-// The salt of the columns. Xor it with GABOR_IMPL_ROWS for the rows: with equal salts, the word of node (i, i) would be
-// a square.
+// The salt of the columns; xor it with GABOR_IMPL_ROWS to get the salt of the rows. With equal salts, the word of node
+// (k, k) would be a square.
 fn gabor_impl_salt(seed: u32) -> u32 {
     let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
     return _e4;
 }
 
-// The word of a column or row of nodes; a node's word is the product of the two. Words are odd and have 24 bits,
-// because GPUs multiply 24-bit numbers at a quarter of the cost; their highest bit is set, so that products fill all 32
-// bits. Multiplying a word by a shifted copy of itself mixes better than a constant factor: two indices have equal
-// words with probability 2^-22, at any distance.
+// The word of a column or row of nodes; a node's word is the product of its column's and its row's. The words of
+// columns and rows are odd and have 24 bits, because GPUs multiply 24-bit numbers at a quarter of the cost. Their
+// highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better than a constant:
+// two indices, however far apart, have equal words with probability 2^-22.
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     var word_2: u32;
 
@@ -711,10 +712,11 @@ fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     return ((_e14 >> 8u) | 8388609u);
 }
 
-// The amplitude of a word. One part comes from the whole word, the other from its low 20 bits; they are independent and
-// nearly normal: for u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2) are
-// nearly proportional to those of a normal distribution. The noise's cvm [TNVT19] is 0.001 on average and 0.03 at the
-// worst place, a node, whose amplitude has 79 % of the power there.
+// The amplitude of a word. The real part comes from the whole word, the imaginary part from its low 20 bits; they are
+// independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
+// (1 + 0.623 u^2) are nearly proportional to those of a normal distribution. The noise's Cramer-von Mises index
+// [TNVT19] is 0.001 on average. At the worst point, a node, it is 0.03, because 79 % of the power there comes from that
+// node's amplitude.
 fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     var u: vec2<f32>;
 
@@ -726,7 +728,7 @@ fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     return ((_e9 - (0.89289314f * clamp(_e11, vec2(-2011925800f), vec2(2011925800f)))) * ((_e20 * _e21) + vec2(7397391600000000000f)));
 }
 
-// Product of complex numbers.
+// The product of two complex numbers.
 fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
     return ((a.x * b) + (a.y * vec2<f32>(-(b.y), b.x)));
 }
@@ -758,8 +760,8 @@ fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
     return vec2<f32>(((1f - (19.73917f * _e9)) + (_e12 * ((64.93459f - (85.24033f * _e15)) + (56.24243f * _e19)))), (t * ((6.283185f - (41.341656f * _e26)) + (_e29 * ((81.601006f - (76.54978f * _e32)) + (39.53671f * _e36))))));
 }
 
-// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. With t
-// reduced to half a turn and y = 1/4 - |t|, cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y).
+// (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
+// reduced to [-1/2, 1/2], cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), where y = 1/4 - |t|.
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
     var t_2: f32;
     var turn: vec2<f32>;
@@ -907,7 +909,7 @@ fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
     return _e15;
 }
 
-// The index after this one, wrapped into a period without a division.
+// The next index, wrapped into a period without a division.
 fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
     var local_2: i32;
 
@@ -920,7 +922,7 @@ fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
     return _e12;
 }
 
-// The nodes along an axis that reach a point.
+// The nodes along an axis whose windows reach a point.
 struct GaborAxis {
     offset: f32,
     turns: f32,
@@ -1155,7 +1157,7 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     }
 }
 
-// The amplitude of a node. With time it is a weighted sum of three amplitudes, from the node's word and two words
+// The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
 // derived from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
 fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
@@ -1187,8 +1189,8 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
 }
 
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
-// windows. In zw, both sums use the derivatives of the windows along x. Some compilers do not unroll or vectorize loops
-// over nodes and rows, so the nodes are written out.
+// windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
+// loops over nodes and rows, so each node and each row has its own line.
 fn gabor_impl_add_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
     if GABOR_TAPS == 2 {
         var row: vec4<f32> = vec4(0f);
@@ -1320,8 +1322,8 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: pt
     }
 }
 
-// Multiplies the sums by the wave at the point, counted from node (0, 0), and by K: E[n^2] is half of E|A|^2 times the
-// sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
+// Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
+// K^2 / 2 E|A|^2 times the sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
     if GABOR_TAPS == 2 {
         var turn_4: vec2<f32>;

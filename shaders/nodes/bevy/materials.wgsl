@@ -9,7 +9,7 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // other parameters, which may vary by pixel
+//     GaborWood oak = gabor_wood_default();                            // with other parameters, even for each pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -24,7 +24,7 @@ struct GaborMaterial {
     metalness: f32,
 }
 
-// A place, and the area of its pixel.
+// A position and its pixel.
 struct GaborPixel {
     p: vec2<f32>,
     dx: vec2<f32>,
@@ -33,7 +33,7 @@ struct GaborPixel {
     period: vec2<f32>,
 }
 
-// The place p.
+// The point p.
 fn gabor_pixel(p: vec2<f32>) -> GaborPixel {
     return GaborPixel(p, vec2(0f), vec2(0f), false, vec2(0f));
 }
@@ -44,9 +44,8 @@ fn gabor_pixel_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>) -> GaborPixe
     return GaborPixel(p, dx, dy, true, vec2(0f));
 }
 
-// The same place in a world that repeats after `period` units of p. A period then holds a whole number of rings or
-// threads, and scratches and hair take directions that repeat. Each material states the shortest period with which
-// it looks as it does without one; with a shorter one, slow changes become faster.
+// The same pixel in a world that repeats after `period` units of p. A period then holds a whole number of rings or
+// threads, and scratches and hair take directions that repeat.
 fn gabor_pixel_tiled(pixel: GaborPixel, period: vec2<f32>) -> GaborPixel {
     return GaborPixel((pixel.p - (period * floor((pixel.p / period)))), pixel.dx, pixel.dy, pixel.filtered, period);
 }
@@ -651,7 +650,7 @@ fn gabor_marble_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) 
     return _e6;
 }
 
-// Wind ripples, steep on one side, and grains [7 noises; period 4 x 4].
+// Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
     trough: vec3<f32>,
     crest: vec3<f32>,
@@ -923,7 +922,7 @@ fn gabor_brushed_metal_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed
     return _e6;
 }
 
-// Hairlines in a lacquer [28 noises; period 8 x 8].
+// Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
     lacquer: vec3<f32>,
     scratch: vec3<f32>,
@@ -1230,7 +1229,7 @@ fn gabor_bark_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) ->
     return _e6;
 }
 
-// A twill of tows [3 noises; period 3 x 3].
+// A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
     colour: vec3<f32>,
     tows: f32,
@@ -1496,12 +1495,12 @@ fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) 
 // Private implementation
 // ====================================================================================================================
 //
-// How to filter a nonlinear function f of noise: the pixel's filter leaves the value v of a noise of variance 1, and
-// removes the share r of its variance. The removed part is normal too, so the pixel sees the mean of f(v + sqrt(r) z)
-// over normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution
-// function; a line along the zeros of a noise, a normal curve; a change of tone, an exponential; and a profile of a
-// phase, a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour equals
-// the mean of the sharp one at every distance; leather and the weaves fade to a measured mean.
+// How to filter a nonlinear function f of noise: the filter leaves the value v of a noise of variance 1, and removes
+// the share r of its variance. The removed part is normal too, so the pixel shows the mean of f(v + sqrt(r) z) over
+// normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution function;
+// a line along the zeros of a noise becomes a Gaussian; a change of tone becomes an exponential; and a profile of a
+// phase becomes a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour
+// is the mean of the unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
 
 fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
     if (pixel.period.x > 0f) {
@@ -1512,8 +1511,8 @@ fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
     return _e20;
 }
 
-// Two independent noises, the parts of a complex one, and the removed share of their variance.
-//   density  kernels per unit along x and y
+// Returns two independent noises, the parts of a complex noise, and the share of the variance that the filter removed.
+// `density` is in kernel radii per unit along x and y.
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     var density_2: vec2<f32>;
     var place_24: GaborPlace;
@@ -1551,13 +1550,13 @@ fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orien
     return vec3<f32>(_e48.x, _e48.y, _e49);
 }
 
-// The same at frequency 0: spots as large as a kernel.
+// A layer of frequency 0: spots as large as a kernel.
 fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f32> {
     let _e5 = gabor_impl_layer(pixel, density, 0f, 0f, seed);
     return _e5;
 }
 
-// A sum of spots; each octave is half as large and has `gain` times the amplitude.
+// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes change by `gain`.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_5: vec2<f32>;
     var sum_15: vec3<f32> = vec3(0f);
@@ -1603,7 +1602,7 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
     return (_e44 / vec3<f32>(_e47.x, _e47.y, _e48));
 }
 
-// Moves the place by two noises, and changes its steps accordingly.
+// Displaces p by two noises, and changes dx and dy accordingly.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
     var field_14: GaborField;
     var along_x: vec2<f32>;
@@ -1625,10 +1624,10 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
     return GaborPixel((pixel.p + (amplitude * _e23.value)), ((pixel.dx + (pixel.dx.x * _e30)) + (pixel.dx.y * _e35)), ((pixel.dy + (pixel.dy.x * _e41)) + (pixel.dy.y * _e46)), pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle. With a period, it takes the nearest of 32 directions in which a line closes after whole
-// numbers of periods, `whole`, along both axes; x follows this line. In units of that line's length and of the distance
-// between neighbouring lines, p repeats after 1, because `other` completes a basis of the lattice of periods. The axes
-// are then not quite at right angles, which long kernels hide.
+// Turns the axes by an angle. With a period, the new x axis takes one of 24 directions near that angle: those of lines
+// that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of periods. So
+// in units of the line's length along x, and of the distance between neighbouring lines along y, p repeats after 1. The
+// axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;
@@ -1735,8 +1734,8 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     return GaborPixel(vec2<f32>(dot(_e150, pixel.p), dot(_e153, pixel.p)), vec2<f32>(dot(_e157, pixel.dx), dot(_e160, pixel.dx)), vec2<f32>(dot(_e164, pixel.dy), dot(_e167, pixel.dy)), pixel.filtered, _e172);
 }
 
-// Repetitions per unit along each axis: the requested number or, with a period, the nearest for which the period holds
-// a multiple of `whole`.
+// Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
+// multiple of `whole` repetitions.
 fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
     if (pixel.period.x > 0f) {
         return ((max(floor(((pixel.period * (count / whole)) + vec2(0.5f))), vec2(1f)) * whole) / pixel.period);
@@ -1781,8 +1780,7 @@ fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
     return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
 }
 
-// The square of a sawtooth from 0 to 1, with mean 1/3: its integral, and its mean over the width of
-// gabor_impl_phase_of.
+// The integral of the square of a sawtooth from 0 to 1.
 fn gabor_impl_rise_integral(x: f32) -> f32 {
     var turns_4: f32;
     var t_7: f32;
@@ -1797,6 +1795,7 @@ fn gabor_impl_rise_integral(x: f32) -> f32 {
     return (0.33333334f * (_e7 + ((_e8 * _e9) * _e11)));
 }
 
+// The mean of the square of a sawtooth over the (phase, width) of gabor_impl_phase_of.
 fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
     var ends_4: vec3<f32>;
 
@@ -1815,8 +1814,8 @@ fn gabor_impl_material(colour: vec3<f32>, height: f32, roughness: f32, metalness
     return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height, roughness, metalness);
 }
 
-// Adds veins: lines along the zeros of a noise, where its other part is high enough. Such lines are long, but they end.
-// Each has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins: lines along the zeros of layer.x, drawn where layer.y exceeds a threshold, so that they end. Each vein
+// has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_vein(colour: vec3<f32>, layer: vec3<f32>, threshold: f32, halo: vec3<f32>, core: vec3<f32>, width: vec2<f32>, strength: vec2<f32>) -> vec3<f32> {
     var strength_1: vec2<f32>;
     var open: f32;

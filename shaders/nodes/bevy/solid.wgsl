@@ -3,7 +3,7 @@
 #import gabor_noise::spectrum::{gabor_impl_takeover, gabor_impl_mean_angle, gabor_impl_filter, GaborMatrix, gabor_impl_symmetric_3d, gabor_impl_slice_word, gabor_impl_filtered_space, gabor_impl_row}
 
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
-// a normal distribution at every place: for WGSL.
+// a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
@@ -11,14 +11,15 @@
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
 // Arguments of all functions, besides those of gabor_lattice.wgsl:
-//     direction  direction of the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of frequency 0
+//     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
+//                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
 //     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p. The noise is continuous wherever they are.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// The noise, continuous with its first derivatives.
+// The noise; it and its first derivatives are continuous.
 fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
@@ -86,8 +87,8 @@ fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, se
     return vec2<f32>(_e14.quadrature, _e16.noise);
 }
 
-// (noise, d/dx, d/dy, d/dz), per kernel radius, for a constant wave vector. For a bump map, subtract the gradient's
-// part along the normal.
+// (noise, d/dx, d/dy, d/dz). The derivatives are per kernel radius, for a constant wave vector. For a bump map,
+// subtract the gradient's component along the normal.
 fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
     var field_15: GaborField3d;
 
@@ -99,10 +100,11 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
     return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
 }
 
-// The noise averaged over a pixel, and the share of the variance that this removed: (noise, removed). The error is
-// that of gabor_noise_filtered: 1 % up to a third of a kernel radius along the pixel's longest axis, 2 % up to a
-// whole one. Continuous in p, dx and dy. On GPUs it costs 1.4 times as much as gabor_noise_3d for steps up to 0.18
-// (27 nodes), 4.2 times for steps of 0.2 and more (64 nodes), and at most 6.6 times (125 nodes).
+// (noise, removed): the noise averaged over a pixel, and the share of its variance that the average removed. The
+// error is that of gabor_noise_filtered: 1 % while the pixel's longest axis is at most a third of a kernel radius,
+// and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs it costs 1.4 times as much as
+// gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most 6.6
+// times (125 nodes).
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var field_17: GaborField3d;
 
@@ -114,10 +116,10 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
     return vec2<f32>(_e9.noise, _e11.removed);
 }
 
-// Noise of waves in all directions, at the same cost for every frequency: about seven times gabor_noise_3d. Value
-// and gradient are normal, with the same variance at every place. The power varies with direction only through the
-// window, by 7 % at frequency 0 and 0.1 % at 1. Values at several places, and second derivatives, have mixtures of
-// normal distributions.
+// Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
+// Value and gradient are normal, with the same variance at every point. The power varies with direction only
+// through the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
+// together, follow mixtures of normal distributions.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
@@ -136,9 +138,9 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
     return vec4<f32>(_e13.noise, _e15.gradient.x, _e15.gradient.y, _e15.gradient.z);
 }
 
-// Like gabor_noise_3d_filtered, at less than twice the cost of the noise. The error against exactly filtered noise,
-// in standard deviations, is 2 % (rms) while the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4.
-// For larger pixels only the variance is right.
+// Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
+// exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at most 0.3 kernel radii,
+// and 3 % at 0.4. For larger pixels, only the variance is right.
 fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var field_19: GaborField3d;
 
@@ -150,25 +152,25 @@ fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>,
     return vec2<f32>(_e8.noise, _e10.removed);
 }
 
-// Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. Where
-// the direction is 14 to 30 degrees from the normal, a second noise with waves at right angles takes over, at twice
-// the cost. Where the surface is curved, the waves of a kernel bend.
+// Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. As the
+// angle between direction and normal falls from 30 to 14 degrees, a second noise, with waves at right angles, takes
+// over; in between, both are computed. On a curved surface, waves bend within each kernel.
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
     return _e13.noise;
 }
 
-// Noise of waves along all tangents, at the same cost for every frequency: about five times gabor_noise_3d, and
-// twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface have
-// the distribution of gabor_noise_3d_isotropic.
+// Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
+// and twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
+// have the distributions of gabor_noise_3d_isotropic.
 fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);
     return _e12.noise;
 }
 
-// A position in nodes of the lattice, and how space and time repeat: see GaborPlace.
+// A position in nodes of the lattice, with the periods of space and time: see GaborPlace.
 struct GaborPlace3d {
     cell: vec3<i32>,
     local: vec3<f32>,
@@ -190,13 +192,13 @@ struct GaborField3d {
     removed: f32,
 }
 
-// The place (cell + local) / GABOR_RADIUS kernel radii, with full precision anywhere in a world of 2^32 cells along
-// each axis.
+// The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+// axis.
 fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
     return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
 }
 
-// The noises above at a place. All other functions call these.
+// The noises above, for a GaborPlace3d. All other functions call these four.
 fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var stretch_5: vec3<f32>;
     var wave_22: vec3<f32>;
@@ -471,7 +473,7 @@ fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency:
 // Private implementation
 // ====================================================================================================================
 
-// Scales a vector to length 1 if its length is 10^-15 to 10^15. Shorter ones approach 0.
+// Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
 fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     var v_4: vec3<f32>;
 
@@ -484,8 +486,9 @@ fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
 }
 
-// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative from the windows along x; `slopes`
-// receives those along y and z. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative along x as far as it comes from the
+// window; `slopes` receives these derivatives along y and z. The filter adds mixed derivatives, weighted by its
+// covariances yz, zx, xy.
 fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
     var y_10: GaborAxis;
     var j_5: i32 = 0i;
@@ -533,8 +536,9 @@ fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec
     }
 }
 
-// The noise of 27 nodes, filtered by three waves along each axis if the place asks for it. E[n^2] = K^2 E[|A|^2] / 2
-// (sum h^2)^3 = 1, and the derivative of a wave is 2 pi i F times the wave.
+// The noise of 27 nodes. If the place is filtered, the filter uses three waves along each axis: see
+// gabor_spectrum.wgsl. K makes E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1. A wave's derivative is the wave times
+// 2 pi i F.
 fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, salt: u32) -> GaborField3d {
     var x_15: GaborAxis;
     var y_11: GaborAxis;
@@ -639,8 +643,8 @@ fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3
     return;
 }
 
-// The perpendicular axes of a pixel, each twice as long as the filter's deviation along it, in units of GABOR_RADIUS
-// nodes.
+// The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it, in units of
+// GABOR_RADIUS nodes.
 struct GaborPixelAxes {
     major: vec3<f32>,
     minor: vec3<f32>,
@@ -683,7 +687,7 @@ fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
     return GaborPixelAxes(((_e64.x * _e66) + (_e68.y * _e70)), ((_e73.x * _e75) - (_e77.y * _e79)));
 }
 
-// Shortens each axis to at most `most`.
+// Limits the length of each axis to `most`.
 fn gabor_impl_resolved(pixel: GaborPixelAxes, most: f32) -> GaborPixelAxes {
     return GaborPixelAxes(((most * inverseSqrt(max(dot(pixel.major, pixel.major), (most * most)))) * pixel.major), ((most * inverseSqrt(max(dot(pixel.minor, pixel.minor), (most * most)))) * pixel.minor));
 }
@@ -705,12 +709,12 @@ fn gabor_impl_covariance(pixel: GaborPixelAxes) -> GaborMatrix {
     return GaborMatrix(((_e9 * _e10) + (_e12 * _e13)), ((_e16.yzx * _e18.zxy) + (_e21.yzx * _e23.zxy)));
 }
 
-// d of gabor_impl_transmitted, along each axis of a pixel.
+// 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
 fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
     return (vec2(1f) + (1.644934f * vec2<f32>(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor))));
 }
 
-// The share of its variance that a lobe keeps.
+// The share of its variance that a lobe keeps under a pixel's filter.
 fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     var d_6: vec2<f32>;
     var k_2: vec2<f32>;
@@ -726,7 +730,7 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
-// Adds the one of two independent noises that replaces the other as x goes from 0 to 1.
+// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
 fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
     var power_5: f32;
 
@@ -741,8 +745,8 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: 
 }
 
 // Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
-// node to the point. The filter (see gabor_spectrum.wgsl) multiplies the wave by exp(-2 pi^2 F.S F) and shifts its
-// window along each axis by i s / pi, s = 2 pi^2 S F, to middle + cosh s cosine + i sinh s sine / pi.
+// node to the point. The filter (see gabor_spectrum.wgsl) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
+// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, wave: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
     var a_7: vec2<f32>;
     var middle: vec3<f32>;
@@ -875,7 +879,8 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     return;
 }
 
-// Which waves isotropic noise has: all, or only those along a surface, which these perpendicular vectors span.
+// The waves of isotropic noise: all, or only those along a surface whose tangent plane these perpendicular unit vectors
+// span.
 struct GaborTangents {
     only: bool,
     along: vec3<f32>,
@@ -883,8 +888,8 @@ struct GaborTangents {
 }
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
-// along -u is also one along u, so on a surface, turning the first vector by up to half a turn reaches every direction.
-// In space that vector also rises, and a quarter of a turn around it is enough for the other two.
+// along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
+// surface. In space the first vector also rises, and the other two turn around it within a quarter of a circle.
 fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var word_7: u32;
     var turn_12: vec2<f32>;
@@ -973,9 +978,9 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     }
 }
 
-// A node of an axis: the offset d of the point from it; the parts of its window, middle = 1/2 and cosine = cos(pi d) /
-// 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade within half a deviation of their
-// ends.
+// (d, middle, cosine, sine) of a node on an axis: the point's offset d from the node; the parts of the window,
+// middle = 1/2 and cosine = cos(pi d) / 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade
+// out within half a standard deviation of their ends.
 fn gabor_impl_node(offset: f32, node: vec4<f32>, variance: f32) -> vec4<f32> {
     var offset_1: f32;
     var fade_5: f32 = 1f;
@@ -1166,10 +1171,10 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
     return _e197;
 }
 
-// The share of its variance that isotropic noise keeps: the mean of what a lobe keeps over all directions u, within
-// 0.008. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2). If q_1 is
-// the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean in a plane with q = (1 -
-// E[u_1^2]) q_2.
+// The share of its variance that isotropic noise keeps, within 0.008: the mean, over all directions u, of the share
+// that a lobe keeps. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2).
+// If q_1 is the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean over a circle
+// with q = (1 - E[u_1^2]) q_2, where E weights directions by exp(-q_1 u_1^2).
 fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
     var d_8: vec2<f32>;
     var unit_5: vec2<f32>;
