@@ -211,6 +211,13 @@ class Laws(StatsTest):
         self.assert_known(slopes[0], "gradient.x")
         self.assert_known(slopes[1], "gradient.y")
 
+    def test_filtered_tiles(self):
+        """In a wide window, a filter leaves exp(-(2 pi f s)^2) of a wave's variance, however the tile stretches the window."""
+        (self.folder / "lobes.json").write_text(json.dumps([{"frequency": 2, "orientation": 40, "radius": 30}]))
+        self.render("--lobes=lobes.json", "--filter", "--tileable", size="540x512", scale=8)
+        left = np.exp(-(2 * np.pi * 2 * 0.5 / 8) ** 2)
+        self.assertAlmostEqual(self.stats()["reference_variance"] / left, 1, delta=0.002)
+
     def test_unknown_laws_are_measured(self):
         for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),
                                  ("Y", ["--filter", "--view=horizon"]), ("Y", ["--filter", "--view=sphere"]),

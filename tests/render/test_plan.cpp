@@ -95,6 +95,20 @@ TEST_CASE("a window filters with one pipeline at all scales, and a picture with 
     }
 }
 
+TEST_CASE("the form of the filter follows the longer pixel of the two that a tile's stretch makes") {
+    for (const auto& [width, height] : {std::pair{"14", "106"}, {"106", "14"}}) {
+        const Request tile = request_of({{"scale", "5.3"},
+                                         {"width", width},
+                                         {"height", height},
+                                         {"filter", "true"},
+                                         {"tileable", "true"}});
+        const Constants constants = whole(tile).steps.front().constants;
+        CHECK(constants[passes::narrow_waves_id] ==
+              0); // along the side of 14 pixels alone, it would be narrow
+        CHECK(constants[passes::wide_waves_id] == 0);
+    }
+}
+
 TEST_CASE("every pass that a plan names exists") {
     std::vector<Request> requests;
     for (const noise::Recipe& recipe : noise::recipes())
