@@ -9,8 +9,8 @@
 //     sum_c [K w_c q(x - x_c) e^(2 pi i (F.x (x - x_c) + F.y (y_0 - y_c) + phase_c))] q(y - y_c) e^(2 pi i F.y (y - y_0))
 //
 // where y_0 is the block's first row. The bracket is computed once per column of the block, and q(y - y_c) once per row. The
-// last factor, which all impulses share, multiplies the sum once per pixel. Exponentials at equal distances follow from the
-// first by rotation. In derivatives, q' replaces q, and the wave contributes a factor of 2 pi i F.
+// last factor, which all impulses share, multiplies the sum once per pixel. Exponentials at evenly spaced positions follow
+// from the first by rotation. In derivatives, q' replaces q, and the wave contributes a factor of 2 pi i F.
 //
 // In the lattice, the nodes of a row share y_c and q(y - y_c). So c counts rows there, and the bracket is summed over a row.
 //
@@ -31,13 +31,13 @@
 layout(constant_id = visited_id) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = block_columns_id) const int block_columns = 8;
 layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // number of rows if their loop is unrolled, else 0
-layout(constant_id = quadrature_id) const bool with_quadrature = false; // also writes the real part
-layout(constant_id = gradient_id) const bool with_gradient = false;   // also writes the derivatives along x and y
+layout(constant_id = quadrature_id) const bool with_quadrature = false; // whether to write the quadrature too
+layout(constant_id = gradient_id) const bool with_gradient = false;   // whether to write the derivatives along x and y too
 layout(constant_id = animated_id) const bool animated = false;        // whether time is not 0, for the lattice
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
 layout(constant_id = few_waves_id) const int few_waves = 0; // 1 if this step has only one noise
-layout(constant_id = coloured_id) const bool coloured = false;        // writes the components of a colour instead of the noise
-layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match: needs divisions, which are slow on CPUs
+layout(constant_id = coloured_id) const bool coloured = false; // whether to write a colour's components instead of the noise
+layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; divisions make this slow on CPUs
 layout(constant_id = view_id) const uint view = view_flat;
 const bool slice = view == view_slice; // whether to draw a slice of solid noise, with GABOR_TAPS 3
 #ifdef GABOR_TAPS

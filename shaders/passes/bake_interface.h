@@ -27,7 +27,7 @@ struct BakeWave {
     vec2 weights[3]; // weights of (quadrature, noise) in the components of a colour
 };
 
-// For noises that share a kernel radius, so that the same runs serve them all.
+// All noises share a kernel radius, so that the same runs serve them all.
 GABOR_PUSH_CONSTANTS(BakePush) {
     GABOR_BAND
     vec2 radius;  // like GaborPlace.radius

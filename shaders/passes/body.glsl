@@ -30,7 +30,7 @@ struct Hit {
     bool found;
     float gap;      // estimate of the ray's distance from the body, at most twice the true distance
     float distance; // distance along the ray, relative to the length of the ray's vector
-    vec3 p;         // hit point, in units of the body
+    vec3 p;         // hit point, in radii of the sphere
     vec3 normal;
 };
 
@@ -48,7 +48,7 @@ vec3 ray_of(vec2 at, Axes axes) {
     return plane.x * axes.right - plane.y * axes.up - axes.toward_eye;
 }
 
-// Starts at the ray's point nearest to the centre, which avoids the cancellation of the quadratic formula.
+// Starts at the point of the ray nearest to the centre, which avoids the cancellation of the quadratic formula.
 Hit sphere_hit(vec3 eye, vec3 ray) {
     float foot = -dot(eye, ray) / dot(ray, ray);
     vec3 nearest = eye + foot * ray;

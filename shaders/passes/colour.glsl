@@ -5,7 +5,7 @@
 
 layout(std430, set = 0, binding = colour_binding) readonly buffer Colour { PixelsColour colour; };
 
-// The sum of noises in each component, and the variance that a filter removed.
+// The sum of noises in each component, and the variance that a filter removed from it.
 struct Components {
     vec3 value;
     vec3 removed;

@@ -7,7 +7,7 @@
 
 GABOR_INTERFACE_BEGIN
 
-// How components become colours, like noise::Colour. Only three numbers of each vector are used.
+// How components become colours, like noise::Colour. Only x, y and z of each vector are used.
 struct PixelsColour {
     vec4 histogram[6]; // coefficients of 1, z, ... z^5 for each component
     vec4 mean;

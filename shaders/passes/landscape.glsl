@@ -1,8 +1,8 @@
-// Shows eroded ground in colour, lit by a sun and the sky, from above or in perspective. Include after gabor_erosion.glsl. In
-// space x and z are the ground's x and y, and y points up.
+// Shows eroded ground in colour, lit by a sun and the sky, from above or in perspective. Include it after gabor_erosion.glsl.
+// In space, x and z are the ground's x and y, and y points up.
 
 struct Ground {
-    ivec2 cell; // positions count from here
+    ivec2 cell; // positions are relative to this cell
     vec2 period;
     uint seed;
     GaborErosion erosion;

@@ -69,7 +69,7 @@ vec3 reflected(vec3 mirror, float roughness, float seen) {
     return (mirror * (once - grazing) + grazing) * (1.0 + mirror * (1.0 / once - 1.0));
 }
 
-// The light that the surface sends to the eye, linear.
+// The linear light that the surface sends to the eye.
 //   normal         unit normal of the surface, with z pointing out of the picture
 //   eye, lamp, up  unit vectors towards the eye, the lamp and the zenith
 vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp, vec3 up) {

@@ -19,14 +19,14 @@ layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
 layout(constant_id = values_id) const int values = 1; // number of independent noises
-layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match: needs divisions, which are slow on CPUs
+layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; divisions make this slow on CPUs
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0, for the lattice
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves if their loop is unrolled, else 0
 // If the loop is unrolled, narrow_waves has a bit for each wave whose filter needs only its narrow form, and wide_waves for each
 // wave whose filter needs only its wide form.
 layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
 layout(constant_id = wide_waves_id) const uint wide_waves = 0u;
-layout(constant_id = coloured_id) const bool coloured = false; // red, green and blue instead of the noise
+layout(constant_id = coloured_id) const bool coloured = false; // whether to write red, green and blue instead of the noise
 const int channels = (coloured ? 3 : values) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
 
@@ -38,7 +38,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Waves { PixelsWave wave_tab
 layout(std430, set = 0, binding = 4) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
 layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
-// Changes a sample's orientation by whole turns, to within half a turn of another's.
+// Changes a sample's orientation by whole turns, so that it is within half a turn of another's.
 vec2 nearest_turn(vec2 sampled, vec2 other) {
     return vec2(sampled.x, sampled.y - 6.2831853 * floor((sampled.y - other.y) * 0.15915494 + 0.5));
 }

@@ -23,9 +23,9 @@ vec2 on_plane(vec3 v, Plane plane) {
     return vec2(dot(v, plane.right), dot(v, plane.down));
 }
 
-// The relief at p, in units of the material; dx and dy lead to the next pixels. For a body, the material is projected from
-// three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Slopes are
-// differences over a pixel's smaller side. The loop keeps compilers from inlining the material three times.
+// The relief at p, in units of the material; dx and dy are the steps to the next pixels. For a body, the material is projected
+// from three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Slopes are
+// finite differences over a pixel's smaller side. The loop keeps compilers from inlining the material three times.
 Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
     vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
     facing /= facing.x + facing.y + facing.z;

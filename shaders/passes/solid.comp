@@ -12,12 +12,13 @@ layout(constant_id = directed_id) const bool some_directed = false;
 layout(constant_id = filter_id) const bool filtered = true;     // whether to filter for the pixel's footprint
 layout(constant_id = values_id) const int values = 1; // number of independent noises
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
-layout(constant_id = gradient_id) const bool with_gradient = false; // derivatives to the right and down in the picture
+layout(constant_id = gradient_id) const bool with_gradient = false; // whether to write the derivatives (right, down)
 layout(constant_id = phasor_id) const bool with_phasor = false;
 const int rays = 4; // rays along each axis of a pixel, to measure coverage
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0
-layout(constant_id = coloured_id) const bool coloured = false; // whether three values form a colour
-layout(constant_id = normals_id) const bool with_normal = false; // normal (right, down, to the eye) and derivative to the eye
+layout(constant_id = coloured_id) const bool coloured = false; // whether to write red, green and blue instead of the noise
+// Whether to write the normal (right, down, towards the eye) and the derivative towards the eye.
+layout(constant_id = normals_id) const bool with_normal = false;
 const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (with_normal ? 4 : 0);
 

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Draws eroded hills from above or in perspective: colour, height, slope, light, ridge, and what erosion added.
+// Draws eroded hills from above or in perspective: colour, height, slope, light, ridge, and the height that erosion added.
 
 #include "passes/terrain_interface.h"
 #include "gabor_lattice.glsl"

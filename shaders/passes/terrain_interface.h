@@ -18,8 +18,8 @@ GABOR_PUSH_CONSTANTS(TerrainPush) {
     vec2 yaw;       // cosine and sine of the camera's azimuth
     vec2 pitch;     // cosine and sine of its elevation
     vec2 sun;       // x and y of the unit vector to the sun
-    float distance; // distance of the camera, 0 from above
-    float pixel;    // kernel radii per pixel; in perspective, at distance 1
+    float distance; // distance of the camera from the point that it looks at; 0 in the view from above
+    float pixel;    // side of a pixel in kernel radii; in perspective, at distance 1 from the camera
     float unit;     // units of height per kernel radius
     float reach;    // the most that erosion adds to the hills
     uint seed;

@@ -36,7 +36,7 @@ float viewer_value(float noise, float contrast) {
     return 0.5 + 0.5 * noise / contrast;
 }
 
-// The position in a colour map of a complex noise's intensity. `value` is (quadrature, noise).
+// The position of a complex noise's intensity in a colour map. `value` is (quadrature, noise).
 float viewer_intensity(vec2 value, float contrast) {
     return length(value) / (1.5 * contrast);
 }
@@ -46,7 +46,7 @@ float viewer_variance(float removed) {
     return 1.0 - removed;
 }
 
-// The position in a colour map of stripes. Their `profile` along the phase is 0 sine, 1 triangle, 2 sawtooth, 3 bands or 4
+// The position of stripes in a colour map. Their `profile` along the phase is 0 sine, 1 triangle, 2 sawtooth, 3 bands or 4
 // ridges. The phase changes by `turns` per pixel.
 float viewer_stripes(vec2 value, int profile, float turns) {
     vec2 wave = value / max(length(value), 1.0e-6);
@@ -74,7 +74,7 @@ vec3 viewer_normal(vec3 normal, float green) {
     return 0.5 + 0.5 * normal * vec3(1.0, -green, 1.0);
 }
 
-// The colour of a normal map that takes the noise as a height; `deviation` is the standard deviation of a derivative.
+// The colour of a normal map whose height is the noise; `deviation` is the standard deviation of a derivative.
 vec3 viewer_gradient(vec2 gradient, float deviation, float contrast, float green) {
     return viewer_normal(normalize(vec3(-gradient, 2.0 * deviation / contrast)), green);
 }

@@ -1,7 +1,7 @@
 # Adds Gabor noise, as a group of Blender's own nodes, to the shader editor: Add > Texture > Gabor Noise (Normalized).
 #
-# It computes the sum of gabor_lattice.glsl with three taps, so its values have the same distribution. But shader nodes
-# have no integers to hash, so White Noise nodes supply other amplitudes.
+# It computes the same sum as gabor_lattice.glsl with three taps, so its values have the same distribution. But shader
+# nodes have no integers to hash, so White Noise nodes supply other amplitudes.
 #
 # Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -10,7 +10,7 @@ import math
 import bpy
 
 NODE, FIELD = "Gabor Noise Node", "Gabor Noise (Normalized)"
-# A part of an amplitude, for u uniform in [-1, 1]: (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2), nearly normal.
+# One part of an amplitude, for u uniform in [-1, 1]: (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2), nearly normal.
 SLOPE, KNEE, SQUARE, DEVIATION = 0.89289313, 0.93687596, 0.62342056, 0.09190329
 
 
@@ -150,7 +150,7 @@ def menu(self, _context):
 
 
 def menus():
-    """Returns the shader editor's menu of textures, whose name depends on Blender's version, in a list."""
+    """Returns a list with the shader editor's texture menu, whose name depends on Blender's version."""
     return [getattr(bpy.types, name) for name in ("NODE_MT_shader_node_add_all", "NODE_MT_category_shader_texture")
             if hasattr(bpy.types, name)][-1:]
 
