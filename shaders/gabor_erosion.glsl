@@ -27,15 +27,15 @@ struct GaborErosion {
     int octaves;           // octaves of gullies, 0 to 16, each about as costly as gabor_noise_gradient
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
     float strength;        // depth of gullies times their frequency, 0 to 10: how steep they are
-    float lacunarity;      // frequency of each octave, relative to the previous one, 1 to 8
-    float gain;            // depth of each octave, relative to the previous, 0 to 2: 1 / lacunarity keeps slopes equal
+    float lacunarity;      // frequency relative to the previous octave, 1 to 8
+    float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
     float sharpness;       // how equal gullies are in depth, 0 to 100: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
     float gully_weight;    // depth of gullies, relative to that of peaks and valleys, 0 to 1
-    float branching;       // how much gullies turn finer gullies, 0 to 10: 0 not at all, 1 by their full slope
+    float branching;       // how much of a gully's slope turns finer gullies, 0 to 10: 0 for none, 1 for all of it
 };
 
 // GaborErosion gabor_erosion()
@@ -69,14 +69,14 @@ struct GaborGround { // the position cell + local
 // GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     These combine full precision far away, a period, and a filter unless dx and dy are vec2(0.0).
+//     These combine a period, full precision far from the origin and, unless dx and dy are vec2(0.0), a filter.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice with about `nodes` nodes per unit of p: a multiple of 1 / 65536, so that this number times the
-// cell splits exactly into integer and fraction. The kernel radius is one unit of p.
+// The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
+// that its product with the cell splits exactly into integer and fraction. The kernel radius is one unit of p.
 GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
@@ -172,7 +172,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain 
         mask *= full * full;
         vec2 wave = frequency / steep * vec2(-steer.y, steer.x);
         vec2 steps = vec2(dot(wave, dx), dot(wave, dy));
-        // The share of a wave that a Gaussian filter with a standard deviation of half a pixel keeps; 0 if it is small.
+        // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
         float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0);
         vec2 z = vec2(0.0);
         if (kept > 0.0) {

@@ -9,18 +9,18 @@
 // the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii. Each wave fades out within one kernel radius of its node. |p| < 2^31 /
-//                  GABOR_RADIUS, but float rounding shows earlier: at 10^5, p has steps of 0.008.
+//     p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//                  steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of 1.5e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
 //                  orientation, for example in direction maps; (0, 0) gives noise of frequency 0.
-//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. To fit a period
-//                  below 2, kernels shrink; to fit a longer one, they change by at most a sixth with GABOR_TAPS 3.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
+//                  fit a period below 2; to fit a longer one, their size changes by at most a sixth with GABOR_TAPS 3.
 //     seed         any number; different seeds give independent noises
-// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are. If a direction map jumps,
-// gabor_direction.metal keeps stripes unbroken. NaN gives an unspecified value.
+// Frequency, orientation and wave may vary with p; where they are continuous, so is the noise. If a direction map
+// jumps, gabor_direction.metal keeps stripes unbroken. NaN gives an unspecified value.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -35,8 +35,8 @@
 using namespace metal;
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
-// The quality: each point sums GABOR_TAPS^2 waves. To change it, define it before this file. 2 is fastest, but shows
-// columns and rows at high frequencies; with 4, the covariance depends less on the position.
+// Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
+// shows columns and rows at high frequencies; with 4, the covariance depends less on the position.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -75,7 +75,7 @@ using namespace metal;
 // float3 gabor_stripes_tiled(float2 p, float2 period, float2 wave, float sharpness, uint seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
 //     2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
-//     exceeds 1 / sharpness. Elsewhere it is sharpness z, so stripes fade where they fork.
+//     exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
 
 // float3 gabor_stripes_of(float2 value, float sharpness)
 //     The same for any complex value.
@@ -95,7 +95,7 @@ struct GaborKernel {
     float2 wave; // cycles per kernel radius
 };
 
-// A position in nodes of the lattice, with the periods of space and time.
+// A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
     int2 cell;    // any integers except the last few before 2^31, where the world wraps around
     float2 local;    // offset from that cell's corner in node spacings, most precise in [0, 1)^2
@@ -152,7 +152,8 @@ struct GaborField {
 // The squares of the window's derivatives also sum to a constant. So the variances of the noise, its gradient and its
 // second derivatives are the same at every point; that of the noise does not depend on the frequency either. The second
 // derivatives jump where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16 of their standard
-// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because a sum of normal numbers is normal.
+// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because sums of independent normal variables
+// are normal.
 //
 // Each wave's phase starts at its own node, so the wave vector F may vary with the position. From one node to the next,
 // the phase turns by u = 2 pi F_x / R along x and v = 2 pi F_y / R along y. If node (0, 0) is next to p, the sum
@@ -183,9 +184,9 @@ inline uint gabor_impl_salt(uint seed) {
 }
 
 // The word of a column or row of nodes; a node's word is the product of its column's and its row's. The words of
-// columns and rows are odd and have 24 bits, because GPUs multiply 24-bit numbers at a quarter of the cost. Their
-// highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better than a constant:
-// two indices, however far apart, have equal words with probability 2^-22.
+// columns and rows are odd and have 24 bits, because GPUs multiply such numbers at a quarter of the cost of 32-bit
+// numbers. Their highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better
+// than a constant: two indices, however far apart, have equal words with probability 2^-22.
 inline uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
     word = word * (word ^ (word >> 15u));
@@ -215,7 +216,7 @@ inline void gabor_impl_add(thread float4& sums, float4 pair, float2 z) {
     sums = sums + z.x * pair + z.y * float4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
-// (cos, sin) of 2 pi t for |t| <= 1/4, within 2e-7: minimax polynomials.
+// (cos, sin) of 2 pi t for |t| <= 1/4, by minimax polynomials, within 2e-7.
 inline float2 gabor_impl_half_turn(float t) {
     float s = t * t, r = s * s;
     return float2((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
@@ -251,7 +252,8 @@ inline void gabor_impl_windows(float x, thread float4& value, thread float4& slo
     value = float4(a - s, 0.5 + c, a + s, 0.0);
     slope = float4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-    float z = x - 0.5, y = z * z; // `cosine` and `sine` are those of pi/2 z over sqrt(8), c and s half those of pi/2 x
+    // `cosine` and `sine` are the cosine and sine of pi/2 z, times 1/sqrt(8); c and s are those of pi/2 x, times 1/2.
+    float z = x - 0.5, y = z * z;
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;

@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: caf44f0087352738
+// Digest of the GLSL and of this file: 6c00e4fe02c7e975
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -10,18 +10,18 @@
 // the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii. Each wave fades out within one kernel radius of its node. |p| < 2^31 /
-//                  GABOR_RADIUS, but float rounding shows earlier: at 10^5, p has steps of 0.008.
+//     p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//                  steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of 1.5e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
 //                  orientation, for example in direction maps; (0, 0) gives noise of frequency 0.
-//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. To fit a period
-//                  below 2, kernels shrink; to fit a longer one, they change by at most a sixth with GABOR_TAPS 3.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
+//                  fit a period below 2; to fit a longer one, their size changes by at most a sixth with GABOR_TAPS 3.
 //     seed         any number; different seeds give independent noises
-// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are. If a direction map jumps,
-// gabor_direction.wgsl keeps stripes unbroken. NaN gives an unspecified value.
+// Frequency, orientation and wave may vary with p; where they are continuous, so is the noise. If a direction map
+// jumps, gabor_direction.wgsl keeps stripes unbroken. NaN gives an unspecified value.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -275,7 +275,7 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 
 // Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
 // 2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
-// exceeds 1 / sharpness. Elsewhere it is sharpness z, so stripes fade where they fork.
+// exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
 fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_place(vec2(0i), (p * 1f));
@@ -329,7 +329,7 @@ struct GaborKernel {
     wave: vec2<f32>,
 }
 
-// A position in nodes of the lattice, with the periods of space and time.
+// A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
     cell: vec2<i32>,
     local: vec2<f32>,
@@ -662,7 +662,8 @@ fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u3
 // The squares of the window's derivatives also sum to a constant. So the variances of the noise, its gradient and its
 // second derivatives are the same at every point; that of the noise does not depend on the frequency either. The second
 // derivatives jump where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16 of their standard
-// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because a sum of normal numbers is normal.
+// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because sums of independent normal variables
+// are normal.
 //
 // Each wave's phase starts at its own node, so the wave vector F may vary with the position. From one node to the next,
 // the phase turns by u = 2 pi F_x / R along x and v = 2 pi F_y / R along y. If node (0, 0) is next to p, the sum
@@ -696,9 +697,9 @@ fn gabor_impl_salt(seed: u32) -> u32 {
 }
 
 // The word of a column or row of nodes; a node's word is the product of its column's and its row's. The words of
-// columns and rows are odd and have 24 bits, because GPUs multiply 24-bit numbers at a quarter of the cost. Their
-// highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better than a constant:
-// two indices, however far apart, have equal words with probability 2^-22.
+// columns and rows are odd and have 24 bits, because GPUs multiply such numbers at a quarter of the cost of 32-bit
+// numbers. Their highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better
+// than a constant: two indices, however far apart, have equal words with probability 2^-22.
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     var word_2: u32;
 
@@ -739,7 +740,7 @@ fn gabor_impl_add(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>)
     return;
 }
 
-// (cos, sin) of 2 pi t for |t| <= 1/4, within 2e-7: minimax polynomials.
+// (cos, sin) of 2 pi t for |t| <= 1/4, by minimax polynomials, within 2e-7.
 fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
     var s: f32;
     var r: f32;

@@ -12,7 +12,7 @@
 //                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
 //     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
-// All may vary with p. The noise is continuous wherever they are.
+// All may vary with p; where they are continuous, so is the noise.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -51,7 +51,7 @@
 // float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed)
 //     Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
 //     Value and gradient are normal, with the same variance at every point. The power varies with direction only
-//     through the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
+//     because of the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
 //     together, follow mixtures of normal distributions.
 
 // vec4 gabor_noise_3d_isotropic_gradient(vec3 p, float frequency, uint seed)
@@ -65,18 +65,18 @@
 // ---- Noise on a surface --------------------------------------------------------------------------------------------
 
 // float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed)
-//     Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. As the
+//     Noise at point p of a surface, with waves along the projection of a direction onto the tangent plane. As the
 //     angle between direction and normal falls from 30 to 14 degrees, a second noise, with waves at right angles, takes
 //     over; in between, both are computed. On a curved surface, waves bend within each kernel.
 
 // float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 //     Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
-//     and twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
+//     and about ten times where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
 //     have the distributions of gabor_noise_3d_isotropic.
 
 // ---- For large worlds, and for periods, time and filters combined --------------------------------------------------
 
-// A position in nodes of the lattice, with the periods of space and time: see GaborPlace.
+// A position in node spacings of the lattice, with a period, a time and a pixel: see GaborPlace.
 struct GaborPlace3d {
     gabor_ivec3 cell;
     gabor_vec3 local;
@@ -130,9 +130,9 @@ GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative along x as far as it comes from the
-// window; `slopes` receives these derivatives along y and z. The filter adds mixed derivatives, weighted by its
-// covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, the window's part of its derivative along x; `slopes`
+// receives this part of its derivatives along y and z. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx, xy.
 GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
                           int k, gabor_vec3 mixed) {
     for (int j = 0; j < 3; ++j)
@@ -183,7 +183,7 @@ GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field
 }
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it, in units of
-// GABOR_RADIUS nodes.
+// GABOR_RADIUS node spacings.
 struct GaborPixelAxes {
     gabor_vec3 major;
     gabor_vec3 minor;
@@ -315,7 +315,7 @@ GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec
     sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853f * value.y * wave.xyz();
 }
 
-// The waves of isotropic noise: all, or only those along a surface whose tangent plane these perpendicular unit vectors
+// The directions of isotropic noise: all or, if `only`, those in the tangent plane that two perpendicular unit vectors
 // span.
 struct GaborTangents {
     bool only;

@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point: for WGSL.
 //
-// Digest of the GLSL and of this file: a9839c3e7a9f8342
+// Digest of the GLSL and of this file: d89b48c7ca44d5e3
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
@@ -12,7 +12,7 @@
 //                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
 //     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
-// All may vary with p. The noise is continuous wherever they are.
+// All may vary with p; where they are continuous, so is the noise.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -115,7 +115,7 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
 
 // Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
 // Value and gradient are normal, with the same variance at every point. The power varies with direction only
-// through the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
+// because of the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
 // together, follow mixtures of normal distributions.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
@@ -149,7 +149,7 @@ fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>,
     return vec2<f32>(_e8.noise, _e10.removed);
 }
 
-// Noise on a surface at its point p, with waves along the projection of a direction onto the tangent plane. As the
+// Noise at point p of a surface, with waves along the projection of a direction onto the tangent plane. As the
 // angle between direction and normal falls from 30 to 14 degrees, a second noise, with waves at right angles, takes
 // over; in between, both are computed. On a curved surface, waves bend within each kernel.
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
@@ -159,7 +159,7 @@ fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, directio
 }
 
 // Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
-// and twice as much where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
+// and about ten times where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
 // have the distributions of gabor_noise_3d_isotropic.
 fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
@@ -167,7 +167,7 @@ fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32
     return _e12.noise;
 }
 
-// A position in nodes of the lattice, with the periods of space and time: see GaborPlace.
+// A position in node spacings of the lattice, with a period, a time and a pixel: see GaborPlace.
 struct GaborPlace3d {
     cell: vec3<i32>,
     local: vec3<f32>,
@@ -483,9 +483,9 @@ fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
 }
 
-// Adds slice k of nodes. `sum` receives the noise and, in zw, its derivative along x as far as it comes from the
-// window; `slopes` receives these derivatives along y and z. The filter adds mixed derivatives, weighted by its
-// covariances yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, the window's part of its derivative along x; `slopes`
+// receives this part of its derivatives along y and z. The filter adds mixed derivatives, weighted by its covariances
+// yz, zx, xy.
 fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
     var y_10: GaborAxis;
     var j_5: i32 = 0i;
@@ -641,7 +641,7 @@ fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3
 }
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it, in units of
-// GABOR_RADIUS nodes.
+// GABOR_RADIUS node spacings.
 struct GaborPixelAxes {
     major: vec3<f32>,
     minor: vec3<f32>,
@@ -876,7 +876,7 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     return;
 }
 
-// The waves of isotropic noise: all, or only those along a surface whose tangent plane these perpendicular unit vectors
+// The directions of isotropic noise: all or, if `only`, those in the tangent plane that two perpendicular unit vectors
 // span.
 struct GaborTangents {
     only: bool,

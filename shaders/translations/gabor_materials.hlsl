@@ -5,7 +5,7 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, even for each pixel
+//     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -62,23 +62,23 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered, float2 p
 }
 
 // GaborPixel gabor_pixel(float2 p)
-//     The point p.
+//     The point p, without a filter.
 
 // GaborPixel gabor_pixel_filtered(float2 p, float2 dx, float2 dy)
 //     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
 //     as without the filter, and all others as much as gabor_noise_filtered.
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, float2 period)
-//     The same pixel in a world that repeats after `period` units of p. A period then holds a whole number of rings or
-//     threads, and scratches and hair take directions that repeat.
+//     The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
+//     threads; scratches and hair take directions that repeat with it.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
 // Each material has a struct of parameters, a function that returns their defaults, and a function of a pixel and
 // parameters; the short forms use the defaults. Colours are linear, from 0 to 1. Brackets give the number of noises,
-// and the shortest period with which the material looks as it does without one; shorter periods make slow changes
-// faster. The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary from
-// pixel to pixel.
+// and the shortest period at which the tiled material looks like the untiled one; shorter periods compress its
+// large-scale variation. The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions
+// may vary from pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
@@ -106,7 +106,7 @@ GaborWood GaborWood_of(float3 early, float3 late, float rings, float waviness, f
 // GaborMaterial gabor_wood(float2 p, uint seed)
 // GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed)
 
-// Linen: a plain weave of uneven threads, or corduroy, whose cords run along y [5 noises; period 3 x 3].
+// Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
     float3 warp;        // colour of the threads along y
     float3 weft;        // colour of the threads along x
@@ -188,8 +188,8 @@ GaborMarble GaborMarble_of(float3 stone, float3 vein, float veins, float turbule
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    float3 trough;     // colour between the ripples
-    float3 crest;      // colour on the ripples
+    float3 trough;     // colour of the troughs
+    float3 crest;      // colour of the crests
     float ripples;   // ripples per unit, 1 to 20
     float relief;    // height of the ripples, in units, 0 to 0.2
     float grain;     // contrast of the grains, 0 to 0.25
@@ -270,7 +270,7 @@ struct GaborScratches {
     float3 scratch;    // colour in the scratches
     float amount;    // number of scratches, relative to the default, 0.01 to 8
     float reach;     // length of the scratches, in units, 0.3 to 10
-    float direction; // middle of the scratches' directions, -6.2832 to 6.2832 radians
+    float direction; // mean direction of the scratches, -6.2832 to 6.2832 radians
     float spread;    // range of the scratches' directions, 0 to 3.1416 radians
     float depth;     // depth of the scratches, in units, 0 to 0.02
     float roughness; // 0 to 1
@@ -408,12 +408,12 @@ GaborStrata GaborStrata_of(float3 rock, float3 sandstone, float3 red, float3 pal
 // Private implementation
 // ====================================================================================================================
 //
-// How to filter a nonlinear function f of noise: the filter leaves the value v of a noise of variance 1, and removes
-// the share r of its variance. The removed part is normal too, so the pixel shows the mean of f(v + sqrt(r) z) over
-// normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution function;
-// a line along the zeros of a noise becomes a Gaussian; a change of tone becomes an exponential; and a profile of a
-// phase becomes a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour
-// is the mean of the unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+// How to filter a nonlinear function f of a noise with variance 1: the filter leaves a value v and removes a share r of
+// the variance. The removed part is normal too, so the pixel shows the mean of f(v + sqrt(r) z) over normal z. For the
+// functions below, this mean has a closed form: a threshold becomes a normal distribution function; a line along the
+// zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
+// over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
+// unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -468,8 +468,8 @@ GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, u
 
 // Turns the axes by an angle. With a period, the new x axis takes one of 24 directions near that angle: those of lines
 // that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of periods. So
-// in units of the line's length along x, and of the distance between neighbouring lines along y, p repeats after 1. The
-// axes are then not quite at right angles, which long kernels hide.
+// p repeats after the line's length along the new x axis, and after the distance between neighbouring lines along the
+// new y axis. The axes are then not quite at right angles, which long kernels hide.
 GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     float2 turn = gabor_impl_wave(0.15915494 * angle);
     float2 x = turn;
@@ -527,7 +527,7 @@ float2 gabor_impl_phase(float3 layer) {
     return layer.xy * rsqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
 }
 
-// The integral of the square of a sawtooth from 0 to 1.
+// The integral of the square of a sawtooth that rises from 0 to 1.
 float gabor_impl_rise_integral(float x) {
     float turns = floor(x), t = x - turns;
     return 0.33333333 * (turns + t * t * t);
@@ -546,7 +546,7 @@ GaborMaterial gabor_impl_material(float3 colour, float height, float roughness, 
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 
-// Rings are lines of equal x that slow noise bends until they close.
+// Rings are lines of constant x that noise of low frequency bends until they close.
 GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
     float2 bends = float2(0.43, 0.018) * wood.waviness;
     GaborPixel board = gabor_impl_warp(pixel, float2(1.1, 0.24), float2(bends.x, 0.0), gabor_lobe_seed(seed, 0));
@@ -639,8 +639,8 @@ GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed
     return gabor_impl_material(colour, height, leather.roughness + 0.15 * (1.0 - pebble), 0.0);
 }
 
-// Adds veins: lines along the zeros of layer.x, drawn where layer.y exceeds a threshold, so that they end. Each vein
-// has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins: lines along the zeros of layer.x, drawn only where layer.y exceeds a threshold, so they have
+// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 float3 gabor_impl_vein(float3 colour, float3 layer, float threshold, float3 halo, float3 core, float2 width, float2 strength) {
     float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5);
     strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
@@ -691,15 +691,15 @@ GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed) {
     return gabor_impl_material(colour, height, sand.roughness, 0.0);
 }
 
-// A sum of waves with their second harmonics, after Stokes, which gives sharp crests and flat troughs. The harmonic of
-// the removed part has mean 0.
+// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The harmonic of the
+// removed part has mean 0.
 GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed) {
     float height = 0.0;
     float crest = 0.0;
     float removed = 0.0;
     float power = 0.0;
     for (int i = 0; i < 14; ++i) {
-        float waves = ripples.waves * exp2(0.27 * float(i)); // number per unit
+        float waves = ripples.waves * exp2(0.27 * float(i)); // waves per unit
         float angle = ripples.direction + ripples.spread * (frac(0.618034 * float(i) + 0.1) - 0.5);
         float3 wave = gabor_impl_layer(pixel, (float2)(waves / 2.2), 2.2, angle, gabor_lobe_seed(seed, i));
         float amplitude = exp2(-0.351 * float(i));
@@ -733,7 +733,7 @@ GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uin
     float height = 0.0;
     float size = 1.0;
     float turn = 0.0955;
-    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above is nearly proportional to the amount
+    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
     for (int i = 0; i < 14; ++i) {
         GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5));
         turned = gabor_impl_warp(turned, float2(0.3, 0.1), float2(0.0, 0.17), gabor_lobe_seed(seed, 2 * i));
@@ -802,7 +802,7 @@ GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, u
     bool first = turn < 1.5;
     float3 fibre = first ? upright : level;
     float2 along_across = first ? within.yx : within;
-    float along = 0.5 * (along_across.x + (frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // over two rows, 0 to 1
+    float along = 0.5 * (along_across.x + (frac(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // from 0 to 1 over two rows
     float across = 2.0 * along_across.y - 1.0;
 
     float2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);

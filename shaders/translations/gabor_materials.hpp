@@ -6,7 +6,7 @@
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, even for each pixel
+//     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -42,23 +42,23 @@ struct GaborPixel {
 };
 
 // GaborPixel gabor_pixel(vec2 p)
-//     The point p.
+//     The point p, without a filter.
 
 // GaborPixel gabor_pixel_filtered(vec2 p, vec2 dx, vec2 dy)
 //     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
 //     as without the filter, and all others as much as gabor_noise_filtered.
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period)
-//     The same pixel in a world that repeats after `period` units of p. A period then holds a whole number of rings or
-//     threads, and scratches and hair take directions that repeat.
+//     The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
+//     threads; scratches and hair take directions that repeat with it.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
 // Each material has a struct of parameters, a function that returns their defaults, and a function of a pixel and
 // parameters; the short forms use the defaults. Colours are linear, from 0 to 1. Brackets give the number of noises,
-// and the shortest period with which the material looks as it does without one; shorter periods make slow changes
-// faster. The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions may vary from
-// pixel to pixel.
+// and the shortest period at which the tiled material looks like the untiled one; shorter periods compress its
+// large-scale variation. The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions
+// may vary from pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
@@ -74,7 +74,7 @@ struct GaborWood {
 // GaborMaterial gabor_wood(vec2 p, uint seed)
 // GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
-// Linen: a plain weave of uneven threads, or corduroy, whose cords run along y [5 noises; period 3 x 3].
+// Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
     gabor_vec3 warp;        // colour of the threads along y
     gabor_vec3 weft;        // colour of the threads along x
@@ -119,8 +119,8 @@ struct GaborMarble {
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
-    gabor_vec3 trough;     // colour between the ripples
-    gabor_vec3 crest;      // colour on the ripples
+    gabor_vec3 trough;     // colour of the troughs
+    gabor_vec3 crest;      // colour of the crests
     float ripples;   // ripples per unit, 1 to 20
     float relief;    // height of the ripples, in units, 0 to 0.2
     float grain;     // contrast of the grains, 0 to 0.25
@@ -165,7 +165,7 @@ struct GaborScratches {
     gabor_vec3 scratch;    // colour in the scratches
     float amount;    // number of scratches, relative to the default, 0.01 to 8
     float reach;     // length of the scratches, in units, 0.3 to 10
-    float direction; // middle of the scratches' directions, -6.2832 to 6.2832 radians
+    float direction; // mean direction of the scratches, -6.2832 to 6.2832 radians
     float spread;    // range of the scratches' directions, 0 to 3.1416 radians
     float depth;     // depth of the scratches, in units, 0 to 0.02
     float roughness; // 0 to 1
@@ -238,12 +238,12 @@ struct GaborStrata {
 // Private implementation
 // ====================================================================================================================
 //
-// How to filter a nonlinear function f of noise: the filter leaves the value v of a noise of variance 1, and removes
-// the share r of its variance. The removed part is normal too, so the pixel shows the mean of f(v + sqrt(r) z) over
-// normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution function;
-// a line along the zeros of a noise becomes a Gaussian; a change of tone becomes an exponential; and a profile of a
-// phase becomes a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour
-// is the mean of the unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+// How to filter a nonlinear function f of a noise with variance 1: the filter leaves a value v and removes a share r of
+// the variance. The removed part is normal too, so the pixel shows the mean of f(v + sqrt(r) z) over normal z. For the
+// functions below, this mean has a closed form: a threshold becomes a normal distribution function; a line along the
+// zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
+// over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
+// unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
 
 // ---- Noises --------------------------------------------------------------------------------------------------------
 
@@ -298,8 +298,8 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, ga
 
 // Turns the axes by an angle. With a period, the new x axis takes one of 24 directions near that angle: those of lines
 // that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of periods. So
-// in units of the line's length along x, and of the distance between neighbouring lines along y, p repeats after 1. The
-// axes are then not quite at right angles, which long kernels hide.
+// p repeats after the line's length along the new x axis, and after the distance between neighbouring lines along the
+// new y axis. The axes are then not quite at right angles, which long kernels hide.
 GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;
@@ -357,7 +357,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer) {
     return layer.xy() * gabor_cpp_inversesqrt(gabor_cpp_dot(layer.xy(), layer.xy()) + 2.5f * layer.z + 1.0e-6f);
 }
 
-// The integral of the square of a sawtooth from 0 to 1.
+// The integral of the square of a sawtooth that rises from 0 to 1.
 GABOR_INLINE float gabor_impl_rise_integral(float x) {
     float turns = gabor_cpp_floor(x), t = x - turns;
     return 0.33333333f * (turns + t * t * t);
@@ -376,7 +376,7 @@ GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, float height, 
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 
-// Rings are lines of equal x that slow noise bends until they close.
+// Rings are lines of constant x that noise of low frequency bends until they close.
 GABOR_INLINE GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, std::uint32_t seed) {
     gabor_vec2 bends = gabor_vec2(0.43f, 0.018f) * wood.waviness;
     GaborPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(bends.x, 0.0f), gabor_lobe_seed(seed, 0));
@@ -469,8 +469,8 @@ GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leath
     return gabor_impl_material(colour, height, leather.roughness + 0.15f * (1.0f - pebble), 0.0f);
 }
 
-// Adds veins: lines along the zeros of layer.x, drawn where layer.y exceeds a threshold, so that they end. Each vein
-// has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins: lines along the zeros of layer.x, drawn only where layer.y exceeds a threshold, so they have
+// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 GABOR_INLINE gabor_vec3 gabor_impl_vein(gabor_vec3 colour, gabor_vec3 layer, float threshold, gabor_vec3 halo, gabor_vec3 core, gabor_vec2 width, gabor_vec2 strength) {
     float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
     strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
@@ -521,15 +521,15 @@ GABOR_INLINE GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, std::
     return gabor_impl_material(colour, height, sand.roughness, 0.0f);
 }
 
-// A sum of waves with their second harmonics, after Stokes, which gives sharp crests and flat troughs. The harmonic of
-// the removed part has mean 0.
+// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The harmonic of the
+// removed part has mean 0.
 GABOR_INLINE GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, std::uint32_t seed) {
     float height = 0.0f;
     float crest = 0.0f;
     float removed = 0.0f;
     float power = 0.0f;
     for (int i = 0; i < 14; ++i) {
-        float waves = ripples.waves * gabor_cpp_exp2(0.27f * float(i)); // number per unit
+        float waves = ripples.waves * gabor_cpp_exp2(0.27f * float(i)); // waves per unit
         float angle = ripples.direction + ripples.spread * (gabor_cpp_fract(0.618034f * float(i) + 0.1f) - 0.5f);
         gabor_vec3 wave = gabor_impl_layer(pixel, gabor_vec2(waves / 2.2f), 2.2f, angle, gabor_lobe_seed(seed, i));
         float amplitude = gabor_cpp_exp2(-0.351f * float(i));
@@ -563,7 +563,7 @@ GABOR_INLINE GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches s
     float height = 0.0f;
     float size = 1.0f;
     float turn = 0.0955f;
-    float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // the area above is nearly proportional to the amount
+    float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // the area above it is about proportional to amount
     for (int i = 0; i < 14; ++i) {
         GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5f));
         turned = gabor_impl_warp(turned, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, 0.17f), gabor_lobe_seed(seed, 2 * i));
@@ -632,7 +632,7 @@ GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFi
     bool first = turn < 1.5f;
     gabor_vec3 fibre = first ? upright : level;
     gabor_vec2 along_across = first ? within.yx() : within;
-    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // over two rows, 0 to 1
+    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // from 0 to 1 over two rows
     float across = 2.0f * along_across.y - 1.0f;
 
     gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);

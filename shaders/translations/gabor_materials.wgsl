@@ -1,12 +1,12 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: ff1680e2b9ad3657
+// Digest of the GLSL and of this file: a9e3615c6c657e05
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
-//     GaborWood oak = gabor_wood_default();                            // with other parameters, even for each pixel
+//     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
@@ -30,7 +30,7 @@ struct GaborPixel {
     period: vec2<f32>,
 }
 
-// The point p.
+// The point p, without a filter.
 fn gabor_pixel(p: vec2<f32>) -> GaborPixel {
     return GaborPixel(p, vec2(0f), vec2(0f), false, vec2(0f));
 }
@@ -41,8 +41,8 @@ fn gabor_pixel_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>) -> GaborPixe
     return GaborPixel(p, dx, dy, true, vec2(0f));
 }
 
-// The same pixel in a world that repeats after `period` units of p. A period then holds a whole number of rings or
-// threads, and scratches and hair take directions that repeat.
+// The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
+// threads; scratches and hair take directions that repeat with it.
 fn gabor_pixel_tiled(pixel: GaborPixel, period: vec2<f32>) -> GaborPixel {
     return GaborPixel((pixel.p - (period * floor((pixel.p / period)))), pixel.dx, pixel.dy, pixel.filtered, period);
 }
@@ -172,7 +172,7 @@ fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) ->
     return _e6;
 }
 
-// Linen: a plain weave of uneven threads, or corduroy, whose cords run along y [5 noises; period 3 x 3].
+// Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
     warp: vec3<f32>,
     weft: vec3<f32>,
@@ -1492,12 +1492,12 @@ fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) 
 // Private implementation
 // ====================================================================================================================
 //
-// How to filter a nonlinear function f of noise: the filter leaves the value v of a noise of variance 1, and removes
-// the share r of its variance. The removed part is normal too, so the pixel shows the mean of f(v + sqrt(r) z) over
-// normal z. For the functions below, this mean has a closed form: a threshold becomes a normal distribution function;
-// a line along the zeros of a noise becomes a Gaussian; a change of tone becomes an exponential; and a profile of a
-// phase becomes a mean over phases. Materials multiply and mix functions of independent noises, so the filtered colour
-// is the mean of the unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+// How to filter a nonlinear function f of a noise with variance 1: the filter leaves a value v and removes a share r of
+// the variance. The removed part is normal too, so the pixel shows the mean of f(v + sqrt(r) z) over normal z. For the
+// functions below, this mean has a closed form: a threshold becomes a normal distribution function; a line along the
+// zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
+// over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
+// unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
 
 fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
     if (pixel.period.x > 0f) {
@@ -1623,8 +1623,8 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 
 // Turns the axes by an angle. With a period, the new x axis takes one of 24 directions near that angle: those of lines
 // that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of periods. So
-// in units of the line's length along x, and of the distance between neighbouring lines along y, p repeats after 1. The
-// axes are then not quite at right angles, which long kernels hide.
+// p repeats after the line's length along the new x axis, and after the distance between neighbouring lines along the
+// new y axis. The axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;
@@ -1777,7 +1777,7 @@ fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
     return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
 }
 
-// The integral of the square of a sawtooth from 0 to 1.
+// The integral of the square of a sawtooth that rises from 0 to 1.
 fn gabor_impl_rise_integral(x: f32) -> f32 {
     var turns_4: f32;
     var t_7: f32;
@@ -1811,8 +1811,8 @@ fn gabor_impl_material(colour: vec3<f32>, height: f32, roughness: f32, metalness
     return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height, roughness, metalness);
 }
 
-// Adds veins: lines along the zeros of layer.x, drawn where layer.y exceeds a threshold, so that they end. Each vein
-// has a core in the middle of a halo. Widths and strengths are (halo, core).
+// Adds veins: lines along the zeros of layer.x, drawn only where layer.y exceeds a threshold, so they have
+// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_vein(colour: vec3<f32>, layer: vec3<f32>, threshold: f32, halo: vec3<f32>, core: vec3<f32>, width: vec2<f32>, strength: vec2<f32>) -> vec3<f32> {
     var strength_1: vec2<f32>;
     var open: f32;

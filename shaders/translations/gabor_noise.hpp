@@ -335,7 +335,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 #define GABOR_RADIUS 1.0f // R, cells per kernel radius: a float, at least 1. Loops visit ceil(2 R) + 1 cells per axis
 #endif
 #ifndef GABOR_WEIGHT_FLOOR
-#define GABOR_WEIGHT_FLOOR 0.675f // A, a float in [0, 1]: weights have magnitude A or 1, equally likely
+#define GABOR_WEIGHT_FLOOR 0.675f // A, a float in [0, 1]: weights have magnitude A or 1, with equal probability
 #endif
 // Number of phases, evenly spaced over a turn: a power of two up to 256. 2 gives sine kernels, which integrate to 0.
 #ifndef GABOR_PHASES
@@ -361,14 +361,15 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
 //     Gabor noise at p, with mean 0 and variance 1 at every point; it and its first derivatives are continuous. Values
-//     pooled over all points are nearly normal; those at one point of all cells are less so: see docs/recipes.md.
+//     pooled over all points are nearly normal; those at a fixed position in the cells are less so: see
+//     docs/recipes.md.
 //       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                    too coarse for the exact variance
-//       orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//       orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
 //       seed         any; different seeds give independent noises
-//     Frequency and orientation may vary with p: the noise is continuous wherever they are. NaN gives an unspecified
+//     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
 //     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
@@ -386,14 +387,14 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 //     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
 //     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
-//     Otherwise cells grow to fit, and values become less normal: for `one`, the cvm of docs/recipes.md is 1.1 with 5 %
-//     fewer cells per radius, 6.4 with 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below 2, the
-//     diameter of a kernel, counts as 2.
+//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
+//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
+//     2, the diameter of a kernel, counts as 2.
 
 // float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
 //     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-//     points it hardly changes.
+//     points, the noise hardly changes.
 
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
@@ -404,16 +405,16 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 struct GaborKernel {
     gabor_vec2 wave;             // wave vector, cycles per kernel radius
     float amplitude;       // K
-    float variance_factor; // variance for K = 1, relative to high frequencies: 1 unless there are two phases
+    float variance_factor; // variance for K = 1, relative to that at high frequencies: 1 unless there are two phases
 };
 
-// A position in cells, with the periods of space and time.
+// A position in cells, with a period and a time.
 struct GaborPlace {
     gabor_ivec2 cell;   // any integers except the last few before 2^31, where the world wraps around
     gabor_vec2 local;   // offset from that cell's corner in cells, most precise in [0, 1)^2
-    gabor_vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or down to half of that to fit a period
+    gabor_vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
     gabor_ivec2 period; // period in cells, 0 for none
-    float time;   // time in periods, of which only the fraction counts
+    float time;   // time in periods: only its fraction counts
 };
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -521,7 +522,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_direction(float angle) {
     float r = angle - quarter * 1.5703125f;
     r -= quarter * 4.837512969970703e-4f;
     r -= quarter * 7.549789948768648e-8f;
-    r = gabor_cpp_abs(r) < 1.0f ? r : 0.0f; // far outside the range no digits are left, and the direction is arbitrary
+    r = gabor_cpp_abs(r) < 1.0f ? r : 0.0f; // far outside the range, no digits are left and the direction is arbitrary
     float s = r * r;
     float sine = r + r * s * (-0.16666654f + s * (8.3321608e-3f - s * 1.9515295e-4f));
     float cosine = 1.0f - 0.5f * s + s * s * (4.1666645e-2f + s * (-1.3887316e-3f + s * 2.4433157e-5f));
@@ -637,7 +638,7 @@ GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
 GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed) {
     int visited = int(gabor_cpp_ceil(2.0f * GABOR_RADIUS)) + 1;
     gabor_vec2 whole = gabor_cpp_floor(place.local);
-    gabor_vec2 local = gabor_cpp_clamp(place.local - whole, 0.0f, 1.0f); // matters only if a compiler fuses this with a product
+    gabor_vec2 local = gabor_cpp_clamp(place.local - whole, 0.0f, 1.0f); // the clamp matters only if a compiler fuses this with a product
     gabor_vec2 first = gabor_cpp_floor(local - place.radius);
     gabor_ivec2 cell = place.cell + gabor_ivec2(whole + first);
     first -= 1.0f; // undoes the 1 of position_plus_one

@@ -1,7 +1,7 @@
 // gabor_noise.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for WGSL.
 //
-// Digest of the GLSL and of this file: 5394b51c45649c78
+// Digest of the GLSL and of this file: 77ed06a95501d2a2
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
@@ -16,14 +16,15 @@
 const GABOR_NOISE_VERSION: u32 = 20000u;
 
 // Gabor noise at p, with mean 0 and variance 1 at every point; it and its first derivatives are continuous. Values
-// pooled over all points are nearly normal; those at one point of all cells are less so: see docs/recipes.md.
+// pooled over all points are nearly normal; those at a fixed position in the cells are less so: see
+// docs/recipes.md.
 //   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                steps of 0.008
 //   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
 //                too coarse for the exact variance
-//   orientation  direction of the wave vector in radians from +x towards +y, precise within +-400
+//   orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
 //   seed         any; different seeds give independent noises
-// Frequency and orientation may vary with p: the noise is continuous wherever they are. NaN gives an unspecified
+// Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
 // value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     let _e8 = gabor_kernel(frequency, orientation);
@@ -87,9 +88,9 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 
 // Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
 // mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
-// Otherwise cells grow to fit, and values become less normal: for `one`, the cvm of docs/recipes.md is 1.1 with 5 %
-// fewer cells per radius, 6.4 with 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below 2, the
-// diameter of a kernel, counts as 2.
+// Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
+// 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
+// 2, the diameter of a kernel, counts as 2.
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var period_2: vec2<f32>;
     var cells: vec2<f32>;
@@ -121,7 +122,7 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
 
 // Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
 // is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-// points it hardly changes.
+// points, the noise hardly changes.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
 
@@ -146,7 +147,7 @@ struct GaborKernel {
     variance_factor: f32,
 }
 
-// A position in cells, with the periods of space and time.
+// A position in cells, with a period and a time.
 struct GaborPlace {
     cell: vec2<i32>,
     local: vec2<f32>,

@@ -26,7 +26,7 @@
 
 // ---- Sums of lobes -------------------------------------------------------------------------------------------------
 
-// Waves around one wave vector; gabor_lobe makes it and documents its members.
+// A lobe: waves around one wave vector. gabor_lobe returns it and documents its members.
 struct GaborLobe {
     float frequency;
     float orientation;
@@ -81,14 +81,14 @@ struct GaborLobes {
 // float gabor_noise_spread(float2 p, float frequency, float orientation, float frequency_spread,
 //                          float orientation_spread, uint seed)
 //     Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
-//     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, as evenly as lobes of kernel radius 1
-//     allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most 5 % at
-//     frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and its
-//     derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
+//     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, spread as evenly as lobes of kernel
+//     radius 1 allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most
+//     5 % at frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and
+//     its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
 //         2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
 //         (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
-//     both rounded down: 10 directions for isotropic noise of frequency 2. Just below a change of one of these numbers,
-//     for a fifth of all arguments, the lobes of both numbers are summed.
+//     both rounded down: 10 directions for isotropic noise of frequency 2. For a fifth of all arguments, just before
+//     one of these numbers changes, the lobes of the old and the new number are summed.
 
 // float3 gabor_noise_spread_gradient(float2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
@@ -103,8 +103,8 @@ struct GaborLobes {
 // float gabor_noise_isotropic(float2 p, float frequency, uint seed)
 //     Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times that of gabor_noise. It
 //     has mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only
-//     through the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of
-//     normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
+//     because of the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture
+//     of normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
 
 // float3 gabor_noise_isotropic_gradient(float2 p, float frequency, uint seed)
 //     The noise with its analytic gradient: (noise, d/dx, d/dy).
@@ -126,11 +126,11 @@ struct GaborLobes {
 //               filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 //     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
 //     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
-//     radius; at the worst point it is 2 and 3 %. For larger pixels, only the variance is right. The result is
-//     continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel radii
-//     (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
-//     nodes); between 0.18 and 0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch,
-//     the cost is 3 for small pixels and 5 for larger ones.
+//     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
+//     is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
+//     radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
+//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where compilers run both sides of a
+//     branch, the cost is 3 for small pixels and 5 for larger ones.
 
 // float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 //     The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
@@ -185,8 +185,8 @@ struct GaborLobes {
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 // GaborPlace gabor_place_stretched(GaborPlace place, float2 radius)
-//     The same place, period and time for kernels with `radius` times the place's kernel radius, which may differ along
-//     x and y. The position is rounded to a float, within the period if there is one.
+//     The same place, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
+//     along x and y. The position is rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 //     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
@@ -412,7 +412,7 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, u
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, (float2)(1.0));
 }
 
-// For the form with seven waves: a complex number for each of an axis's factors 1, q - c and (q - c)^2 - 1 / 4g.
+// For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
 struct GaborFactors {
     float3 real;
     float3 imaginary;
@@ -552,7 +552,7 @@ GaborLine gabor_impl_line_before(GaborBand b, float2 phase) {
     return line_;
 }
 
-// Adds a complex number times the factors to a sum.
+// Returns the sum plus a complex number times the factors.
 GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
     return GaborFactors_of(sum.real + (real * factors.real - imaginary * factors.imaginary),
                         sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
@@ -586,7 +586,7 @@ float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weights) {
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The filtered noise at a place, with seven waves along each axis. Computes only one row unless `wanted`.
+// The filtered noise at a place, with seven waves along each axis. If not `wanted`, computes only one row.
 GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, bool wanted, uint salt) {
     float2 m = s.xy + 0.13069097; // v
     float2 deviation = sqrt(s.xy);
@@ -713,8 +713,8 @@ float2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, GaborFactors
     return gabor_impl_contracted(slice, z, (float3)(1.0));
 }
 
-// The filtered noise in space and its derivatives, `local` node spacings from a cell's corner, with seven waves along
-// each axis. Computes only one row unless `wanted`.
+// Computes the filtered noise in space and its derivatives at `local`, in node spacings from a cell's corner, with
+// seven waves along each axis. If not `wanted`, computes only one row.
 void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animated, float time, float3 wave,
                                GaborMatrix s, bool wanted, uint salt, out float4 noise, out float4 quadrature) {
     float determinant;
@@ -759,8 +759,8 @@ void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animat
         next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
         next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
     } while (++k < slices);
-    // The derivatives follow as in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times
-    // the next factor of the other axes.
+    // The derivatives follow as in the plane. In the sum over the series, n / 4g times the previous factor becomes
+    // w / 4g times the next factor of the other axes.
     float3 real = float3(next_x.x, next_y.x, next_z.x), imaginary = float3(next_x.y, next_y.y, next_z.y);
     float3 quarter = 0.012665148 / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix_of((float3)(0.0), w), real);
@@ -782,7 +782,7 @@ void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animat
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
-// Derives four more words from a row's word. Their products with the words of columns are just as random.
+// Derives four more words from a row's word. Their products with the words of columns are as random as those of nodes.
 uint4 gabor_impl_row(uint word) {
     uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;

@@ -27,7 +27,7 @@
 
 // ---- Sums of lobes -------------------------------------------------------------------------------------------------
 
-// Waves around one wave vector; gabor_lobe makes it and documents its members.
+// A lobe: waves around one wave vector. gabor_lobe returns it and documents its members.
 struct GaborLobe {
     float frequency;
     float orientation;
@@ -72,14 +72,14 @@ struct GaborLobes {
 // float gabor_noise_spread(vec2 p, float frequency, float orientation, float frequency_spread,
 //                          float orientation_spread, uint seed)
 //     Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
-//     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, as evenly as lobes of kernel radius 1
-//     allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most 5 % at
-//     frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and its
-//     derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
+//     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, spread as evenly as lobes of kernel
+//     radius 1 allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most
+//     5 % at frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and
+//     its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
 //         2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
 //         (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
-//     both rounded down: 10 directions for isotropic noise of frequency 2. Just below a change of one of these numbers,
-//     for a fifth of all arguments, the lobes of both numbers are summed.
+//     both rounded down: 10 directions for isotropic noise of frequency 2. For a fifth of all arguments, just before
+//     one of these numbers changes, the lobes of the old and the new number are summed.
 
 // vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
@@ -94,8 +94,8 @@ struct GaborLobes {
 // float gabor_noise_isotropic(vec2 p, float frequency, uint seed)
 //     Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times that of gabor_noise. It
 //     has mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only
-//     through the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of
-//     normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
+//     because of the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture
+//     of normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
 
 // vec3 gabor_noise_isotropic_gradient(vec2 p, float frequency, uint seed)
 //     The noise with its analytic gradient: (noise, d/dx, d/dy).
@@ -117,11 +117,11 @@ struct GaborLobes {
 //               filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 //     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
 //     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
-//     radius; at the worst point it is 2 and 3 %. For larger pixels, only the variance is right. The result is
-//     continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel radii
-//     (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
-//     nodes); between 0.18 and 0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch,
-//     the cost is 3 for small pixels and 5 for larger ones.
+//     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
+//     is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
+//     radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
+//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where compilers run both sides of a
+//     branch, the cost is 3 for small pixels and 5 for larger ones.
 
 // vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 //     The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
@@ -176,8 +176,8 @@ struct GaborLobes {
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 // GaborPlace gabor_place_stretched(GaborPlace place, vec2 radius)
-//     The same place, period and time for kernels with `radius` times the place's kernel radius, which may differ along
-//     x and y. The position is rounded to a float, within the period if there is one.
+//     The same place, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
+//     along x and y. The position is rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
 //     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
@@ -403,7 +403,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     return gabor_impl_field(sum, slope, gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred)) * turn, wave, gabor_vec2(1.0f));
 }
 
-// For the form with seven waves: a complex number for each of an axis's factors 1, q - c and (q - c)^2 - 1 / 4g.
+// For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
 struct GaborFactors {
     gabor_vec3 real;
     gabor_vec3 imaginary;
@@ -535,7 +535,7 @@ GABOR_INLINE GaborLine gabor_impl_line_before(GaborBand b, gabor_vec2 phase) {
     return line;
 }
 
-// Adds a complex number times the factors to a sum.
+// Returns the sum plus a complex number times the factors.
 GABOR_INLINE GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
     return GaborFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
                         sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
@@ -569,7 +569,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, ga
                 gabor_cpp_dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The filtered noise at a place, with seven waves along each axis. Computes only one row unless `wanted`.
+// The filtered noise at a place, with seven waves along each axis. If not `wanted`, computes only one row.
 GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, bool wanted, std::uint32_t salt) {
     gabor_vec2 m = s.xy() + 0.13069097f; // v
     gabor_vec2 deviation = gabor_cpp_sqrt(s.xy());
@@ -688,8 +688,8 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors 
     return gabor_impl_contracted(slice, z, gabor_vec3(1.0f));
 }
 
-// The filtered noise in space and its derivatives, `local` node spacings from a cell's corner, with seven waves along
-// each axis. Computes only one row unless `wanted`.
+// Computes the filtered noise in space and its derivatives at `local`, in node spacings from a cell's corner, with
+// seven waves along each axis. If not `wanted`, computes only one row.
 GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, gabor_ivec3 period, bool animated, float time, gabor_vec3 wave,
                                GaborMatrix s, bool wanted, std::uint32_t salt, gabor_vec4& noise, gabor_vec4& quadrature) {
     float determinant;
@@ -734,8 +734,8 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
         next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
         next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
     } while (++k < slices);
-    // The derivatives follow as in the plane. Summed over the series, n / 4g times the previous factor is w / 4g times
-    // the next factor of the other axes.
+    // The derivatives follow as in the plane. In the sum over the series, n / 4g times the previous factor becomes
+    // w / 4g times the next factor of the other axes.
     gabor_vec3 real = gabor_vec3(next_x.x, next_y.x, next_z.x), imaginary = gabor_vec3(next_x.y, next_y.y, next_z.y);
     gabor_vec3 quarter = 0.012665148f / d; // 1 / 4g, g = 2 pi^2 D
     real += (wave + c) * value.x + quarter * gabor_impl_symmetric_3d(GaborMatrix{gabor_vec3(0.0f), w}, real);
@@ -757,7 +757,7 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
-// Derives four more words from a row's word. Their products with the words of columns are just as random.
+// Derives four more words from a row's word. Their products with the words of columns are as random as those of nodes.
 GABOR_INLINE gabor_uvec4 gabor_impl_row(std::uint32_t word) {
     std::uint32_t first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     std::uint32_t second = (first ^ (first >> 15u)) * 0xd35a2d97u;

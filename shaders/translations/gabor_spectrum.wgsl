@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 09c8fd4893dfc47e
+// Digest of the GLSL and of this file: 24b8a9054cf77ee2
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -11,7 +11,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// Waves around one wave vector; gabor_lobe makes it and documents its members.
+// A lobe: waves around one wave vector. gabor_lobe returns it and documents its members.
 struct GaborLobe {
     frequency: f32,
     orientation: f32,
@@ -149,14 +149,14 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 }
 
 // Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
-// frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, as evenly as lobes of kernel radius 1
-// allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most 5 % at
-// frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and its
-// derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
+// frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, spread as evenly as lobes of kernel
+// radius 1 allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most
+// 5 % at frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and
+// its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
 //     2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
 //     (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
-// both rounded down: 10 directions for isotropic noise of frequency 2. Just below a change of one of these numbers,
-// for a fifth of all arguments, the lobes of both numbers are summed.
+// both rounded down: 10 directions for isotropic noise of frequency 2. For a fifth of all arguments, just before
+// one of these numbers changes, the lobes of the old and the new number are summed.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_14: GaborPlace;
@@ -260,8 +260,8 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
 
 // Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times that of gabor_noise. It
 // has mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only
-// through the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture of
-// normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
+// because of the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture
+// of normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
 fn gabor_noise_isotropic(p: vec2<f32>, frequency: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         let _e10 = gabor_place(vec2(0i), (p * 1f));
@@ -364,11 +364,11 @@ fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fr
 //           filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 // The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
 // axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
-// radius; at the worst point it is 2 and 3 %. For larger pixels, only the variance is right. The result is
-// continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel radii
-// (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
-// nodes); between 0.18 and 0.2, the first two forms both run. On CPUs, where compilers run both sides of a branch,
-// the cost is 3 for small pixels and 5 for larger ones.
+// radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
+// is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
+// radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
+// nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where compilers run both sides of a
+// branch, the cost is 3 for small pixels and 5 for larger ones.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var field_10: vec4<f32>;
 
@@ -749,8 +749,8 @@ fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
     }
 }
 
-// The same place, period and time for kernels with `radius` times the place's kernel radius, which may differ along
-// x and y. The position is rounded to a float, within the period if there is one.
+// The same place, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
+// along x and y. The position is rounded to a float, within the period if there is one.
 fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
     let _e3 = gabor_place_stretched(place, vec2(radius));
     return _e3;
@@ -1526,7 +1526,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     return _e90;
 }
 
-// For the form with seven waves: a complex number for each of an axis's factors 1, q - c and (q - c)^2 - 1 / 4g.
+// For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
 struct GaborFactors {
     real: vec3<f32>,
     imaginary: vec3<f32>,
@@ -1837,7 +1837,7 @@ fn gabor_impl_line_before(b: GaborBand, phase: vec2<f32>) -> GaborLine {
     return _e13;
 }
 
-// Adds a complex number times the factors to a sum.
+// Returns the sum plus a complex number times the factors.
 fn gabor_impl_added(sum: GaborFactors, factors: GaborFactors, real: f32, imaginary: f32) -> GaborFactors {
     return GaborFactors((sum.real + ((real * factors.real) - (imaginary * factors.imaginary))), (sum.imaginary + ((real * factors.imaginary) + (imaginary * factors.real))));
 }
@@ -1883,7 +1883,7 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
     return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
 }
 
-// The filtered noise at a place, with seven waves along each axis. Computes only one row unless `wanted`.
+// The filtered noise at a place, with seven waves along each axis. If not `wanted`, computes only one row.
 fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
     var m_1: vec2<f32>;
     var deviation_1: vec2<f32>;
@@ -2178,8 +2178,8 @@ fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFact
     return _e18;
 }
 
-// The filtered noise in space and its derivatives, `local` node spacings from a cell's corner, with seven waves along
-// each axis. Computes only one row unless `wanted`.
+// Computes the filtered noise in space and its derivatives at `local`, in node spacings from a cell's corner, with
+// seven waves along each axis. If not `wanted`, computes only one row.
 fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32>, animated: bool, time: f32, wave: vec3<f32>, s: GaborMatrix, wanted: bool, salt: u32, noise: ptr<function, vec4<f32>>, quadrature: ptr<function, vec4<f32>>) {
     var determinant_1: f32;
     var m_4: GaborMatrix;
@@ -2461,7 +2461,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     return;
 }
 
-// Derives four more words from a row's word. Their products with the words of columns are just as random.
+// Derives four more words from a row's word. Their products with the words of columns are as random as those of nodes.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
     if GABOR_TAPS == 2 {
         var first: u32;

@@ -85,7 +85,7 @@ struct GaborGround {
     period: vec2<f32>,
 }
 
-// These combine full precision far away, a period, and a filter unless dx and dy are vec2(0.0).
+// These combine a period, full precision far from the origin and, unless dx and dy are vec2(0.0), a filter.
 fn gabor_terrain_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
@@ -344,8 +344,8 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice with about `nodes` nodes per unit of p: a multiple of 1 / 65536, so that this number times the
-// cell splits exactly into integer and fraction. The kernel radius is one unit of p.
+// The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
+// that its product with the cell splits exactly into integer and fraction. The kernel radius is one unit of p.
 fn gabor_impl_ground(ground: GaborGround, nodes: f32) -> GaborPlace {
     var rounded: u32;
     var place_7: GaborPlace;

@@ -14,18 +14,18 @@
 // the nodes of the lattice.
 //
 // Arguments of all functions:
-//     p            position in kernel radii. Each wave fades out within one kernel radius of its node. |p| < 2^31 /
-//                  GABOR_RADIUS, but float rounding shows earlier: at 10^5, p has steps of 0.008.
+//     p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//                  steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of 1.5e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
 //                  orientation, for example in direction maps; (0, 0) gives noise of frequency 0.
-//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. To fit a period
-//                  below 2, kernels shrink; to fit a longer one, they change by at most a sixth with GABOR_TAPS 3.
+//     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
+//                  fit a period below 2; to fit a longer one, their size changes by at most a sixth with GABOR_TAPS 3.
 //     seed         any number; different seeds give independent noises
-// Frequency, orientation and wave may vary with p. The noise is continuous wherever they are. If a direction map jumps,
-// gabor_direction.glsl keeps stripes unbroken. NaN gives an unspecified value.
+// Frequency, orientation and wave may vary with p; where they are continuous, so is the noise. If a direction map
+// jumps, gabor_direction.glsl keeps stripes unbroken. NaN gives an unspecified value.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -41,8 +41,8 @@ precision highp float;
 precision highp int;
 #endif
 
-// The quality: each point sums GABOR_TAPS^2 waves. To change it, define it before this file. 2 is fastest, but shows
-// columns and rows at high frequencies; with 4, the covariance depends less on the position.
+// Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
+// shows columns and rows at high frequencies; with 4, the covariance depends less on the position.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -81,7 +81,7 @@ precision highp int;
 // vec3 gabor_stripes_tiled(vec2 p, vec2 period, vec2 wave, float sharpness, uint seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
 //     2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
-//     exceeds 1 / sharpness. Elsewhere it is sharpness z, so stripes fade where they fork.
+//     exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
 
 // vec3 gabor_stripes_of(vec2 value, float sharpness)
 //     The same for any complex value.
@@ -101,7 +101,7 @@ struct GaborKernel {
     vec2 wave; // cycles per kernel radius
 };
 
-// A position in nodes of the lattice, with the periods of space and time.
+// A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
     ivec2 cell;    // any integers except the last few before 2^31, where the world wraps around
     vec2 local;    // offset from that cell's corner in node spacings, most precise in [0, 1)^2
@@ -158,7 +158,8 @@ struct GaborField {
 // The squares of the window's derivatives also sum to a constant. So the variances of the noise, its gradient and its
 // second derivatives are the same at every point; that of the noise does not depend on the frequency either. The second
 // derivatives jump where windows end, midway between nodes for 3 taps and at nodes for 4: by 0.16 of their standard
-// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because a sum of normal numbers is normal.
+// deviation at frequency 1, and by 1.1 at frequency 0. The noise is normal because sums of independent normal variables
+// are normal.
 //
 // Each wave's phase starts at its own node, so the wave vector F may vary with the position. From one node to the next,
 // the phase turns by u = 2 pi F_x / R along x and v = 2 pi F_y / R along y. If node (0, 0) is next to p, the sum
@@ -189,9 +190,9 @@ uint gabor_impl_salt(uint seed) {
 }
 
 // The word of a column or row of nodes; a node's word is the product of its column's and its row's. The words of
-// columns and rows are odd and have 24 bits, because GPUs multiply 24-bit numbers at a quarter of the cost. Their
-// highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better than a constant:
-// two indices, however far apart, have equal words with probability 2^-22.
+// columns and rows are odd and have 24 bits, because GPUs multiply such numbers at a quarter of the cost of 32-bit
+// numbers. Their highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better
+// than a constant: two indices, however far apart, have equal words with probability 2^-22.
 uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
     word = word * (word ^ (word >> 15u));
@@ -221,7 +222,7 @@ void gabor_impl_add(inout vec4 sums, vec4 pair, vec2 z) {
     sums = sums + z.x * pair + z.y * vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
-// (cos, sin) of 2 pi t for |t| <= 1/4, within 2e-7: minimax polynomials.
+// (cos, sin) of 2 pi t for |t| <= 1/4, by minimax polynomials, within 2e-7.
 vec2 gabor_impl_half_turn(float t) {
     float s = t * t, r = s * s;
     return vec2((1.0 - 19.739171 * s) + r * ((64.934591 - 85.240337 * s) + 56.24243 * r),
@@ -257,7 +258,8 @@ void gabor_impl_windows(float x, out vec4 value, out vec4 slope) {
     value = vec4(a - s, 0.5 + c, a + s, 0.0);
     slope = vec4(b - 2.7206991 * c, -2.0 * b, b + 2.7206991 * c, 0.0);
 #else
-    float z = x - 0.5, y = z * z; // `cosine` and `sine` are those of pi/2 z over sqrt(8), c and s half those of pi/2 x
+    // `cosine` and `sine` are the cosine and sine of pi/2 z, times 1/sqrt(8); c and s are those of pi/2 x, times 1/2.
+    float z = x - 0.5, y = z * z;
     float cosine = 0.35355339 - y * (0.43617809 - y * (0.089663389 - y * 0.0072217699));
     float sine = z * (0.55536036 - y * (0.22838240 - y * (0.028169684 - y * 0.0016236196)));
     float c = cosine - sine, s = cosine + sine;
@@ -505,15 +507,15 @@ struct GaborErosion {
     int octaves;           // octaves of gullies, 0 to 16, each about as costly as gabor_noise_gradient
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
     float strength;        // depth of gullies times their frequency, 0 to 10: how steep they are
-    float lacunarity;      // frequency of each octave, relative to the previous one, 1 to 8
-    float gain;            // depth of each octave, relative to the previous, 0 to 2: 1 / lacunarity keeps slopes equal
+    float lacunarity;      // frequency relative to the previous octave, 1 to 8
+    float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
     float sharpness;       // how equal gullies are in depth, 0 to 100: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
     float gully_weight;    // depth of gullies, relative to that of peaks and valleys, 0 to 1
-    float branching;       // how much gullies turn finer gullies, 0 to 10: 0 not at all, 1 by their full slope
+    float branching;       // how much of a gully's slope turns finer gullies, 0 to 10: 0 for none, 1 for all of it
 };
 
 // GaborErosion gabor_erosion()
@@ -547,14 +549,14 @@ struct GaborGround { // the position cell + local
 // GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     These combine full precision far away, a period, and a filter unless dx and dy are vec2(0.0).
+//     These combine a period, full precision far from the origin and, unless dx and dy are vec2(0.0), a filter.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
-// The place on a lattice with about `nodes` nodes per unit of p: a multiple of 1 / 65536, so that this number times the
-// cell splits exactly into integer and fraction. The kernel radius is one unit of p.
+// The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
+// that its product with the cell splits exactly into integer and fraction. The kernel radius is one unit of p.
 GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
@@ -650,7 +652,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain 
         mask *= full * full;
         vec2 wave = frequency / steep * vec2(-steer.y, steer.x);
         vec2 steps = vec2(dot(wave, dx), dot(wave, dy));
-        // The share of a wave that a Gaussian filter with a standard deviation of half a pixel keeps; 0 if it is small.
+        // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
         float kept = max(1.02 * exp(-4.9348022 * dot(steps, steps)) - 0.02, 0.0);
         vec2 z = vec2(0.0);
         if (kept > 0.0) {
@@ -719,7 +721,7 @@ GaborTerrain ground(vec2 p, float pixel) {
     return gabor_eroded_filtered(p, vec2(pixel, 0.0), vec2(0.0, pixel), gabor_terrain(p, seed), erosion, seed);
 }
 
-// A lower bound of a point's height above the ground. Erosion adds at most 0.16 to the hills, which are cheap to compute.
+// A lower bound on a point's height above the ground. Erosion adds at most 0.16 to the hills, which are cheap to compute.
 float clearance(vec3 at, float pixel) {
     float above = at.y - gabor_terrain(at.xz, seed).height;
     return above > 0.24 ? above - 0.16 : at.y - ground(at.xz, pixel).height;
