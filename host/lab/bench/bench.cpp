@@ -164,7 +164,7 @@ Report run(const vulkan::Device& device, const Effort& effort, const std::functi
             continue;
         const statistics::Estimate cvm = measure_cvm(device, all[i], values, effort.sample_batches, step);
         measurements[i].row.cvm = cvm;
-        for (Measurement& other : measurements) // a bake has the values of its recipe within 5e-5
+        for (Measurement& other : measurements) // a bake's values differ from its recipe's by at most 5e-5
             if (other.baked && other.baked == all[i].recipe)
                 other.row.cvm = cvm;
     }

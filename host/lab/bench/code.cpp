@@ -45,7 +45,7 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
 }
 
 // The compiler can only guess how often a loop runs. So this counts the code without the loop, and adds the
-// cost of one round for each octave.
+// cost of one iteration for each octave.
 Code multiplied_out(const vulkan::Device& device, Subject subject) {
     subject.options.back() = 0;
     const Statistics none = make_pass(device, subject, Use::statistics).statistics(device);

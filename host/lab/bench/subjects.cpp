@@ -50,7 +50,7 @@ Subject eroded(std::string name, std::span<const std::uint32_t> spirv, bool spla
 }
 
 // Adds functions of passes/bench/recipe.comp, in the order of their numbers. Sparse recipes have only the
-// first ones.
+// first `of_sparse`.
 void add_drop_in(std::vector<Subject>& all) {
     static constexpr std::array names{"",      "_gradient", "_complex and phasor", "_tiled",    "_animated",
                                       "_four", "_spread",   "_lobes, 3",           "_filtered", "_isotropic"};

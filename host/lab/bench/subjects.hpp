@@ -20,7 +20,8 @@ struct Subject {
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
     bool measure_cvm = false;                ///< whether to measure the Gaussianity of its values
     bool has_loops = false; ///< whether compilers keep its loops, so that its code cannot be counted
-    int octaves = 0;        ///< rounds of the loop over octaves, and the last option; 0 without it
+    /// Iterations of the octave loop, also the last of the options; 0 if there is no such loop.
+    int octaves = 0;
 };
 
 /// The noises that others are compared with, named as in docs/benchmark.html.

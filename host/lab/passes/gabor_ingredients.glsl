@@ -103,7 +103,7 @@ uint gabor_impl_owen_scrambled(uint fraction, uint seed) {
     return bitfieldReverse(v);
 }
 
-// Returns the number of impulses in a cell. `cell_word` is the hash of its impulse -1.
+// Returns the number of impulses in a cell. `cell_word` is the hash of its impulse with index -1.
 int gabor_count(uint cell_word) {
     return GABOR_POINTS == 0 ? gabor_impl_poisson_count(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
 }

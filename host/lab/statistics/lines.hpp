@@ -24,8 +24,8 @@ class Lines {
 
     /// Returns the largest ratio of the power at (1, 0), (0, 1), (1, 1), (1, -1), (1, 2) or (2, 1) cycles per
     /// cell to the mean power of the 24 frequencies around it, both averaged over the pictures. Without
-    /// lines, the ratio at each frequency is 1 up to chance: after K pictures, K times the ratio is a gamma
-    /// variable of shape K. NaN without pictures.
+    /// lines, the ratio at each frequency is 1 apart from chance: after K pictures, K times the ratio is a
+    /// gamma variable of shape K. NaN if there are no pictures.
     double largest() const;
 
   private:

@@ -134,7 +134,7 @@ Tables figure3(const vulkan::Device& device, const Effort& effort) {
     table.derived = "n_star,n_star_low,n_star_high";
     table.derive = [impulses = effort.impulses](std::vector<Numbers>& rows) {
         SeminalCurve curve;
-        for (std::size_t i = 0; i < impulses.size(); ++i) // the first rows are the seminal noise
+        for (std::size_t i = 0; i < impulses.size(); ++i) // the first rows are those of the seminal noise
             curve.add(impulses[i], rows[i][0]);
         for (Numbers& row : rows)
             for (const double cvm : {row[0], row[2], row[1]})

@@ -56,7 +56,8 @@ Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const
 Row seminal_row(const vulkan::Device& device, const Effort& effort);
 
 /// Appends 1 to rows on the Pareto front and 0 to others. A row is on the front if its variance is stationary
-/// and no other stationary row is at least as good in visits, cvm at places and sidelobes, and better in one.
+/// and no other stationary row is at least as good in impulses visited, cvm at places and sidelobes, and
+/// better in one.
 void mark_pareto(std::vector<Numbers>& rows);
 
 } // namespace gabor::study

@@ -12,7 +12,7 @@ namespace gabor::study {
 
 namespace {
 
-// The sine kernel without weights, for comparison with Bernoulli weights.
+// The sine kernel without weights, and with Bernoulli weights for comparison.
 Table unweighted(const vulkan::Device& device, const Effort& effort) {
     Table table{"future_unweighted",
                 "points,weights,kernel,envelope,N,frequency,samples,variance,cvm,cvm_low,cvm_high,"
@@ -64,7 +64,7 @@ Table grids(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// K kernels of the recommended noise with N impulses each, whose frequencies are a step apart.
+// The sum of K recommended noises with N impulses per cell, whose frequencies are one step apart.
 Table kernels(const vulkan::Device& device, const Effort& effort) {
     Table table{"future_kernels", "kernels,step,N,samples,cvm,cvm_low,cvm_high,contrast_interdecile", {}};
     for (const int count : {1, 2, 3, 6})

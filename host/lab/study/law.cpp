@@ -176,7 +176,7 @@ constexpr std::size_t place_count = side * side;
 std::array<double, place_count> covariances(Noise& noise, const std::array<double, 2>& lag,
                                             double cells_per_radius, std::uint64_t instances,
                                             std::uint32_t seed) {
-    // Grids put places at the centres of squares; this undoes the offset.
+    // A grid puts its places at the centres of squares; this undoes the offset.
     const double half = 0.5 / side / cells_per_radius;
     const Grid first{3, 1 / cells_per_radius, false, {-half, -half}};
     Grid second = first;

@@ -13,7 +13,7 @@ namespace gabor::study {
 
 // Each function measures the sum of several noises with different seeds, all derived from `seed`.
 
-/// Returns a sum of one noise.
+/// Returns a sum with only one term.
 inline std::span<Noise> single(Noise& noise) {
     return {&noise, 1};
 }

@@ -18,8 +18,8 @@ namespace gabor::study {
 struct Grid {
     unsigned bits = 0;
     double side = 0;               ///< length of a side in kernel radii
-    bool random = true;            ///< whether it begins at a random place of a cell, not at its corner
-    std::array<double, 2> shift{}; ///< offset from there, in kernel radii
+    bool random = true;            ///< whether it begins at a random place of a cell instead of at its corner
+    std::array<double, 2> shift{}; ///< offset of the beginning, in kernel radii
 };
 
 /// A noise on the device, scaled to a given variance.

@@ -22,8 +22,9 @@ constexpr std::array known{
     Study{"figure5", "time against N", figure5, nullptr},
     Study{"figure6", "a noise of six lobes, and its time", figure6, figure6_pictures},
     Study{"stationarity", "the noise at each place of a cell, and means of instances", stationarity, nullptr},
-    Study{"law", "the distribution at each place of a cell and of pairs, covariance, and spectra", law,
-          law_pictures},
+    Study{"law",
+          "distributions of values at each place of a cell and of pairs of values, covariance, and spectra",
+          law, law_pictures},
     Study{"frontier", "the Pareto front of recipes", frontier, nullptr},
     Study{"future", "the paper's open questions", future, nullptr},
 };

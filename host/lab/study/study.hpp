@@ -17,14 +17,14 @@ struct Effort {
     std::uint64_t windows;     ///< windows of independent instances, per row
     std::uint64_t places;      ///< instances at each place of a cell, per row
     std::uint64_t law;         ///< values at each place of a cell, and pairs of values, per row
-    std::vector<int> impulses; ///< N along the axis of a figure
+    std::vector<int> impulses; ///< the values of N in figures
     std::vector<double> radii; ///< R of recipes, in cells
     int picture_bits;          ///< pictures have 2^bits x 2^bits pixels
     int timings;               ///< number of timings whose median is taken
 
     /// Seven million samples as in the paper, and N up to 30: every N up to 10, then only some.
     static Effort full();
-    /// Few samples, which take two minutes for all studies on a CPU driver.
+    /// Few samples: all studies take two minutes on a CPU driver.
     static Effort quick();
 };
 

@@ -196,9 +196,9 @@ SpectralPurity spectral_purity(const std::function<double(double)>& q, bool sepa
         ++end;
     const double sidelobe = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(end), power.end());
 
-    // By Parseval's theorem, the window itself gives the total power; the rest of it is outside the lobe. On
-    // a separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round one with Hankel's
-    // transform, (2 pi)^2 integral(a^2 f) df = integral(w^2 r) dr.
+    // By Parseval's theorem, the window itself gives the total power; what exceeds the lobe's power is
+    // outside the lobe. On a separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round
+    // one with Hankel's transform, (2 pi)^2 integral(a^2 f) df = integral(w^2 r) dr.
     double lobe = 0;
     double whole = 0;
     for (std::size_t i = 0; i < end; ++i) {

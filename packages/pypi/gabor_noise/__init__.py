@@ -57,7 +57,7 @@ def _field(kind: int, x, y, frequency, orientation, seed: int, period, time) -> 
 
 def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: int = 0,
           period: ArrayLike | None = None, time: float | None = None) -> NDArray[np.float32]:
-    """Return Gabor noise at (x, y): mean 0, variance 1 at every place.
+    """Return Gabor noise at (x, y): mean 0, variance 1 at every point.
 
     period: kernel radii after which the pattern repeats exactly, one number or a pair for x and y; 0 for no repetition.
     time: moment of an animation that repeats when it has grown by 1.
