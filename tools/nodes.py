@@ -179,7 +179,7 @@ def mdl_function(match):
 
 
 def mdl_variants():
-    """Yields a node for each type, because MaterialX 1.39 does not import the module of MDL for nodes inside graphs."""
+    """Yields a node for each type, because MaterialX 1.39 does not import the MDL module for nodes inside graphs."""
     for dim, place, direction in (("2d", "float2 texcoord", "float orientation"),
                                   ("3d", "float3 position", "float3 direction")):
         inputs = f"{place}, float frequency, {direction}, int seed"

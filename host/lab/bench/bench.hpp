@@ -60,7 +60,7 @@ struct Code {
 /// Returns statistics for everything that the benchmark times, except the seminal noise, whose loops have
 /// random lengths. The code is compiled but never run, so RADV's null device gives the same figures on every
 /// machine. A bake's loop over rows counts as often as it runs in a full block. Throws RequestError on a
-/// device without that extension.
+/// device without VK_KHR_pipeline_executable_properties.
 std::vector<Code> measure_code(const vulkan::Device& device);
 
 } // namespace gabor::bench

@@ -14,7 +14,7 @@ struct Dispersion {
     double interdecile = 0; ///< (q90 - q10) / median
 };
 
-/// Returns the spread of these values.
+/// Returns the median and the relative interdecile of `values`.
 Dispersion dispersion(const std::vector<double>& values);
 
 } // namespace gabor::statistics

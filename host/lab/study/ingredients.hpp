@@ -29,7 +29,7 @@ inline constexpr std::array all_kernels{Kernel::cosine, Kernel::sine, Kernel::ra
 inline constexpr std::array all_envelopes{Envelope::gaussian, Envelope::c0, Envelope::c1_radial,
                                           Envelope::c1_separable};
 
-/// Returns the paper's name of an ingredient in lower case, as in tables.
+/// Returns an ingredient's name in the paper, in lower case, as tables show it.
 std::string_view name(Points points);
 std::string_view name(Weights weights);
 std::string_view name(Kernel kernel);
@@ -42,7 +42,7 @@ struct Ingredients {
     Weights weights = Weights::uniform;
     Kernel kernel = Kernel::cosine;
     Envelope envelope = Envelope::gaussian;
-    int impulses = 30; ///< N per cell; the mean for Poisson points, exact for all others
+    int impulses = 30; ///< N, impulses per cell; for Poisson points, their mean
     int period = 0;    ///< period in cells, at least 3; 0 for an instance that does not repeat
 
     bool operator==(const Ingredients&) const = default;

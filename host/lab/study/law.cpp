@@ -1,4 +1,4 @@
-// Effects that averages over places hide: the distribution at each place of a cell, the distribution of
+// Effects that averaging over places hides: the distribution at each place of a cell, the distribution of
 // pairs, the dependence of the covariance on the place, and traces of the cells in power spectra.
 
 #include "study/figures.hpp"

@@ -44,13 +44,13 @@ struct PlaceStatistics {
 PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
                                std::uint32_t seed);
 
-/// Returns the mean of each of many instances, over 64 x 64 pixels on a square of `side` kernel radii from a
+/// Returns the mean of each instance over 64 x 64 pixels, on a square of `side` kernel radii that starts at a
 /// cell's corner.
 std::vector<double> measure_means(std::span<Noise> sum, double side, std::uint64_t instances,
                                   std::uint32_t seed);
 
-/// Returns each noise's seconds on the device for a picture of 2^bits x 2^bits pixels, 32 to a kernel radius:
-/// the medians of `timings` interleaved rounds, so that other load affects all noises alike.
+/// Returns the device time of each noise, in seconds, for a picture of 2^bits x 2^bits pixels, 32 to a kernel
+/// radius: the medians of `timings` interleaved rounds, so that other load affects all noises alike.
 std::vector<double> picture_seconds(std::span<Noise> noises, int bits, int timings);
 
 /// Returns the pixels of a picture of 2^bits x 2^bits pixels, row by row, with `scale` pixels per kernel

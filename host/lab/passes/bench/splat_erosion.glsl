@@ -25,7 +25,7 @@ vec2 gabor_splat_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {
     for (int j = -1; j <= 2; ++j) {
         for (int i = -1; i <= 2; ++i) {
             vec2 d = offset - vec2(float(i), float(j)) - gabor_splat_place(cell + ivec2(i, j), seed);
-            float window = max(exp(-2.0 * dot(d, d)) - 0.0111, 0.0); // ends 1.5 cells away; all other splats are farther
+            float window = max(exp(-2.0 * dot(d, d)) - 0.0111, 0.0); // ends 1.5 cells away, nearer than any splat outside these cells
             float phase = 6.2831853 * dot(d, wave);
             sum += window * vec2(cos(phase), sin(phase));
         }
