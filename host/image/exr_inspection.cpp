@@ -1,5 +1,5 @@
-#include "error.hpp"
 #include "image/exr_parts.hpp"
+#include "image/picture.hpp"
 
 #include <fmt/format.h>
 #include <openexr.h>
@@ -8,18 +8,12 @@
 
 namespace gabor::image {
 
-void refuse_exr(const std::filesystem::path& path, std::string_view what) {
-    std::string message = fmt::format("cannot read {}: {}", path.string(), what);
-    std::ranges::replace_if(
-        message, [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; }, ' ');
-    throw RequestError(message);
-}
-
 void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how) {
     if (const auto named = how.rfind("\". ");
         named != how.npos) // OpenEXR's message begins with the file's name
         how.remove_prefix(named + 3);
-    refuse_exr(path, fmt::format("it is truncated or damaged ({}); expected a complete OpenEXR file", how));
+    refuse_picture(path,
+                   fmt::format("it is truncated or damaged ({}); expected a complete OpenEXR file", how));
 }
 
 namespace {
@@ -46,10 +40,8 @@ class ExrContext {
 
     operator exr_const_context_t() const { return context_; }
     void require(exr_result_t result) const {
-        if (result == EXR_ERR_FILE_ACCESS)
-            refuse_exr(path_, "permission denied");
         if (result == EXR_ERR_FILE_BAD_HEADER)
-            refuse_exr(path_, "it is not an OpenEXR file");
+            refuse_picture(path_, "it is not an OpenEXR file");
         if (result != EXR_ERR_SUCCESS)
             refuse_damaged_exr(path_, exr_get_default_error_message(result));
     }
@@ -60,68 +52,51 @@ class ExrContext {
     exr_context_t context_ = nullptr;
 };
 
-void check_scanlines(const ExrContext& file, std::int32_t first, std::int32_t last) {
-    std::int32_t step = 0;
-    file.require(exr_get_scanlines_per_chunk(file, 0, &step));
-    exr_chunk_info_t block;
-    for (std::int64_t y = first; y <= last; y += step)
-        file.require(exr_read_scanline_chunk_info(file, 0, static_cast<int>(y), &block));
-}
-
-void check_tiles(const ExrContext& file, std::int64_t width, std::int64_t height) {
-    std::int32_t across = 0;
-    std::int32_t down = 0;
-    file.require(exr_get_tile_sizes(file, 0, 0, 0, &across, &down));
-    exr_chunk_info_t tile;
-    for (int y = 0; std::int64_t{y} * down < height; ++y)
-        for (int x = 0; std::int64_t{x} * across < width; ++x)
-            file.require(exr_read_tile_chunk_info(file, 0, x, y, 0, 0, &tile));
-}
-
 // Returns the size in bytes of the largest block to decode.
 std::uint64_t inspect(const ExrContext& file) {
     exr_storage_t storage;
     file.require(exr_get_storage(file, 0, &storage));
     if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-        refuse_exr(file.path(), "it contains deep data; only flat scanlines and tiles are supported");
+        refuse_picture(file.path(), "it contains deep data; only flat scanlines and tiles are supported");
     exr_attr_box2i_t window;
     file.require(exr_get_data_window(file, 0, &window));
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
     if (width > widest || height > widest)
-        refuse_exr(file.path(),
-                   fmt::format("its data window has {} x {} pixels; at most {} x {} are supported", width,
-                               height, widest, widest));
+        refuse_picture(file.path(),
+                       fmt::format("its data window has {} x {} pixels; at most {} x {} are supported", width,
+                                   height, widest, widest));
 
+    const bool tiled = storage == EXR_STORAGE_TILED;
     std::uint64_t block = 0;
+    std::int32_t rows = 0;
+    std::uint32_t across = 0;
+    std::uint32_t down = 0;
     file.require(exr_get_chunk_unpacked_size(file, 0, &block));
-    if (storage == EXR_STORAGE_TILED) {
-        std::uint32_t across = 0;
-        std::uint32_t down = 0;
+    if (tiled) {
         file.require(exr_get_tile_descriptor(file, 0, &across, &down, nullptr, nullptr));
         block = std::max(block, static_cast<std::uint64_t>(width) * down * sizeof(float)); // a row of tiles
+    } else {
+        file.require(exr_get_scanlines_per_chunk(file, 0, &rows));
     }
     if (block > largest_block)
-        refuse_exr(file.path(),
-                   fmt::format("one block or row of tiles takes {} MiB; at most {} MiB are supported",
-                               block >> 20, largest_block >> 20));
+        refuse_picture(file.path(),
+                       fmt::format("one block or row of tiles takes {} MiB; at most {} MiB are supported",
+                                   block >> 20, largest_block >> 20));
 
-    if (storage == EXR_STORAGE_TILED)
-        check_tiles(file, width, height);
-    else
-        check_scanlines(file, window.min.y, window.max.y);
+    exr_chunk_info_t chunk; // reading its position checks it
+    for (std::int64_t y = window.min.y; !tiled && y <= window.max.y; y += rows)
+        file.require(exr_read_scanline_chunk_info(file, 0, static_cast<int>(y), &chunk));
+    for (int y = 0; tiled && std::int64_t{y} * down < height; ++y)
+        for (int x = 0; std::int64_t{x} * across < width; ++x)
+            file.require(exr_read_tile_chunk_info(file, 0, x, y, 0, 0, &chunk));
     return block;
 }
 
 } // namespace
 
 int inspect_exr(const std::filesystem::path& path) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (error)
-        refuse_exr(path, error.message());
-    if (!std::filesystem::is_regular_file(status)) // opening a FIFO would block
-        refuse_exr(path, "it is not a regular file");
+    open_file(path); // reports what OpenEXR would not
     const std::uint64_t block = inspect(ExrContext(path));
     const auto affordable = static_cast<int>(decoding_memory / (2 * std::max<std::uint64_t>(block, 1)));
     return std::min(affordable, Imf::globalThreadCount()); // OpenEXR keeps two blocks per thread

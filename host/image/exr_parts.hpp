@@ -58,9 +58,6 @@ Imf::Header exr_header(const ExrHeader& header);
 /// Returns the name of a lossless method; empty for a lossy one.
 std::string_view exr_compression_name(Imf::Compression method);
 
-/// Throws RequestError, "cannot read PATH: WHAT", with control characters removed.
-[[noreturn]] void refuse_exr(const std::filesystem::path& path, std::string_view what);
-
 /// Throws RequestError for a truncated or damaged file; `how` is OpenEXR's message.
 [[noreturn]] void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how);
 

@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "image/exr_parts.hpp"
+#include "image/picture.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfInputFile.h>
@@ -202,13 +203,13 @@ ExrHeader ExrReader::State::header_of(std::vector<std::string> channels) const {
     for (const std::string& name : channels) {
         const Imf::Channel* found = all.findChannel(name);
         if (!found)
-            refuse_exr(path, fmt::format("there is no channel '{}'; the file has {}", name,
-                                         fmt::join(names_of(all), ", ")));
+            refuse_picture(path, fmt::format("there is no channel '{}'; the file has {}", name,
+                                             fmt::join(names_of(all), ", ")));
         if (found->type == Imf::UINT)
-            refuse_exr(
+            refuse_picture(
                 path, fmt::format("channel '{}' contains integers; only half and float are supported", name));
         if (found->xSampling != 1 || found->ySampling != 1)
-            refuse_exr(
+            refuse_picture(
                 path,
                 fmt::format(
                     "channel '{}' is subsampled; only channels with a value for every pixel are supported",
@@ -251,7 +252,8 @@ ExrReader::ExrReader(const fs::path& path, const std::vector<std::string>& chann
     const Imf::ChannelList& all = state_->header.channels();
     const std::string name = default_channel(all);
     if (channels.empty() && name.empty())
-        refuse_exr(path, fmt::format("no half or float channel among {}", fmt::join(names_of(all), ", ")));
+        refuse_picture(path,
+                       fmt::format("no half or float channel among {}", fmt::join(names_of(all), ", ")));
     header_ = state_->header_of(channels.empty() ? std::vector{name} : channels);
 }
 

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <csetjmp>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,9 +14,33 @@ namespace {
 
 class JpegPicture : public PictureReader {
   public:
-    explicit JpegPicture(const std::filesystem::path& path);
+    JpegPicture(const std::filesystem::path& path, File file) : path_(path), file_(std::move(file)) {
+        jpeg_.err = jpeg_std_error(&errors_);
+        errors_.error_exit = on_error;
+        errors_.emit_message = on_message;
+        guarded([this] {
+            jpeg_create_decompress(&jpeg_);
+            jpeg_stdio_src(&jpeg_, file_.get());
+            jpeg_read_header(&jpeg_, TRUE);
+        });
+        const int colours = jpeg_.num_components;
+        if (colours != 1 && colours != 3)
+            refuse_picture(path_, fmt::format("it has {} channels{}; only grey and RGB are supported",
+                                              colours, colours == 4 ? ", CMYK" : ""));
+        jpeg_.out_color_space = colours == 1 ? JCS_GRAYSCALE : JCS_RGB;
+        guarded([this] { jpeg_start_decompress(&jpeg_); });
+        set_format(
+            {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours, false});
+        bytes_.resize(std::size_t{jpeg_.output_width} * static_cast<std::size_t>(colours));
+    }
 
-    void read_row(std::span<float> row) override;
+    void read_row(std::span<float> row) override {
+        guarded([this] {
+            JSAMPROW into = bytes_.data();
+            jpeg_read_scanlines(&jpeg_, &into, 1);
+        });
+        fill(row, [at = bytes_.data()]() mutable { return static_cast<float>(*at++) / 255.0f; });
+    }
 
   private:
     struct Errors : jpeg_error_mgr {
@@ -47,46 +69,16 @@ class JpegPicture : public PictureReader {
     }
 
     std::filesystem::path path_;
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    File file_;
     Errors errors_{};
     Decoder jpeg_{};
     std::vector<JSAMPLE> bytes_;
 };
 
-JpegPicture::JpegPicture(const std::filesystem::path& path)
-    : path_(path), file_(std::fopen(path.c_str(), "rb"), std::fclose) {
-    if (!file_)
-        refuse_picture(path_, "it cannot be opened");
-    jpeg_.err = jpeg_std_error(&errors_);
-    errors_.error_exit = on_error;
-    errors_.emit_message = on_message;
-    guarded([this] {
-        jpeg_create_decompress(&jpeg_);
-        jpeg_stdio_src(&jpeg_, file_.get());
-        jpeg_read_header(&jpeg_, TRUE);
-    });
-    const int colours = jpeg_.num_components;
-    if (colours != 1 && colours != 3)
-        refuse_picture(path_, fmt::format("it has {} channels{}; only grey and RGB are supported", colours,
-                                          colours == 4 ? ", CMYK" : ""));
-    jpeg_.out_color_space = colours == 1 ? JCS_GRAYSCALE : JCS_RGB;
-    guarded([this] { jpeg_start_decompress(&jpeg_); });
-    format_ = {static_cast<int>(jpeg_.output_width), static_cast<int>(jpeg_.output_height), colours, false};
-    bytes_.resize(static_cast<std::size_t>(format_.width) * static_cast<std::size_t>(colours));
-}
-
-void JpegPicture::read_row(std::span<float> row) {
-    guarded([this] {
-        JSAMPROW into = bytes_.data();
-        jpeg_read_scanlines(&jpeg_, &into, 1);
-    });
-    fill(row, [at = bytes_.data()]() mutable { return static_cast<float>(*at++) / 255.0f; });
-}
-
 } // namespace
 
-std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path) {
-    return std::make_unique<JpegPicture>(path);
+std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file) {
+    return std::make_unique<JpegPicture>(path, std::move(file));
 }
 
 } // namespace gabor::image

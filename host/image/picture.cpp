@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
+#include <cerrno>
+#include <cstring>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -28,11 +29,10 @@ class ExrPicture : public PictureReader {
         else if (names.front() == "R" && file.has_channel("G") && file.has_channel("B"))
             names = {"R", "G", "B"};
         const Rect& window = file.header().window;
-        format_ = {window.width, window.height, static_cast<int>(names.size()),
-                   file.has_channel("A") && names.front() != "A", file.header().colour_space != "sRGB"};
-        if (format_.alpha)
+        set_format({window.width, window.height, static_cast<int>(names.size()),
+                    file.has_channel("A") && names.front() != "A", file.header().colour_space != "sRGB"});
+        if (format().alpha)
             names.push_back("A");
-        alpha_.resize(format_.alpha ? static_cast<std::size_t>(format_.width) : 0);
         reader_.emplace(path, names);
     }
 
@@ -51,27 +51,28 @@ void refuse_picture(const std::filesystem::path& path, std::string_view reason) 
     throw RequestError(fmt::format("cannot read '{}': {}", path.string(), reason));
 }
 
-std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, const std::string& channel) {
+File open_file(const std::filesystem::path& path) {
     std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (error)
-        refuse_picture(path, error.message());
-    if (!std::filesystem::is_regular_file(status)) // opening a FIFO would block
+    if (const auto status = std::filesystem::status(path, error); !error && !is_regular_file(status))
         refuse_picture(path, "it is not a regular file");
+    File file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file)
+        refuse_picture(path, std::strerror(errno));
+    return file;
+}
 
+std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, const std::string& channel) {
+    File file = open_file(path);
     std::array<char, 8> start{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(start.data(), start.size());
-    if (!file.is_open() || file.bad())
-        throw RequestError(fmt::format("cannot read '{}'", path.string()));
-    const std::string_view head(start.data(), static_cast<std::size_t>(file.gcount()));
+    const std::string_view head(start.data(), std::fread(start.data(), 1, start.size(), file.get()));
+    std::rewind(file.get());
     if (head == "\x89PNG\r\n\x1a\n"sv)
-        return open_png(path);
+        return open_png(path, std::move(file));
     if (head.starts_with("\xff\xd8\xff"sv))
-        return open_jpeg(path);
+        return open_jpeg(path, std::move(file));
     if (head.starts_with("\x76\x2f\x31\x01"sv))
         return std::make_unique<ExrPicture>(path, channel);
-    if (auto tga = open_tga(path)) // TGA files have no signature
+    if (auto tga = open_tga(path, std::move(file))) // TGA files have no signature
         return tga;
     throw RequestError(
         fmt::format("'{}' is not a readable picture: expected PNG, JPEG, TGA or OpenEXR", path.string()));

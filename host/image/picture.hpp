@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -31,6 +32,11 @@ class PictureReader {
     std::span<const float> alpha() const { return alpha_; }
 
   protected:
+    void set_format(const Format& format) {
+        format_ = format;
+        alpha_.resize(format.alpha ? static_cast<std::size_t>(format.width) : 0);
+    }
+
     /// Fills a row, and the alpha that follows each of its pixels, with values from `next`.
     template <typename Next>
     void fill(std::span<float> row, Next next) {
@@ -42,6 +48,7 @@ class PictureReader {
         }
     }
 
+  private:
     Format format_;
     std::vector<float> alpha_;
 };
@@ -55,11 +62,16 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
 /// Throws RequestError, "cannot read 'PATH': REASON".
 [[noreturn]] void refuse_picture(const std::filesystem::path& path, std::string_view reason);
 
-/// Each of these opens a file of its format.
-std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path);
-std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path);
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// Opens a regular file. Throws RequestError for anything else: opening a FIFO would block.
+File open_file(const std::filesystem::path& path);
+
+/// Each of these reads a file of its format. `path` names it in messages.
+std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File file);
+std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file);
 /// Returns nothing if the file is not a TGA.
-std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path);
+std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File file);
 /// Opens a .r16 file: 16-bit heights, low byte first, row by row from the top, without a header. The reader
 /// returns values from 0 to 1. Throws RequestError unless the file has exactly width x height heights.
 std::unique_ptr<PictureReader> open_raw16(const std::filesystem::path& path, int width, int height);

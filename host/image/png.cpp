@@ -16,11 +16,20 @@
 
 namespace gabor::image {
 
-// The state of libpng, and its last error.
+// A structure of libpng for reading or writing, and its last error.
 struct Libpng {
-    png_structp png = nullptr;
-    png_infop info = nullptr;
-    std::string message;
+    explicit Libpng(bool to_read)
+        : reads(to_read), png((reads ? png_create_read_struct : png_create_write_struct)(
+                              PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {})),
+          info(png_create_info_struct(png)) {
+        if (!info)
+            throw std::bad_alloc();
+    }
+    ~Libpng() {
+        reads ? png_destroy_read_struct(&png, &info, nullptr) : png_destroy_write_struct(&png, &info);
+    }
+    Libpng(const Libpng&) = delete;
+    Libpng& operator=(const Libpng&) = delete;
 
     // Runs `calls` and returns whether libpng reported no error. libpng reports errors by a longjmp to here,
     // so `calls` must not own objects with destructors.
@@ -35,7 +44,11 @@ struct Libpng {
         static_cast<Libpng*>(png_get_error_ptr(png))->message = text;
         png_longjmp(png, 1);
     }
-    static void on_warning(png_structp, png_const_charp) {}
+
+    bool reads;
+    png_structp png;
+    png_infop info;
+    std::string message;
 };
 
 namespace {
@@ -49,104 +62,75 @@ constexpr std::size_t most_interlaced = std::size_t{1} << 28;
 
 class PngPicture : public PictureReader {
   public:
-    explicit PngPicture(const std::filesystem::path& path);
+    PngPicture(const std::filesystem::path& path, File file) : path_(path), file_(std::move(file)) {
+        const png_structp png = libpng_.png;
+        const png_infop info = libpng_.info;
+        // libpng converts every format to 16-bit grey or RGB, with alpha if the file has it.
+        Format format;
+        guarded([&] {
+            png_set_user_limits(png, widest_png, widest_png);
+            png_init_io(png, file_.get());
+            png_read_info(png, info);
+            format.alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
+                           png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+            interlaced_ = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
+            png_set_expand_16(png);
+            png_set_interlace_handling(png);
+            png_read_update_info(png, info);
+        });
+        format.width = static_cast<int>(png_get_image_width(png, info));
+        format.height = static_cast<int>(png_get_image_height(png, info));
+        format.channels = png_get_channels(png, info) - (format.alpha ? 1 : 0);
+        set_format(format);
+        row_bytes_ = png_get_rowbytes(png, info);
+        bytes_.resize(row_bytes_);
+        if (!interlaced_)
+            return;
+        const std::size_t all = row_bytes_ * static_cast<std::size_t>(format.height);
+        if (all > most_interlaced)
+            refuse_picture(path_,
+                           fmt::format("it is interlaced and larger than {} MiB: save it without interlacing",
+                                       most_interlaced >> 20));
+        bytes_.resize(all);
+        std::vector<png_bytep> rows;
+        for (std::size_t at = 0; at < all; at += row_bytes_)
+            rows.push_back(&bytes_[at]);
+        guarded([&] { png_read_image(png, rows.data()); });
+    }
 
-    void read_row(std::span<float> row) override;
+    void read_row(std::span<float> row) override {
+        const png_byte* at = bytes_.data() + next_;
+        if (interlaced_)
+            next_ += row_bytes_;
+        else
+            guarded([this] { png_read_row(libpng_.png, bytes_.data(), nullptr); });
+        fill(row, [&at] {
+            const int value = 256 * at[0] + at[1];
+            at += 2;
+            return static_cast<float>(value) / 65535.0f;
+        });
+    }
 
   private:
-    struct Decoder : Libpng {
-        Decoder() {
-            png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<Libpng*>(this), on_error,
-                                         on_warning);
-            info = png_create_info_struct(png);
-        }
-        ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
-        Decoder(const Decoder&) = delete;
-        Decoder& operator=(const Decoder&) = delete;
-    };
-
     template <class Calls>
     void guarded(Calls calls) {
-        if (!decoder_.succeeds(calls))
-            refuse_picture(path_, decoder_.message);
+        if (!libpng_.succeeds(calls))
+            refuse_picture(path_, libpng_.message);
     }
-    void read_header();
-    void read_interlaced();
 
     std::filesystem::path path_;
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
-    Decoder decoder_;
+    File file_;
+    Libpng libpng_{true};
     bool interlaced_ = false;
+    std::size_t row_bytes_ = 0;
     std::vector<png_byte> bytes_; // one row, or all rows of an interlaced picture
-    std::size_t row_ = 0;
+    std::size_t next_ = 0;        // the byte at which the next row of an interlaced picture begins
 };
-
-PngPicture::PngPicture(const std::filesystem::path& path)
-    : path_(path), file_(std::fopen(path.c_str(), "rb"), std::fclose) {
-    if (!file_)
-        refuse_picture(path_, "it cannot be opened");
-    if (!decoder_.info)
-        throw std::bad_alloc();
-    read_header();
-    const std::size_t row = png_get_rowbytes(decoder_.png, decoder_.info);
-    const std::size_t all = row * static_cast<std::size_t>(format_.height);
-    if (interlaced_ && all > most_interlaced)
-        refuse_picture(path_,
-                       fmt::format("it is interlaced and larger than {} MiB: save it without interlacing",
-                                   most_interlaced >> 20));
-    bytes_.resize(interlaced_ ? all : row);
-    if (interlaced_)
-        read_interlaced();
-}
-
-// Reads the header and lets libpng convert every format to 16-bit grey or RGB, with alpha if the file has it.
-void PngPicture::read_header() {
-    const png_structp png = decoder_.png;
-    const png_infop info = decoder_.info;
-    guarded([=, this] {
-        png_set_user_limits(png, widest_png, widest_png);
-        png_init_io(png, file_.get());
-        png_read_info(png, info);
-        format_.alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
-                        png_get_valid(png, info, PNG_INFO_tRNS) != 0;
-        interlaced_ = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
-        png_set_expand_16(png);
-        png_set_interlace_handling(png);
-        png_read_update_info(png, info);
-    });
-    format_.width = static_cast<int>(png_get_image_width(png, info));
-    format_.height = static_cast<int>(png_get_image_height(png, info));
-    format_.channels = png_get_channels(png, info) - (format_.alpha ? 1 : 0);
-    alpha_.resize(format_.alpha ? static_cast<std::size_t>(format_.width) : 0);
-}
-
-void PngPicture::read_interlaced() {
-    const std::size_t row = png_get_rowbytes(decoder_.png, decoder_.info);
-    std::vector<png_bytep> rows;
-    for (std::size_t at = 0; at < bytes_.size(); at += row)
-        rows.push_back(&bytes_[at]);
-    png_bytepp begin = rows.data();
-    guarded([this, begin] { png_read_image(decoder_.png, begin); });
-}
-
-void PngPicture::read_row(std::span<float> row) {
-    const png_byte* at = bytes_.data();
-    if (interlaced_)
-        at += row_ * 2 * (row.size() + alpha_.size());
-    else
-        guarded([this] { png_read_row(decoder_.png, bytes_.data(), nullptr); });
-    ++row_;
-    fill(row, [&at] {
-        const int value = 256 * at[0] + at[1];
-        at += 2;
-        return static_cast<float>(value) / 65535.0f;
-    });
-}
 
 } // namespace
 
-std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path) {
-    return std::make_unique<PngPicture>(path);
+std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File file) {
+    return std::make_unique<PngPicture>(path, std::move(file));
 }
 
 std::uint32_t quantize(float value, int bits) {
@@ -156,13 +140,9 @@ std::uint32_t quantize(float value, int bits) {
 
 struct PngWriter::State : Libpng {
     State(const std::filesystem::path& path, int width, int height, int channels, int bits_)
-        : file(path), values(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)),
-          bits(bits_), row(values * static_cast<std::size_t>(bits / 8)), rows_left(height) {
-        png =
-            png_create_write_struct(PNG_LIBPNG_VER_STRING, static_cast<Libpng*>(this), on_error, on_warning);
-        info = png_create_info_struct(png);
-    }
-    ~State() { png_destroy_write_struct(&png, &info); }
+        : Libpng(false), file(path),
+          values(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels)), bits(bits_),
+          row(values * static_cast<std::size_t>(bits / 8)), rows_left(height) {}
 
     template <class Calls>
     void guarded(Calls calls) {
@@ -194,13 +174,8 @@ void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t co
     png_error(png, "the file cannot be written");
 }
 
-PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits) {
-    if (width < 1 || height < 1 || (channels != 1 && channels != 3) || (bits != 8 && bits != 16))
-        throw std::logic_error(
-            "PngWriter takes non-empty pictures with one or three channels of 8 or 16 bits");
-    state_ = std::make_unique<State>(path, width, height, channels, bits);
-    if (!state_->info)
-        throw std::bad_alloc();
+PngWriter::PngWriter(const std::filesystem::path& path, int width, int height, int channels, int bits)
+    : state_(std::make_unique<State>(path, width, height, channels, bits)) {
     const png_structp png = state_->png;
     const png_infop info = state_->info;
     State* const state = state_.get();

@@ -21,15 +21,14 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 28; // the whole picture
 
 class TgaPicture : public PictureReader {
   public:
-    TgaPicture(const std::filesystem::path& path, int width, int height, int values) {
+    TgaPicture(const std::filesystem::path& path, std::FILE* file, int width, int height, int values) {
         if (std::int64_t{width} * height > most_pixels)
             refuse_picture(path,
                            fmt::format("a TGA may have at most {} million pixels", most_pixels / 1000000));
-        bytes_.reset(stbi_load(path.c_str(), &width, &height, &values, 0));
+        bytes_.reset(stbi_load_from_file(file, &width, &height, &values, 0));
         if (!bytes_)
             refuse_picture(path, stbi_failure_reason());
-        format_ = {width, height, values < 3 ? 1 : 3, values % 2 == 0};
-        alpha_.resize(format_.alpha ? static_cast<std::size_t>(width) : 0);
+        set_format({width, height, values < 3 ? 1 : 3, values % 2 == 0});
         next_ = bytes_.get();
     }
 
@@ -38,22 +37,19 @@ class TgaPicture : public PictureReader {
     }
 
   private:
-    struct Free {
-        void operator()(stbi_uc* bytes) const { stbi_image_free(bytes); }
-    };
-    std::unique_ptr<stbi_uc, Free> bytes_;
+    std::unique_ptr<stbi_uc, void (*)(void*)> bytes_{nullptr, stbi_image_free};
     const stbi_uc* next_ = nullptr;
 };
 
 } // namespace
 
-std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path) {
+std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File file) {
     int width = 0;
     int height = 0;
     int values = 0;
-    if (stbi_info(path.c_str(), &width, &height, &values) == 0)
+    if (stbi_info_from_file(file.get(), &width, &height, &values) == 0)
         return nullptr;
-    return std::make_unique<TgaPicture>(path, width, height, values);
+    return std::make_unique<TgaPicture>(path, file.get(), width, height, values);
 }
 
 } // namespace gabor::image
