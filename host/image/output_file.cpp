@@ -14,6 +14,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
+#include <tuple>
 #include <unistd.h>
 #include <utility>
 
@@ -117,47 +118,33 @@ void sync_folder(const fs::path& folder) {
 } // namespace
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
-    if (!path_.has_filename())
-        refuse(path_, path_.empty() ? "the name is empty; expected the path of a file"
-                                    : "it is a folder; expected the path of a file");
     std::error_code error;
     const fs::file_status status = fs::status(path_, error);
+    if (path_.empty())
+        refuse(path_, "the name is empty; expected the path of a file");
+    if (!path_.has_filename() || fs::is_directory(status))
+        refuse(path_, "it is a folder; expected the path of a file");
     if (status.type() == fs::file_type::none)
         refuse(path_, error.message() + "; expected a file in an existing folder");
-    if (fs::is_directory(status))
-        refuse(path_, "it is a folder; expected the path of a file");
-
-    if (!fs::exists(status) || fs::is_regular_file(status))
-        target_ = resolve(path_);
-    open();
-}
-
-void OutputFile::open() {
-    if (target_.empty()) {
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
         descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor_ < 0)
             refuse(path_, reason(errno));
         sequential_ = ::lseek(descriptor_, 0, SEEK_CUR) < 0;
         return;
     }
+    target_ = resolve(path_);
     const fs::path folder = folder_of(target_);
     descriptor_ = open_nameless(folder);
     if (descriptor_ >= 0) {
         ::flock(descriptor_, LOCK_EX);
         return;
     }
-    auto [name, descriptor] = claim_name(target_, open_locked);
-    if (descriptor < 0)
+    std::tie(temporary_, descriptor_) = claim_name(target_, open_locked);
+    if (descriptor_ < 0)
         refuse(path_, fmt::format("folder {}: {}; expected a file in an existing, writable folder",
                                   folder.string(), reason(errno)));
-    temporary_ = std::move(name);
-    descriptor_ = descriptor;
 }
-
-OutputFile::OutputFile(OutputFile&& other) noexcept
-    : path_(std::move(other.path_)), target_(std::move(other.target_)),
-      temporary_(std::exchange(other.temporary_, {})), descriptor_(std::exchange(other.descriptor_, -1)),
-      sequential_(other.sequential_), position_(other.position_), error_(other.error_) {}
 
 OutputFile::~OutputFile() {
     if (descriptor_ >= 0)
@@ -207,10 +194,10 @@ void OutputFile::publish() {
         if (link_as(target_.c_str()) == 0)
             return sync_folder(folder_of(target_));
         // Only a named file can replace another, so for an instant there are two names.
-        auto [name, result] = claim_name(target_, link_as);
+        const auto [name, result] = claim_name(target_, link_as);
         if (result < 0)
             fail(errno);
-        temporary_ = std::move(name);
+        temporary_ = name;
     }
     if (::rename(temporary_.c_str(), target_.c_str()) != 0)
         fail(errno);

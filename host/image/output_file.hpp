@@ -21,8 +21,8 @@ class OutputFile {
     /// Throws RequestError if no file with that name can be created.
     explicit OutputFile(std::filesystem::path path);
     ~OutputFile();
-    OutputFile(OutputFile&& other) noexcept;
-    OutputFile& operator=(OutputFile&&) = delete;
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
 
     /// Writes at the current position. Throws std::runtime_error, naming the file, when the disk fails; after
     /// that, `commit` fails too.
@@ -40,7 +40,6 @@ class OutputFile {
     const std::filesystem::path& path() const { return path_; }
 
   private:
-    void open();
     void publish();
     [[noreturn]] void fail(int error) const;
 

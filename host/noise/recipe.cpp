@@ -87,22 +87,18 @@ std::string to_string(const Recipe& recipe) {
 }
 
 std::vector<Macro> macros(const Recipe& recipe) {
-    if (recipe.is_lattice())
-        return recipe.taps == known.front().taps
-                   ? std::vector<Macro>()
-                   : std::vector<Macro>{{"GABOR_TAPS", fmt::format("{}", recipe.taps)}};
-    const Recipe& standard = sparse_recipes().front();
-    std::vector<Macro> macros;
-    if (recipe.impulses != standard.impulses)
-        macros.push_back({"GABOR_IMPULSES", fmt::format("{}", recipe.impulses)});
-    if (recipe.radius != standard.radius)
-        macros.push_back({"GABOR_RADIUS", literal(recipe.radius)});
-    if (recipe.weight_floor != standard.weight_floor)
-        macros.push_back({"GABOR_WEIGHT_FLOOR", literal(recipe.weight_floor)});
-    if (recipe.phases != standard.phases)
-        macros.push_back({"GABOR_PHASES", fmt::format("{}", recipe.phases)});
-    if (recipe.window != standard.window)
-        macros.push_back({"GABOR_WINDOW", vec3(recipe.window[0], recipe.window[1], recipe.window[2])});
+    const auto all = [](const Recipe& r) -> std::vector<Macro> {
+        if (r.is_lattice())
+            return {{"GABOR_TAPS", fmt::to_string(r.taps)}};
+        return {{"GABOR_IMPULSES", fmt::to_string(r.impulses)},
+                {"GABOR_RADIUS", literal(r.radius)},
+                {"GABOR_WEIGHT_FLOOR", literal(r.weight_floor)},
+                {"GABOR_PHASES", fmt::to_string(r.phases)},
+                {"GABOR_WINDOW", vec3(r.window[0], r.window[1], r.window[2])}};
+    };
+    const std::vector<Macro> standard = all(recipe.is_lattice() ? known.front() : sparse_recipes().front());
+    std::vector<Macro> macros = all(recipe);
+    std::erase_if(macros, [&](const Macro& own) { return std::ranges::count(standard, own) > 0; });
     return macros;
 }
 

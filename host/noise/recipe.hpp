@@ -48,6 +48,7 @@ std::string to_string(const Recipe& recipe);
 struct Macro {
     std::string_view name;
     std::string value;
+    bool operator==(const Macro&) const = default;
 };
 
 /// The macros of a recipe that differ from its drop-in's defaults.

@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <strings.h>
 
 namespace gabor::render {
 
@@ -23,11 +22,8 @@ void check(const std::filesystem::path& path, const Elevation& elevation) {
 
 } // namespace
 
-bool has_extension(const std::filesystem::path& path, std::string_view extension) {
-    std::string own = path.extension().string();
-    std::ranges::transform(own, own.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return own == extension;
+bool has_extension(const std::filesystem::path& path, const char* extension) {
+    return ::strcasecmp(path.extension().c_str(), extension) == 0;
 }
 
 HeightWriter::HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,

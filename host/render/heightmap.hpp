@@ -7,13 +7,12 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace gabor::render {
 
 /// Tells whether a file has this extension, ignoring case.
-bool has_extension(const std::filesystem::path& path, std::string_view extension);
+bool has_extension(const std::filesystem::path& path, const char* extension);
 
 /// Heights that 0 and 65535 stand for in 16-bit files.
 struct Elevation {

@@ -63,16 +63,19 @@ Paint load_directions(const std::string& path) {
 } // namespace
 
 Loaded load_request(const std::string& path) {
+    Loaded loaded;
     if (path.ends_with(".json")) {
-        const std::string text = read_text(path);
-        return {with_prefix(fmt::format("'{}': ", path), [&] { return from_json(text); }), {}, text};
+        loaded.json = read_text(path);
+    } else {
+        const image::ExrHeader file = image::ExrReader(path).header();
+        loaded.json = file.parameters;
+        loaded.region = file.window;
     }
-    const image::ExrHeader file = image::ExrReader(path).header();
-    if (file.parameters.empty())
+    if (loaded.json.empty())
         throw RequestError(fmt::format(
             "'{}' has no 'gabor' attribute: expected an EXR that gabor rendered, or its JSON", path));
-    return {with_prefix(fmt::format("'{}': ", path), [&] { return from_json(file.parameters); }), file.window,
-            file.parameters};
+    loaded.request = with_prefix(fmt::format("'{}': ", path), [&] { return from_json(loaded.json); });
+    return loaded;
 }
 
 std::vector<noise::Lobe> load_lobes(const std::string& path) {

@@ -41,11 +41,11 @@ struct Maps {
     }
 
     // Beyond an edge, a tile wraps around, and other maps repeat the nearest pixel.
-    static int within(int i, int side, bool tiled) {
-        return tiled ? ((i % side) + side) % side : std::clamp(i, 0, side - 1);
-    }
     double height_at(int x, int y) {
-        return static_cast<double>(at(within(x, width, tiled), within(y, height, tiled))[height_channel]);
+        const auto within = [this](int i, int side) {
+            return tiled ? (i % side + side) % side : std::clamp(i, 0, side - 1);
+        };
+        return double{at(within(x, width), within(y, height))[height_channel]};
     }
 
     // Sets the share of the sky's light that reaches the pixel: the mean of cos^2 of the horizon's elevation.
@@ -165,59 +165,11 @@ constexpr const char* exr_name = "maps.exr";
 constexpr const char* materialx_name = "material.mtlx";
 constexpr const char* gltf_name = "material.gltf";
 
-// Creates the folder if it does not exist. The destructor removes a folder that it created if it is still
-// empty.
-class Folder {
-  public:
-    explicit Folder(const std::filesystem::path& path) : path_(path) {
-        std::error_code error;
-        made_ = std::filesystem::create_directory(path, error);
-        if (error)
-            throw RequestError(
-                fmt::format("--maps '{}': cannot create the folder: {}", path.string(), error.message()));
-    }
-    ~Folder() {
-        std::error_code ignored;
-        if (made_)
-            std::filesystem::remove(path_, ignored); // fails unless it is empty
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-  private:
-    std::filesystem::path path_;
-    bool made_ = false;
-};
-
-} // namespace
-
-bool has_maps(const Request& request) {
-    const auto* terrain = std::get_if<Terrain>(&request.view);
-    return terrain ? !terrain->perspective
-                   : has_material(request) && std::holds_alternative<Plane>(request.view);
-}
-
-std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder, const MapFormat& format) {
-    std::vector<std::filesystem::path> paths;
-    for (const Png& png : pngs_of(format))
-        paths.push_back(png_path(folder, png));
-    for (const char* name : {exr_name, materialx_name, gltf_name})
-        paths.push_back(folder / name);
-    return paths;
-}
-
-void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
-                 const MapFormat& format, const image::Advance& advance) {
-    if (!has_maps(request))
-        throw RequestError(
-            "--maps requires either --view terrain or a material in --view flat, such as --material wood");
+void write_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
+                const MapFormat& format, const image::Advance& advance) {
     const bool terrain = has_terrain(request);
     const bool tileable =
         terrain ? std::get<Terrain>(request.view).tileable : std::get<Plane>(request.view).tileable;
-    if (std::max(request.width, request.height) > most_map_side)
-        throw RequestError(fmt::format("maps of {} x {} pixels are too large: at most {} x {} are supported",
-                                       request.width, request.height, most_map_side, most_map_side));
-    const Folder made(folder);
     const std::size_t row = static_cast<std::size_t>(request.width) * map_channels.size();
     const std::vector<Png> pngs = pngs_of(format);
     std::vector<image::PngWriter> writers; // opened before the work begins, to fail early
@@ -290,6 +242,45 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     exr.commit();
     materialx.commit();
     scene.commit();
+}
+
+} // namespace
+
+bool has_maps(const Request& request) {
+    const auto* terrain = std::get_if<Terrain>(&request.view);
+    return terrain ? !terrain->perspective
+                   : has_material(request) && std::holds_alternative<Plane>(request.view);
+}
+
+std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder, const MapFormat& format) {
+    std::vector<std::filesystem::path> paths;
+    for (const Png& png : pngs_of(format))
+        paths.push_back(png_path(folder, png));
+    for (const char* name : {exr_name, materialx_name, gltf_name})
+        paths.push_back(folder / name);
+    return paths;
+}
+
+void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
+                 const MapFormat& format, const image::Advance& advance) {
+    if (!has_maps(request))
+        throw RequestError(
+            "--maps requires either --view terrain or a material in --view flat, such as --material wood");
+    if (std::max(request.width, request.height) > most_map_side)
+        throw RequestError(fmt::format("maps of {} x {} pixels are too large: at most {} x {} are supported",
+                                       request.width, request.height, most_map_side, most_map_side));
+    std::error_code error;
+    const bool made = std::filesystem::create_directory(folder, error);
+    if (error)
+        throw RequestError(
+            fmt::format("--maps '{}': cannot create the folder: {}", folder.string(), error.message()));
+    try {
+        write_maps(device, request, folder, format, advance);
+    } catch (...) {
+        if (made)
+            std::filesystem::remove(folder, error); // fails unless it is empty
+        throw;
+    }
 }
 
 } // namespace gabor::render

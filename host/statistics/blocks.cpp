@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <functional>
 #include <numeric>
 
 namespace gabor::statistics {
@@ -45,13 +44,16 @@ int block_of(int place, int length) {
     return static_cast<int>(std::int64_t(place) * finest / length);
 }
 
-/// Joins 2 x 2 blocks by `merge(into, from)`.
-template <typename Block, typename Merge>
-std::vector<Block> coarsen(const std::vector<Block>& blocks, int side, Merge merge) {
+/// Joins 2 x 2 blocks.
+std::vector<Blocks::Block> coarsen(std::span<const Blocks::Block> blocks, int side) {
     const auto n = static_cast<std::size_t>(side);
-    std::vector<Block> joined(blocks.size() / 4);
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-        merge(joined[i / n / 2 * (n / 2) + i % n / 2], blocks[i]);
+    std::vector<Blocks::Block> joined(blocks.size() / 4);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        Blocks::Block& into = joined[i / n / 2 * (n / 2) + i % n / 2];
+        into.moments.merge(blocks[i].moments);
+        into.counts.resize(bins_per_block);
+        add_to(into.counts, blocks[i].counts);
+    }
     return joined;
 }
 
@@ -87,7 +89,7 @@ struct PairIndex {
 /// For a normal distribution, U is degenerate, and its variance, 2 sum_IJ h_IJ^2 / (sum n n)^2, is half of
 /// that (Hoeffding, 1948). As in Gaussianity::index, the first variance is taken to be proportional to the
 /// index, with noise included in both.
-PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Moments> moments,
+PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Blocks::Block> blocks,
                      const Grid& grid) {
     std::vector<double> sum(bins_per_block);
     double pixels = 0;
@@ -101,12 +103,12 @@ PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::spa
             const auto b = static_cast<std::size_t>(j);
             const auto place = static_cast<std::size_t>(grid.group(i) * groups + grid.group(j));
             products[place] += integrate_product(deviation[a], deviation[b]);
-            weights[place] +=
-                static_cast<double>(moments[a].count()) * static_cast<double>(moments[b].count());
+            weights[place] += static_cast<double>(blocks[a].moments.count()) *
+                              static_cast<double>(blocks[b].moments.count());
         }
         const auto a = static_cast<std::size_t>(i);
-        std::transform(sum.begin(), sum.end(), deviation[a].begin(), sum.begin(), std::plus<>());
-        pixels += static_cast<double>(moments[a].count());
+        add_to(sum, deviation[a]);
+        pixels += static_cast<double>(blocks[a].moments.count());
     }
 
     // Uses all pairs, so it is positive and includes the noise.
@@ -140,8 +142,8 @@ NormalDistribution fitted_normal(const Moments& moments) {
 }
 
 Blocks::Blocks(int width, int height, const NormalDistribution& expected)
-    : width_(width), height_(height), expected_(expected), moments_(finest * finest),
-      counts_(finest * finest, Counts(bins_per_block)) {}
+    : width_(width), height_(height), expected_(expected),
+      blocks_(finest * finest, {{}, Counts(bins_per_block)}) {}
 
 void Blocks::add(int x, int y, std::span<const float> pixels) {
     const int row = block_of(y, height_);
@@ -149,9 +151,9 @@ void Blocks::add(int x, int y, std::span<const float> pixels) {
         const int column = block_of(x, width_);
         const auto length = static_cast<std::size_t>(block_begin(column + 1, width_) - x);
         const auto part = pixels.first(std::min(length, pixels.size()));
-        const auto block = static_cast<std::size_t>(row * finest + column);
-        moments_[block].add(part);
-        count_uniform(part, expected_.mean, expected_.deviation, counts_[block]);
+        Block& block = blocks_[static_cast<std::size_t>(row * finest + column)];
+        block.moments.add(part);
+        count_uniform(part, expected_.mean, expected_.deviation, block.counts);
         x += static_cast<int>(part.size());
         pixels = pixels.subspan(part.size());
     }
@@ -159,24 +161,17 @@ void Blocks::add(int x, int y, std::span<const float> pixels) {
 
 Moments Blocks::moments() const {
     Moments all;
-    for (const Moments& block : moments_)
-        all.merge(block);
+    for (const Block& block : blocks_)
+        all.merge(block.moments);
     return all;
 }
 
 std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
     Grid grid{finest};
-    std::vector<Moments> moments = moments_;
-    std::vector<Counts> counts = counts_;
+    std::vector<Block> blocks = blocks_;
     const int shortest = std::min(width_, height_);
-    while (grid.side > coarsest && shortest / grid.side < correlation) {
-        moments = coarsen(moments, grid.side, [](Moments& into, const Moments& from) { into.merge(from); });
-        counts = coarsen(counts, grid.side, [](Counts& into, const Counts& from) {
-            into.resize(bins_per_block);
-            std::transform(into.begin(), into.end(), from.begin(), into.begin(), std::plus<>());
-        });
-        grid.side /= 2;
-    }
+    for (; grid.side > coarsest && shortest / grid.side < correlation; grid.side /= 2)
+        blocks = coarsen(blocks, grid.side);
     if (!(correlation <= shortest / grid.side))
         return {};
 
@@ -189,12 +184,13 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
     std::vector<double> mean_excess;
     std::vector<double> variance_excess;
     std::vector<std::vector<double>> deviation;
-    for (std::size_t i = 0; i < moments.size(); ++i) {
-        const double n = static_cast<double>(moments[i].count());
-        const double d = moments[i].mean() - all.mean();
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const Moments& moments = blocks[i].moments;
+        const double n = static_cast<double>(moments.count());
+        const double d = moments.mean() - all.mean();
         mean_excess.push_back(n * d);
-        variance_excess.push_back(moments[i].squared_deviations() + n * d * d - n * all.variance());
-        deviation.push_back(deviations(counts[i]));
+        variance_excess.push_back(moments.squared_deviations() + n * d * d - n * all.variance());
+        deviation.push_back(deviations(blocks[i].counts));
         if (!expected_.fitted)
             continue;
         // A normal distribution fitted to all blocks makes them dependent. To first order, this correction
@@ -206,7 +202,7 @@ std::optional<BlockEstimates> Blocks::estimate(double correlation) const {
         }
     }
 
-    const PairIndex cvm = pair_index(deviation, moments, grid);
+    const PairIndex cvm = pair_index(deviation, blocks, grid);
     return BlockEstimates{grid.side, mean_interval(all.mean(), pixels, mean_excess, grid),
                           mean_interval(all.variance(), pixels, variance_excess, grid), cvm.index,
                           cvm.smallest};

@@ -48,12 +48,17 @@ class Blocks {
     /// leaves fewer than 8 x 8 blocks.
     std::optional<BlockEstimates> estimate(double correlation) const;
 
+    /// What is known of a block.
+    struct Block {
+        Moments moments;
+        Counts counts;
+    };
+
   private:
     int width_;
     int height_;
     NormalDistribution expected_;
-    std::vector<Moments> moments_; ///< one per block, row by row, like the counts
-    std::vector<Counts> counts_;
+    std::vector<Block> blocks_; ///< row by row
 };
 
 } // namespace gabor::statistics

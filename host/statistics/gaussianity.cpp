@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -83,7 +82,7 @@ void Gaussianity::add(std::span<const float> values) {
 }
 
 void Gaussianity::merge(const Gaussianity& other) {
-    std::transform(counts_.begin(), counts_.end(), other.counts_.begin(), counts_.begin(), std::plus<>());
+    add_to(counts_, other.counts_);
 }
 
 std::uint64_t Gaussianity::count() const {

@@ -16,6 +16,13 @@ constexpr double cvm_scale = 1 << 18;
 /// mean) / deviation). Counts are integers, so merging is exact in any order.
 using Counts = std::vector<std::uint64_t>;
 
+/// Adds `from` to `into`, element by element.
+template <typename Values>
+void add_to(Values& into, const Values& from) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+        into[i] += from[i];
+}
+
 /// Counts `values` into the bins of `counts`. Values beyond eight standard deviations, even infinite ones, go
 /// to the outermost bins. Throws std::domain_error for NaN.
 void count_uniform(std::span<const float> values, double mean, double deviation,

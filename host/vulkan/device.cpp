@@ -8,10 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cctype>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 namespace gabor::vulkan {
@@ -93,22 +92,14 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
 
 // ---- The device ----
 
-// Kinds of devices, best first.
-using Type = vk::PhysicalDeviceType;
-constexpr std::array kinds{std::pair{Type::eDiscreteGpu, "discrete GPU"},
-                           std::pair{Type::eIntegratedGpu, "integrated GPU"},
-                           std::pair{Type::eVirtualGpu, "virtual GPU"}, std::pair{Type::eCpu, "CPU"},
-                           std::pair{Type::eOther, "other"}};
-
-std::size_t rank(vk::PhysicalDeviceType type) {
-    const auto found = std::ranges::find(kinds, type, &std::pair<Type, const char*>::first);
-    return std::min<std::size_t>(static_cast<std::size_t>(found - kinds.begin()), kinds.size() - 1);
-}
+// The kinds of devices in the order of VkPhysicalDeviceType, and their ranks: the lowest is the best.
+constexpr std::array kinds{std::pair{"other", 4}, std::pair{"integrated GPU", 1},
+                           std::pair{"discrete GPU", 0}, std::pair{"virtual GPU", 2}, std::pair{"CPU", 3}};
 
 struct Candidate {
     vk::raii::PhysicalDevice physical;
     DeviceInfo info;
-    std::size_t rank;
+    int rank;
     std::uint32_t family;
     std::uint32_t timestamp_bits;
     bool executable_properties;
@@ -139,7 +130,7 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
     } catch (const vk::InitializationFailedError&) {
         // the loader reports this if no driver has a device
     }
-    for (vk::raii::PhysicalDevice& physical : physicals) {
+    for (const vk::raii::PhysicalDevice& physical : physicals) {
         const auto families = physical.getQueueFamilyProperties();
         const auto family = std::ranges::find_if(families, [&](const vk::QueueFamilyProperties& properties) {
             const auto index = static_cast<std::uint32_t>(&properties - families.data());
@@ -157,8 +148,9 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
         DeviceInfo info;
         info.index = static_cast<std::uint32_t>(found.size());
         info.name = properties.deviceName.data();
-        const std::size_t device_rank = rank(properties.deviceType);
-        info.kind = kinds[device_rank].second;
+        const auto type = static_cast<std::size_t>(properties.deviceType);
+        const auto [kind, rank] = kinds[type < kinds.size() ? type : 0];
+        info.kind = kind;
         info.driver = driver_name(physical, properties);
         info.api = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(properties.apiVersion),
                                VK_API_VERSION_MINOR(properties.apiVersion),
@@ -170,11 +162,9 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
         info.group_invocations = properties.limits.maxComputeWorkGroupInvocations;
         info.subgroup = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
         info.timestamps = family->timestampValidBits != 0 && properties.limits.timestampPeriod > 0;
-        const bool executable_properties =
-            has_extension(physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
-        found.push_back({std::move(physical), std::move(info), device_rank,
+        found.push_back({physical, std::move(info), rank,
                          static_cast<std::uint32_t>(family - families.begin()), family->timestampValidBits,
-                         executable_properties});
+                         has_extension(physical, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME)});
     }
     if (found.empty())
         throw RequestError(
@@ -182,31 +172,21 @@ std::vector<Candidate> candidates(const vk::raii::Instance& instance, const Pres
     return found;
 }
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
-Candidate choose(std::vector<Candidate> all, std::string_view selector) {
+Candidate choose(std::vector<Candidate> all, const std::string& selector) {
     if (selector.empty())
         return std::move(*std::ranges::min_element(all, {}, &Candidate::rank));
     std::vector<std::string> names;
     for (const Candidate& candidate : all)
         names.push_back(fmt::format("{} ({})", candidate.info.index, candidate.info.name));
-    std::uint32_t index = 0;
-    const auto [end, error] = std::from_chars(selector.data(), selector.data() + selector.size(), index);
-    const bool is_index = error == std::errc() && end == selector.data() + selector.size();
-    const auto matches = [&](const Candidate& candidate) {
-        return is_index ? candidate.info.index == index
-                        : lower(candidate.info.name).find(lower(selector)) != std::string::npos;
-    };
-    const auto count = std::ranges::count_if(all, matches);
-    if (count != 1)
+    const bool is_index = selector.find_first_not_of("0123456789") == selector.npos;
+    std::erase_if(all, [&](const Candidate& candidate) {
+        return is_index ? fmt::to_string(candidate.info.index) != selector
+                        : !::strcasestr(candidate.info.name.c_str(), selector.c_str());
+    });
+    if (all.size() != 1)
         throw RequestError(fmt::format("--device '{}' matches {} device: the devices are {}", selector,
-                                       count == 0 ? "no" : "more than one", fmt::join(names, ", ")));
-    return std::move(*std::ranges::find_if(all, matches));
+                                       all.empty() ? "no" : "more than one", fmt::join(names, ", ")));
+    return std::move(all.front());
 }
 
 vk::raii::Device make_device(const Candidate& candidate, const Presentation& presentation) {
@@ -227,7 +207,7 @@ vk::raii::Device make_device(const Candidate& candidate, const Presentation& pre
     return {candidate.physical, chain.get<vk::DeviceCreateInfo>()};
 }
 
-std::unique_ptr<Device::State> make_state(std::string_view selector, const Presentation& presentation) {
+std::unique_ptr<Device::State> make_state(const std::string& selector, const Presentation& presentation) {
     vk::raii::Context context = load_vulkan();
     vk::raii::Instance instance = make_instance(context, presentation);
     vk::raii::DebugUtilsMessengerEXT messenger = make_messenger(instance);
@@ -265,7 +245,7 @@ std::vector<DeviceInfo> devices() {
     return result;
 }
 
-Device::Device(std::string_view selector, const Presentation& presentation)
+Device::Device(const std::string& selector, const Presentation& presentation)
     : state_(make_state(selector, presentation)) {}
 Device::~Device() = default;
 Device::Device(Device&&) noexcept = default;

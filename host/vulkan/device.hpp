@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 struct VkInstance_T;
@@ -47,7 +46,7 @@ class Device {
   public:
     /// `selector` is an index or part of the name, ignoring case; empty selects the best device (discrete
     /// GPU, then integrated, virtual, CPU). Throws RequestError if `selector` matches no device or several.
-    explicit Device(std::string_view selector = {}, const Presentation& presentation = {});
+    explicit Device(const std::string& selector = {}, const Presentation& presentation = {});
     ~Device();
     Device(Device&&) noexcept;
 

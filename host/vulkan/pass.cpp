@@ -6,6 +6,7 @@
 #include <spirv-tools/optimizer.hpp>
 
 #include <limits>
+#include <tuple>
 #include <unordered_map>
 
 namespace gabor::vulkan {
@@ -182,9 +183,7 @@ void Job::submit(std::span<const Dispatch> dispatches, const std::optional<Copy>
 double Job::wait() {
     state_->under_way = false;
     const vk::raii::Device& logical = state_->device.device;
-    while (logical.waitForFences(*state_->fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()) ==
-           vk::Result::eTimeout) {
-    }
+    std::ignore = logical.waitForFences(*state_->fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
     logical.resetFences(*state_->fence);
     if (!state_->device.info.timestamps)
         return std::numeric_limits<double>::quiet_NaN();

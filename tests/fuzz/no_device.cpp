@@ -26,7 +26,7 @@ int validation_messages() {
     return 0;
 }
 
-Device::Device(std::string_view, const Presentation&) {
+Device::Device(const std::string&, const Presentation&) {
     refuse();
 }
 Device::~Device() = default;

@@ -279,13 +279,11 @@ TEST_CASE("A hidden file is used if the file system lacks unnamed files", "[outp
         if (folder.count() != 0)
             return 3;
         replace(path, "old");
-        std::optional<OutputFile> file(path);
-        OutputFile moved(std::move(*file));
-        file.reset();
-        write(moved, "new");
+        OutputFile file(path);
+        write(file, "new");
         if (folder.count() != 2 || read_file(path) != "old")
             return 4;
-        moved.commit();
+        file.commit();
         return 0;
     });
     ::umask(before);
