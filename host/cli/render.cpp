@@ -69,13 +69,6 @@ render::Values values_of(const RenderOptions& options) {
     return values;
 }
 
-render::Request level_of(const render::Request& request, const std::string& text) {
-    const image::Rect whole{0, 0, request.width, request.height};
-    render::check_texture(request, whole);
-    const int levels = render::drawn_levels(whole);
-    return render::texture_level(request, parse_integer("--level", text, 0, levels - 1, " at this size"));
-}
-
 Work make_work(const RenderOptions& options) {
     Work work;
     std::optional<image::Rect> region;
@@ -100,9 +93,13 @@ Work make_work(const RenderOptions& options) {
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     work.request.filter |= options.texture || options.level; // mip levels are filtered
     render::check(work.request);
-    if (options.level)
-        work.request = level_of(work.request, *options.level);
-
+    if (options.level) {
+        const image::Rect whole{0, 0, work.request.width, work.request.height};
+        render::check_texture(work.request, whole);
+        const int last = render::drawn_levels(whole) - 1;
+        work.request = render::texture_level(
+            work.request, parse_integer("--level", *options.level, 0, last, " at this size"));
+    }
     if (options.region)
         region = parse_region(*options.region);
     work.region = region.value_or(image::Rect{0, 0, work.request.width, work.request.height});
@@ -267,24 +264,8 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));
 }
 
-const char* type_name(Kind kind) {
-    switch (kind) {
-    case Kind::flag:
-        return "";
-    case Kind::integer:
-    case Kind::number:
-        return "NUMBER";
-    case Kind::angle:
-        return "ANGLE";
-    case Kind::colour:
-        return "COLOUR";
-    case Kind::text:
-    case Kind::lobes:
-        return "FILE";
-    default:
-        return "NAME";
-    }
-}
+// What help texts call a value of each kind, in the order of Kind.
+constexpr std::array type_names{"", "NUMBER", "NUMBER", "ANGLE", "NAME", "FILE", "NAME", "FILE", "COLOUR"};
 
 std::string help_of(const render::Parameter& parameter) {
     const render::Request defaults;
@@ -316,7 +297,8 @@ void add_parameters(CLI::App& command, RenderOptions& options) {
         CLI::Option* option = parameter.kind == Kind::flag
                                   ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
                                         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-                                  : command.add_option(name)->type_name(type_name(parameter.kind));
+                                  : command.add_option(name)->type_name(
+                                        type_names.at(static_cast<std::size_t>(parameter.kind)));
         option->description(help_of(parameter));
         if (render::is_of_one_material(parameter)) // gabor materials lists them
             option->group("");

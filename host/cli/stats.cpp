@@ -40,11 +40,15 @@ struct Measured {
     int width = 0;
     int height = 0;
     std::string channel;
-    json parameters;             // null without a `gabor` attribute
-    std::optional<double> scale; // pixels per kernel radius
-    statistics::NormalDistribution expected;
+    json parameters = {};             // null without a `gabor` attribute
+    std::optional<double> scale = {}; // pixels per kernel radius
+    statistics::NormalDistribution expected = {};
     std::uint64_t outside = 0; // pixels excluded because the body does not cover them entirely
-    PictureReport report;
+    PictureReport report = {};
+
+    const char* reference() const { return expected.fitted ? "measured" : "analytic"; }
+    // Returns false for pictures of a body: perspective distorts its frequencies.
+    bool has_spectrum() const { return report.spectrum && outside == 0; }
 };
 
 // Opens the picture. A single file may be any EXR; several must be regions of one picture.
@@ -94,11 +98,8 @@ Measured measure(const StatsOptions& options) {
                                     ? *options.channel
                                     : image::ExrReader(options.files.front()).header().channels.front();
     const image::ExrReader reader = open_picture(options, {channel});
-    Measured measured;
     const image::Rect& window = reader.header().window;
-    measured.width = window.width;
-    measured.height = window.height;
-    measured.channel = channel;
+    Measured measured{.width = window.width, .height = window.height, .channel = channel};
     const std::string& attribute = reader.header().parameters;
     bool deep = false;
     json parsed = json::parse(
@@ -126,19 +127,6 @@ Measured measure(const StatsOptions& options) {
     return measured;
 }
 
-const char* reference_name(const Measured& measured) {
-    return measured.expected.fitted ? "measured" : "analytic";
-}
-
-double reference_variance(const Measured& measured) {
-    return measured.expected.deviation * measured.expected.deviation;
-}
-
-// Returns false for pictures of a body: perspective distorts its frequencies.
-bool has_spectrum(const Measured& measured) {
-    return measured.report.spectrum && measured.outside == 0;
-}
-
 json interval(const Estimate& estimate) {
     return {{"low", estimate.low}, {"high", estimate.high}};
 }
@@ -164,9 +152,9 @@ std::string to_json(const Measured& measured) {
     const PictureReport& report = measured.report;
     const statistics::Moments& moments = report.moments;
     const auto& blocks = report.blocks;
-    json cvm;
+    json cvm = blocks ? interval(blocks->cvm) : json();
     if (blocks)
-        cvm = {{"value", blocks->cvm.value}, {"low", blocks->cvm.low}, {"high", blocks->cvm.high}};
+        cvm["value"] = blocks->cvm.value;
     const json result = {
         {"width", measured.width},
         {"height", measured.height},
@@ -184,12 +172,12 @@ std::string to_json(const Measured& measured) {
         {"minimum", moments.minimum()},
         {"maximum", moments.maximum()},
         {"cvm", cvm},
-        {"cvm_reference", reference_name(measured)},
+        {"cvm_reference", measured.reference()},
         {"reference_mean", measured.expected.mean},
-        {"reference_variance", reference_variance(measured)},
+        {"reference_variance", measured.expected.variance()},
         {"smallest_cvm", blocks ? json(blocks->smallest_cvm) : json()},
         {"blocks_per_side", blocks ? json(blocks->blocks_per_side) : json()},
-        {"spectrum", has_spectrum(measured) ? to_json(*report.spectrum, measured.scale) : json()},
+        {"spectrum", measured.has_spectrum() ? to_json(*report.spectrum, measured.scale) : json()},
     };
     return result.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -278,9 +266,9 @@ void print_report(const StatsOptions& options, const Measured& measured) {
         print_line(
             "cvm", report.blocks->cvm.value,
             fmt::format("{}, compared with a normal distribution of {} mean {:.6g} and variance {:.6g}",
-                        between(&BlockEstimates::cvm), reference_name(measured), measured.expected.mean,
-                        reference_variance(measured)));
-    if (has_spectrum(measured) && report.spectrum->power > 0)
+                        between(&BlockEstimates::cvm), measured.reference(), measured.expected.mean,
+                        measured.expected.variance()));
+    if (measured.has_spectrum() && report.spectrum->power > 0)
         print_spectrum(*report.spectrum, measured.scale);
     if (measured.outside > 0)
         fmt::print("  No spectrum: perspective distorts frequencies.\n");

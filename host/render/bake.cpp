@@ -109,9 +109,7 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
         const std::vector<passes::Run> down =
             runs(y, radius[1], corner_of(viewport.camera.y, viewport.height, request, viewport), region.y,
                  region.height, block.rows);
-        passes::BakePush push{};
-        push.width = region.width;
-        push.height = region.height;
+        auto push = push_of<passes::BakePush>({0, 0, region.width, region.height}); // like its runs
         push.radius = vec2_of(x.radius, y.radius);
         push.period = {x.period, y.period};
         push.time = wrapped_time(request);

@@ -51,11 +51,7 @@ class MapRows {
 
 Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
                   const image::Rect& region) {
-    passes::ErodePush push{};
-    push.first_column = region.x;
-    push.first_row = region.y;
-    push.width = region.width;
-    push.height = region.height;
+    auto push = push_of<passes::ErodePush>(region);
     if (map.tileable)
         push.period = vec2_of(map.pixel * map.width, map.pixel * map.height);
     push.pixel = static_cast<float>(map.pixel);

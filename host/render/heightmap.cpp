@@ -10,29 +10,22 @@
 
 namespace gabor::render {
 
-namespace {
-
-void check(const std::filesystem::path& path, const Elevation& elevation) {
-    if (!has_extension(path, ".png") && !has_extension(path, ".r16"))
-        throw RequestError(fmt::format(
-            "heightmap '{}': expected the name of a file that ends in .png or .r16", path.string()));
-    if (!(elevation.low < elevation.high && std::isfinite(elevation.high - elevation.low)))
-        throw RequestError("elevation: expected LOW,HIGH, the lower height first");
-}
-
-} // namespace
-
 bool has_extension(const std::filesystem::path& path, const char* extension) {
     return ::strcasecmp(path.extension().c_str(), extension) == 0;
 }
 
 HeightWriter::HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
                            double pixel)
-    : elevation_((check(path, elevation), elevation)), scale_(path.string() + ".json") {
+    : elevation_(elevation), scale_(path.string() + ".json") {
+    if (!(elevation.low < elevation.high && std::isfinite(elevation.high - elevation.low)))
+        throw RequestError("elevation: expected LOW,HIGH, the lower height first");
     if (has_extension(path, ".png"))
         png_.emplace(path, region.width, region.height, 1, 16);
-    else
+    else if (has_extension(path, ".r16"))
         raw_.emplace(path);
+    else
+        throw RequestError(fmt::format(
+            "heightmap '{}': expected the name of a file that ends in .png or .r16", path.string()));
     const nlohmann::ordered_json scale{{"width", region.width},
                                        {"height", region.height},
                                        {"extent", {region.width * pixel, region.height * pixel}},

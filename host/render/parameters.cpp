@@ -127,56 +127,26 @@ Parameter erosion_row(std::string_view name, Range range, Range slider, std::str
     });
 }
 
+constexpr LobeParameter lobe_row(std::string_view name, Kind kind, std::string_view unit, Range range,
+                                 Range slider, std::string_view help, double Lobe::*member) {
+    return {name, kind, unit, range, slider, help, member};
+}
+
 constexpr std::array of_lobe{
-    LobeParameter{"frequency",
-                  Kind::number,
-                  "cycles per kernel radius",
-                  {0.001, 1024},
-                  {0.05, 64},
-                  "Frequency of the waves",
-                  &Lobe::frequency},
-    LobeParameter{"orientation",
-                  Kind::angle,
-                  "degrees",
-                  {-36000, 36000},
-                  {-180, 180},
-                  "Direction across the waves: 0 points right, 90 down",
-                  &Lobe::orientation},
-    LobeParameter{"frequency_spread",
-                  Kind::number,
-                  "fraction of the frequency",
-                  {0, 1},
-                  {0, 1},
-                  "Half-width of the range of frequencies",
-                  &Lobe::frequency_spread},
-    LobeParameter{"orientation_spread",
-                  Kind::angle,
-                  "degrees",
-                  {0, 90},
-                  {0, 90},
-                  "Half-width of the range of directions; 90 gives all directions",
-                  &Lobe::orientation_spread},
-    LobeParameter{"power",
-                  Kind::number,
-                  "relative to other lobes",
-                  {0, 1e9},
-                  {0, 1},
-                  "Share of the variance",
-                  &Lobe::power},
-    LobeParameter{"radius",
-                  Kind::number,
-                  "kernel radii",
-                  {0.01, 100},
-                  {0.1, 10},
-                  "Radius of the kernels; a larger radius makes the lobe narrower",
-                  &Lobe::radius},
-    LobeParameter{"stretch",
-                  Kind::number,
-                  "",
-                  {0.01, 100},
-                  {0.1, 10},
-                  "Radius of the kernels along y, divided by their radius along x",
-                  &Lobe::stretch},
+    lobe_row("frequency", Kind::number, "cycles per kernel radius", {0.001, 1024}, {0.05, 64},
+             "Frequency of the waves", &Lobe::frequency),
+    lobe_row("orientation", Kind::angle, "degrees", {-36000, 36000}, {-180, 180},
+             "Direction across the waves: 0 points right, 90 down", &Lobe::orientation),
+    lobe_row("frequency_spread", Kind::number, "fraction of the frequency", {0, 1}, {0, 1},
+             "Half-width of the range of frequencies", &Lobe::frequency_spread),
+    lobe_row("orientation_spread", Kind::angle, "degrees", {0, 90}, {0, 90},
+             "Half-width of the range of directions; 90 gives all directions", &Lobe::orientation_spread),
+    lobe_row("power", Kind::number, "relative to other lobes", {0, 1e9}, {0, 1}, "Share of the variance",
+             &Lobe::power),
+    lobe_row("radius", Kind::number, "kernel radii", {0.01, 100}, {0.1, 10},
+             "Radius of the kernels; a larger radius makes the lobe narrower", &Lobe::radius),
+    lobe_row("stretch", Kind::number, "", {0.01, 100}, {0.1, 10},
+             "Radius of the kernels along y, divided by their radius along x", &Lobe::stretch),
 };
 
 Parameter single_lobe_row(const LobeParameter& p) {
@@ -446,22 +416,21 @@ double linear(int byte) {
 std::optional<std::array<double, 3>> read_colour(std::string_view text) {
     std::array<double, 3> colour{};
     const bool hexadecimal = text.starts_with('#') && text.size() == 7;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const bool last = hexadecimal || i == 2;
-        const std::string_view part =
-            hexadecimal ? text.substr(1 + 2 * i, 2) : text.substr(0, text.find(','));
+    const char* at = text.data() + (hexadecimal ? 1 : 0);
+    const char* const end = text.data() + text.size();
+    for (double& part : colour) {
+        if (!hexadecimal && &part != colour.data() && (at == end || *at++ != ','))
+            return {};
         int byte = 0;
-        const char* end = part.data() + part.size();
-        const auto [stop, error] = hexadecimal ? std::from_chars(part.data(), end, byte, 16)
-                                               : std::from_chars(part.data(), end, colour[i]);
-        if (error != std::errc() || stop != end || (!last && part.size() == text.size()))
+        const auto [stop, error] =
+            hexadecimal ? std::from_chars(at, at + 2, byte, 16) : std::from_chars(at, end, part);
+        if (error != std::errc() || (hexadecimal && stop != at + 2))
             return {};
         if (hexadecimal)
-            colour[i] = linear(byte);
-        else
-            text.remove_prefix(std::min(part.size() + 1, text.size()));
+            part = linear(byte);
+        at = stop;
     }
-    return hexadecimal || text.empty() ? std::optional(colour) : std::nullopt;
+    return at == end ? std::optional(colour) : std::nullopt;
 }
 
 bool has_range(Kind kind) {
@@ -558,8 +527,8 @@ const Parameter& parameter(std::string_view name) {
 std::vector<std::string_view> choices(const Parameter& p) {
     std::vector<std::string_view> names;
     if (p.name == "material") {
-        names.push_back(no_material);
-        names.insert(names.end(), materials.begin(), materials.end());
+        names.assign(materials.begin(), materials.end());
+        names.insert(names.begin(), no_material);
     } else if (p.name == "environment") {
         names.assign(environments.begin(), environments.end());
     } else if (p.kind == Kind::choice) {
@@ -753,20 +722,16 @@ void check(const Request& request) {
     if (request.colour && is_colourless(request))
         throw RequestError(
             "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
-    if (const Terrain* terrain = std::get_if<Terrain>(&request.view);
-        terrain && terrain->tileable && std::min(request.width, request.height) < 4 * request.scale)
-        throw RequestError(fmt::format("a terrain tile of {} x {} pixels at scale {} is too small: each side "
-                                       "must be at least four kernel radii, {} pixels",
-                                       request.width, request.height, request.scale,
-                                       std::ceil(4 * request.scale)));
-    const Plane* plane = std::get_if<Plane>(&request.view);
+    const Terrain* terrain = std::get_if<Terrain>(&request.view);
+    const bool tiles = terrain ? terrain->tileable : is_tiled(request) && !has_material(request);
     const double radius = std::ranges::max(request.lobes, {}, &Lobe::longest_radius).longest_radius();
-    const double least = std::ceil(2 * radius * request.scale);
-    if (plane && plane->tileable && !has_material(request) && std::min(request.width, request.height) < least)
-        throw RequestError(fmt::format("a tileable picture of {} x {} pixels at scale {} is too small: each "
-                                       "side must be at least two kernel radii{}, {} pixels",
-                                       request.width, request.height, request.scale,
-                                       request.lobes.size() > 1 ? " of its widest lobe" : "", least));
+    const double least = std::ceil((terrain ? 4 : 2 * radius) * request.scale);
+    if (tiles && std::min(request.width, request.height) < least)
+        throw RequestError(fmt::format(
+            "a {} of {} x {} pixels at scale {} is too small: each side must be at "
+            "least {} kernel radii{}, {} pixels",
+            terrain ? "terrain tile" : "tileable picture", request.width, request.height, request.scale,
+            terrain ? "four" : "two", request.lobes.size() > 1 ? " of its widest lobe" : "", least));
 }
 
 } // namespace gabor::render

@@ -55,14 +55,6 @@ Step step_of(std::string shader, const Constants& constants, const Push& push, s
     return {std::move(shader), constants, bytes_of(push), push.width, {side, side}, {}};
 }
 
-template <typename Push>
-Push push_of(const image::Rect& region) {
-    Push push{};
-    push.width = region.width;
-    push.height = region.height;
-    return push;
-}
-
 // ---- The plane, pixel by pixel ----
 
 // The length of a pixel in kernel radii; in perspective, the height of the camera at which the bottom one of
@@ -71,14 +63,18 @@ double pixel_length(const Request& request, int height) {
     return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
 }
 
-// The places of pixels along an axis, for kernels of each radius. In perspective the cell is the camera's,
-// and places are in pixels from the middle of the horizon, which is `origin` pixels from the edge of the
-// view.
-std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, std::size_t axis,
-                                const Coordinate& middle, int view, int side, int first, int count,
-                                double origin) {
+// The places of pixels along an axis (0 for x, 1 for y), for kernels of each radius. In perspective the cell
+// is the camera's, and places are in pixels from the middle of the horizon.
+std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, std::size_t axis) {
+    const bool horizon = in_perspective(request);
+    const bool along_x = axis == 0;
+    const image::Rect& region = viewport.region;
+    const int view = along_x ? viewport.width : viewport.height;
+    const int first = along_x ? region.x : region.y;
     const double scale = request.scale * viewport.camera.zoom;
-    const Coordinate start = in_perspective(request) ? middle : corner_of(middle, view, request, viewport);
+    const Coordinate& middle = along_x ? viewport.camera.x : viewport.camera.y;
+    const Coordinate start = horizon ? middle : corner_of(middle, view, request, viewport);
+    const double origin = along_x ? view / 2.0 : sky_rows(view); // pixels from the edge of the view
     struct Table {
         std::int32_t cell;
         double place; // position of the first pixel
@@ -87,16 +83,16 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
     std::vector<Table> tables;
     for (const auto& radii : noise::radii(noise::waves(request.lobes, request.seed))) {
         const double radius = radii[axis];
-        const double cells = axis_along(request, side, radius).radius;
+        const double cells = axis_along(request, along_x ? request.width : request.height, radius).radius;
         const auto [cell, place] = cell_at(start, cells / radius);
         tables.push_back({cell, place, cells / (scale * radius) * viewport.stride});
     }
     std::vector<passes::Line> result;
-    for (int i = first; i < first + count; ++i)
+    for (int i = first; i < first + (along_x ? region.width : region.height); ++i)
         for (const Table& table : tables) {
-            const double here = in_perspective(request) ? i + 0.5 - origin / viewport.stride
-                                                        : table.place + (i + 0.5) * table.step;
-            const double carried = in_perspective(request) ? 0 : std::floor(here);
+            const double here =
+                horizon ? i + 0.5 - origin / viewport.stride : table.place + (i + 0.5) * table.step;
+            const double carried = horizon ? 0 : std::floor(here);
             result.push_back(
                 {static_cast<std::int32_t>(static_cast<std::uint32_t>(table.cell) +
                                            static_cast<std::uint32_t>(static_cast<std::int64_t>(carried))),
@@ -153,7 +149,7 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     const image::Rect& region = viewport.region;
     const auto stride = static_cast<float>(viewport.stride);
     const std::vector<passes::PixelsWave> waves = pixels_waves(request, viewport, paint);
-    auto push = push_of<passes::PixelsPush>(region);
+    auto push = push_of<passes::PixelsPush>({0, 0, region.width, region.height}); // like its tables
     push.time = wrapped_time(request);
     push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
     if (!in_perspective(request))
@@ -175,10 +171,7 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     push.paint_scale = {scale(paint.width, request.width), scale(paint.height, request.height)};
     push.paint_corner = {first(camera.x, viewport.width, region.x) * push.paint_scale.x,
                          first(camera.y, viewport.height, region.y) * push.paint_scale.y};
-    plan.tables = {bytes_of(lines(request, viewport, 0, camera.x, viewport.width, request.width, region.x,
-                                  region.width, viewport.width / 2.0)),
-                   bytes_of(lines(request, viewport, 1, camera.y, viewport.height, request.height, region.y,
-                                  region.height, sky_rows(viewport.height))),
+    plan.tables = {bytes_of(lines(request, viewport, 0)), bytes_of(lines(request, viewport, 1)),
                    bytes_of(waves), bytes_of(paint.samples), bytes_of(colour_of(request))};
     Constants constants = constants_of(request);
     if (waves.size() <= few_waves) {
@@ -242,8 +235,6 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
             fade(made, share_left(request, viewport, wave.frequency));
     }
     auto push = push_of<passes::SolidPush>(viewport.region);
-    push.first_column = viewport.region.x;
-    push.first_row = viewport.region.y;
     push.center = half(viewport);
     push.time = wrapped_time(request);
     push.waves = static_cast<int>(waves.size());
@@ -279,8 +270,6 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     const Camera& camera = viewport.camera;
     const bool flat = is_flat(request.view);
     auto push = push_of<passes::MaterialPush>(viewport.region);
-    push.first_column = viewport.region.x;
-    push.first_row = viewport.region.y;
     push.center = half(viewport);
     push.seed = request.seed;
     push.lamp = vec2_of(light_direction(request));
@@ -321,16 +310,12 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     const Terrain& terrain = std::get<Terrain>(request.view);
     const Camera& camera = viewport.camera;
     auto push = push_of<passes::TerrainPush>(viewport.region);
-    push.first_column = viewport.region.x;
-    push.first_row = viewport.region.y;
     push.seed = request.seed;
     push.sun = vec2_of(light_direction(request));
     push.unit = static_cast<float>(terrain_unit(request));
     push.reach = static_cast<float>(erosion_reach(terrain.erosion));
     // In perspective the camera looks at the middle of the picture from above.
-    const Camera looked_at = terrain.perspective ? Camera{}.moved(request.width / 2.0 / request.scale,
-                                                                  request.height / 2.0 / request.scale)
-                                                 : camera;
+    const Camera looked_at = terrain.perspective ? default_camera(from_above(request)) : camera;
     const auto place = [&](const Coordinate& middle, int pixels) {
         return terrain.perspective ? middle : corner_of(middle, pixels, request, viewport);
     };

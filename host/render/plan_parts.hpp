@@ -26,6 +26,17 @@ inline passes::vec2 direction(double angle) {
     return vec2_of(std::cos(angle), std::sin(angle));
 }
 
+/// Starts the push constants of a pass over a region.
+template <typename Push>
+Push push_of(const image::Rect& region) {
+    Push push{};
+    push.first_column = region.x;
+    push.first_row = region.y;
+    push.width = region.width;
+    push.height = region.height;
+    return push;
+}
+
 /// The corner of the view along an axis: exactly 0 for the picture that gabor render draws.
 inline Coordinate corner_of(const Coordinate& middle, int pixels, const Request& request,
                             const Viewport& viewport) {

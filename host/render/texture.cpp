@@ -18,18 +18,11 @@
 
 namespace gabor::render {
 
-namespace {
-
-bool is_power_of_two(int side) {
-    return std::has_single_bit(static_cast<unsigned>(side));
-}
-
-} // namespace
-
 void check_texture(const Request& request, const image::Rect& region) {
     if (!std::holds_alternative<Plane>(request.view))
         throw RequestError("--texture requires --view flat");
-    if (!is_power_of_two(region.width) || !is_power_of_two(region.height))
+    if (!std::has_single_bit(static_cast<unsigned>(region.width)) ||
+        !std::has_single_bit(static_cast<unsigned>(region.height)))
         throw RequestError(fmt::format("--texture of {} x {} pixels: each side must be a power of two",
                                        region.width, region.height));
     if (region.x % region.width != 0 || region.y % region.height != 0 || request.width % region.width != 0 ||

@@ -15,6 +15,8 @@ struct NormalDistribution {
     double mean = 0;
     double deviation = 1;
     bool fitted = false; ///< fitted to this picture rather than known from theory
+
+    double variance() const { return deviation * deviation; }
 };
 
 /// Fits the distribution of an unknown picture. If the variance is 0, the deviation is set to 1.
