@@ -41,7 +41,7 @@ CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value
 /// Adds an option for a range of heights, LOW,HIGH.
 CLI::Option* add_elevation_option(CLI::App& command, std::vector<double>& elevation, const std::string& help);
 
-/// The command-line options for parameters of the table.
+/// Parameters of the table, each with its command-line option.
 using ParameterOptions = std::vector<std::pair<const render::Parameter*, const CLI::Option*>>;
 
 /// Returns the values of the options that the user gave. Throws a RequestError that names the wrong option.
@@ -69,15 +69,15 @@ std::array<int, count> parse_integers(std::string_view option, std::string_view 
     return values;
 }
 
-/// Reads a whole number from `low` to `high`. `where` follows the limits in the message of an error.
+/// Reads a whole number from `low` to `high`. Error messages append `where` to these limits.
 int parse_integer(std::string_view option, std::string_view text, int low, int high,
                   std::string_view where = "");
 
 /// Reads X,Y,WIDTH,HEIGHT.
 image::Rect parse_region(std::string_view text);
 
-/// Throws RequestError unless `region` lies within `width` x `height` pixels. The message calls the region
-/// `whose` and the pixels `whole`.
+/// Throws RequestError unless `region` lies within `width` x `height` pixels. The message names the region
+/// with `whose` and the picture with `whole`.
 void check_within(const image::Rect& region, int width, int height, std::string_view whose,
                   std::string_view whole);
 

@@ -90,7 +90,7 @@ render::HeightMap map_of(const ErodeOptions& options) {
 void erode(const ErodeOptions& options) {
     if (!(options.extent > 0 && options.extent < 1e9))
         throw RequestError(
-            fmt::format("--extent {}: expected the map's width, greater than 0", options.extent));
+            fmt::format("--extent {}: expected the width of the map, greater than 0", options.extent));
     const bool to_exr = has_extension(options.output, ".exr");
     if (!to_exr && !has_extension(options.output, ".png") && !has_extension(options.output, ".r16"))
         refuse("-o", options.output.string(), "the name of a file that ends in .exr, .png or .r16");
@@ -106,8 +106,8 @@ void erode(const ErodeOptions& options) {
 
     const bool floats = has_extension(options.map, ".exr");
     if (floats && !to_exr && options.elevation.empty())
-        throw RequestError("an EXR stores unscaled heights: set with --elevation which of them become 0 and "
-                           "65535 in 16 bits");
+        throw RequestError("an EXR has no range of heights: give with --elevation LOW,HIGH the heights that "
+                           "become 0 and 65535 in 16 bits");
     render::Elevation elevation{0, options.extent / 8};
     if (!options.elevation.empty())
         elevation = {options.elevation[0], options.elevation[1]};
@@ -163,11 +163,12 @@ void add_erode_command(CLI::App& app) {
         ->required();
     add_option(*command, "--size", options->size, "SIZE", "WIDTHxHEIGHT of a .r16 file");
     add_option(*command, "--region", options->region, "RECTANGLE",
-               "X,Y,WIDTH,HEIGHT: write only this part, with the same pixels");
+               "X,Y,WIDTH,HEIGHT: write only this part of the eroded map");
     add_option(*command, "--extent", options->extent, "NUMBER",
                "Width of the map, in the unit of heights [8]");
-    add_elevation_option(*command, options->elevation,
-                         "LOW,HIGH: heights of 0 and 65535 in a 16-bit map [0 and an eighth of --extent]");
+    add_elevation_option(
+        *command, options->elevation,
+        "LOW,HIGH: heights that 0 and 65535 stand for in 16-bit files [0 and an eighth of --extent]");
     add_option(*command, "--preset", options->preset, "NAME",
                fmt::format("Shape of the gullies: {} [alps]", fmt::join(terrain_presets(), ", ")));
     for (const render::Parameter* p : render::erosion_parameters())
@@ -175,7 +176,7 @@ void add_erode_command(CLI::App& app) {
                                              ->type_name("NUMBER")
                                              ->description(std::string(p->help)));
     add_option(*command, "--seed", options->seed, "NUMBER", "Seed; each seed gives different gullies [0]");
-    command->add_flag("--tileable", options->tileable, "The map tiles, and so does the output");
+    command->add_flag("--tileable", options->tileable, "The map tiles without seams, and so does the output");
     add_device_option(*command, options->device);
     command->callback([options] { erode(*options); });
 }

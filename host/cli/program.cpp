@@ -55,8 +55,7 @@ std::size_t edits(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-// Returns text that suggests the option or subcommand most similar to an unknown word, if any is similar
-// enough.
+// Suggests the option or subcommand most similar to an unknown word; empty if none is similar enough.
 std::string suggestion(const CLI::App& app, const std::string& word) {
     std::vector<std::string> known;
     const std::vector<CLI::App*> chosen = app.get_subcommands();
@@ -115,7 +114,9 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
 } // namespace
 
 void add_device_option(CLI::App& command, std::string& device) {
-    command.add_option("--device", device, "Vulkan device: its index or part of its name [the fastest kind]")
+    command
+        .add_option("--device", device,
+                    "Vulkan device: its index or part of its name [a GPU, if there is one]")
         ->type_name("NAME");
 }
 
@@ -125,8 +126,9 @@ int run(const Program& program, int argc, const char* const* argv) {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0)
             ::open("/dev/null", O_RDONLY);
-    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an ordinary error
-    std::signal(SIGXFSZ, SIG_IGN); // so is a file that is too large
+    // Report a closed pipe and a file that is too large like any other error.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return parse_and_work(program, argc, argv);
     } catch (const Interrupted& interrupted) {

@@ -74,7 +74,7 @@ Work make_work(const RenderOptions& options) {
     std::optional<image::Rect> region;
     if (options.preset && options.like)
         throw RequestError(
-            "--preset and --like cannot be combined: each sets the options that are not given");
+            "--preset and --like cannot be combined: each sets all options that are not given");
     if (options.preset)
         work.request = render::preset(*options.preset);
     if (options.like) {
@@ -123,10 +123,11 @@ void warn_above_nyquist(const render::Request& request) {
         highest = std::max(highest, lobe.frequency * (1 + lobe.frequency_spread) * along / request.scale);
     }
     if (highest > 0.5)
-        fmt::print(stderr,
-                   "gabor: warning: the frequency is {:.3g} cycles per pixel, above the picture's limit of "
-                   "0.5, so it aliases to a lower one; --filter removes it\n",
-                   highest);
+        fmt::print(
+            stderr,
+            "gabor: warning: the frequency is {:.3g} cycles per pixel; above 0.5, waves alias to lower "
+            "frequencies. --filter removes them\n",
+            highest);
 }
 
 // Tells whether two paths name the same file, even if it does not exist yet.
@@ -300,7 +301,7 @@ void add_parameters(CLI::App& command, RenderOptions& options) {
                                   : command.add_option(name)->type_name(
                                         type_names.at(static_cast<std::size_t>(parameter.kind)));
         option->description(help_of(parameter));
-        if (render::is_of_one_material(parameter)) // gabor materials lists them
+        if (render::is_of_one_material(parameter)) // `gabor materials` lists them
             option->group("");
         options.parameters.emplace_back(&parameter, option);
     }
@@ -314,26 +315,28 @@ void add_render_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Render the noise to an OpenEXR or a PNG file");
     const render::Request defaults;
 
-    add_option(*command, "-o,--output", options->output, "FILE",
-               "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, with -2 to 2 "
-               "standard deviations from black to white");
+    add_option(
+        *command, "-o,--output", options->output, "FILE",
+        "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, in which black and "
+        "white are -2 and 2 standard deviations");
     add_option(*command, "--png", options->png, "FILE", "Also write a PNG");
-    add_option(*command, "--maps", options->maps, "FOLDER",
-               "Instead of -o: a folder for the maps of a material or of terrain. PNGs of base colour, "
-               "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
-               "and material.gltf");
+    add_option(
+        *command, "--maps", options->maps, "FOLDER",
+        "Instead of -o: write the maps of a material or of terrain to this folder: PNGs of base colour, "
+        "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
+        "and material.gltf");
     command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
     add_option(*command, "--size", options->size, "WIDTHxHEIGHT",
                fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
                            render::parameter("width").range.high, defaults.width, defaults.height));
     add_parameters(*command, *options);
     add_option(*command, "--preset", options->preset, "NAME",
-               fmt::format("Use a preset for options not given: {}, or a file NAME.json from gabor fit",
+               fmt::format("Take all other options from a preset: {}, or a file NAME.json from gabor fit",
                            fmt::join(render::preset_names(), ", ")));
     add_option(*command, "--like", options->like, "FILE",
-               "Use the options of an earlier EXR, or of a JSON file, for options not given");
+               "Take all other options from an earlier EXR or a JSON file");
     add_option(*command, "--region", options->region, "X,Y,WIDTH,HEIGHT",
-               "Render only this part of the picture, with the same pixels");
+               "Render only this part of the picture; its pixels are those of the whole picture");
     add_option(*command, "--frames", options->frames, "NUMBER",
                fmt::format("Render one period of the animation as NAME.0001.exr, NAME.0002.exr ...: a whole "
                            "number from 1 to {}",
@@ -345,7 +348,8 @@ void add_render_command(CLI::App& app) {
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be powers "
-        "of two. With --maps: make maps.exr such a texture, rougher where filtering flattens its normals");
+        "of two. With --maps: make maps.exr such a texture, whose roughness grows where its normals are "
+        "averaged");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
     add_option(*command, "--level", options->level, "NUMBER",
                "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest");
@@ -357,7 +361,8 @@ void add_render_command(CLI::App& app) {
     add_elevation_option(
         *command, options->elevation,
         "LOW,HIGH: heights that 0 and 65535 stand for in --heightmap [the full possible range]");
-    command->add_flag("--verbose", options->verbose, "Print how much time and memory each step took");
+    command->add_flag("--verbose", options->verbose,
+                      "Print the time that each step took, and the memory used");
     command->callback([options, start] { render_pictures(*options, start); });
 }
 

@@ -92,7 +92,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
     }
 }
 
-// Measures a channel. If its variance is unknown, reads the channel twice: first for its mean and variance.
+// Measures a channel. If its variance is unknown, first reads the whole channel for its mean and variance.
 Measured measure(const StatsOptions& options) {
     const std::string channel = options.channel
                                     ? *options.channel
@@ -208,8 +208,8 @@ bool has_cvm(const std::optional<BlockEstimates>& blocks) {
     return blocks && !(blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm);
 }
 
-// The side of the smallest square, a power of two, in which a visible cvm exceeds chance. The threshold is
-// inversely proportional to the number of pixels.
+// Returns the side, a power of two, of the smallest square picture in which a visible cvm exceeds chance. The
+// largest cvm that chance explains is inversely proportional to the number of pixels.
 double side_for_cvm(const Measured& measured, const BlockEstimates& blocks) {
     const double pixels = static_cast<double>(measured.report.moments.count());
     const double needed = std::sqrt(pixels * blocks.smallest_cvm / visible_cvm);
@@ -252,8 +252,9 @@ void print_report(const StatsOptions& options, const Measured& measured) {
                                                        : fmt::format("{} regions", options.files.size());
     fmt::print("{}: channel {}, {} x {} pixels, {} not finite{}\n", from, measured.channel, measured.width,
                measured.height, report.not_finite,
-               measured.outside == 0 ? ""
-                                     : fmt::format(", {} excluded as outside (A below 1)", measured.outside));
+               measured.outside == 0
+                   ? ""
+                   : fmt::format(", {} excluded as outside the body (A below 1)", measured.outside));
     if (moments.count() == 0)
         return;
     print_line("mean", moments.mean(), between(&BlockEstimates::mean));
@@ -305,7 +306,7 @@ void add_stats_command(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("stats", "Measure an OpenEXR picture: moments, Gaussianity, spectrum");
     add_option(*command, "FILE", options->files, "",
-               "The EXR to measure; several regions of one picture are measured as one")
+               "The EXR to measure; regions of one picture are measured together")
         ->required();
     add_option(*command, "--channel", options->channel, "NAME",
                "The channel to measure [Y, else R, else the first]");

@@ -35,12 +35,12 @@ struct ExrHeader {
     /// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx.
     struct Texture {
         bool half = false;     ///< 16-bit floats instead of 32-bit
-        bool periodic = false; ///< whether it wraps around; otherwise it is black beyond its edges
+        bool periodic = false; ///< whether the texture repeats; otherwise it is black beyond its edges
     };
 
     Rect picture;                          ///< EXR's display window: the whole picture
     Rect window;                           ///< EXR's data window: the part of the picture in this file
-    std::vector<std::string> channels;     ///< one float channel each
+    std::vector<std::string> channels;     ///< names of float channels
     std::string_view compression = "none"; ///< empty for a method that ExrWriter does not offer
     std::string parameters = {};           ///< stored as the string attribute `gabor`
     std::string software = {};             ///< the program and driver; stored as `software` unless empty
@@ -71,8 +71,7 @@ class ExrWriter {
     std::unique_ptr<State> state_;
 };
 
-/// Receives the number of pixels that have been done since the last call. An exception from it aborts the
-/// work.
+/// Receives the number of pixels that were finished since the last call. To abort the work, it may throw.
 using Advance = std::function<void(std::uint64_t)>;
 
 /// Joins regions of one picture, written by ExrWriter, into the file that a single render would have written.
@@ -103,7 +102,6 @@ class ExrReader {
     /// Returns the header that a single file with the whole picture would have. Its channels are those that
     /// are read, and `texture` is not set.
     const ExrHeader& header() const { return header_; }
-    /// Tells whether the file has a channel with that name.
     bool has_channel(const std::string& name) const;
 
     /// Returns the next `rows` rows, or as many as are left; empty after the last. The span is valid until

@@ -22,11 +22,10 @@ constexpr std::int64_t widest = 65536;
 constexpr std::uint64_t largest_block = 256u << 20;
 constexpr std::uint64_t decoding_memory = 4 * largest_block;
 
-// OpenEXR's C++ classes decode in parallel but trust sizes in the file when they allocate. So this class
-// checks the file first with the C library, which compares those sizes with the size of the file.
+// OpenEXR's C++ classes, which decode in parallel, allocate whatever sizes a file claims. So the file is
+// first checked with the C library, which compares those sizes with the size of the file.
 class ExrContext {
   public:
-    // Keeps a reference to `path`.
     explicit ExrContext(const std::filesystem::path& path) : path_(path) {
         exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
         settings.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
@@ -84,7 +83,7 @@ std::uint64_t inspect(const ExrContext& file) {
                        fmt::format("one block or row of tiles takes {} MiB; at most {} MiB are supported",
                                    block >> 20, largest_block >> 20));
 
-    exr_chunk_info_t chunk; // reading its position checks it
+    exr_chunk_info_t chunk; // reading it checks the position and size of the chunk
     for (std::int64_t y = window.min.y; !tiled && y <= window.max.y; y += rows)
         file.require(exr_read_scanline_chunk_info(file, 0, static_cast<int>(y), &chunk));
     for (int y = 0; tiled && std::int64_t{y} * down < height; ++y)
@@ -96,7 +95,7 @@ std::uint64_t inspect(const ExrContext& file) {
 } // namespace
 
 int inspect_exr(const std::filesystem::path& path) {
-    open_file(path); // reports what OpenEXR would not
+    open_file(path); // throws unless the file is regular and readable
     const std::uint64_t block = inspect(ExrContext(path));
     const auto affordable = static_cast<int>(decoding_memory / (2 * std::max<std::uint64_t>(block, 1)));
     return std::min(affordable, Imf::globalThreadCount()); // OpenEXR keeps two blocks per thread

@@ -35,7 +35,7 @@ Imf::Compression compression_method(std::string_view name) {
     return methods[static_cast<std::size_t>(found - names.begin())];
 }
 
-// Formats the channels' means in a fixed number of characters, since the header precedes the pixels.
+// Formats the channels' means as text of a fixed length, so that `commit` can overwrite it in the header.
 std::string average_text(const std::vector<double>& sums, double pixels) {
     std::vector<std::string> means;
     for (const double sum : sums)

@@ -24,8 +24,8 @@ class PictureReader {
     virtual ~PictureReader() = default;
     const Format& format() const { return format_; }
 
-    /// Returns the next row with interleaved channels: 0 to 1 for PNG (8 and 16 bits), JPEG and TGA, raw
-    /// values for EXR. Throws RequestError, naming the file, if it is damaged or truncated.
+    /// Reads the next row, with interleaved channels: values from 0 to 1 from PNG (8 and 16 bits), JPEG and
+    /// TGA, and raw values from EXR. Throws RequestError, naming the file, if it is damaged or truncated.
     virtual void read_row(std::span<float> row) = 0;
 
     /// The alpha of each pixel in the last row read; empty without an alpha channel.

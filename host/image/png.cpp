@@ -16,7 +16,7 @@
 
 namespace gabor::image {
 
-// A structure of libpng for reading or writing, and its last error.
+// The state of libpng while it reads or writes a file, and its last error.
 struct Libpng {
     explicit Libpng(bool to_read)
         : reads(to_read), png((reads ? png_create_read_struct : png_create_write_struct)(

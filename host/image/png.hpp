@@ -7,7 +7,7 @@
 
 namespace gabor::image {
 
-/// Rounds a value, clamped to [0, 1], to a whole number of that many bits; NaN becomes 0.
+/// Converts a value, clamped to [0, 1], to an integer of `bits` bits; NaN becomes 0.
 std::uint32_t quantize(float value, int bits);
 
 /// Writes an 8-bit or 16-bit PNG from top to bottom, grey for one channel and RGB for three. As with

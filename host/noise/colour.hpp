@@ -18,7 +18,7 @@ struct Colour {
     };
     std::vector<std::array<Weight, 3>> weights; ///< weights of each lobe
     std::array<std::array<double, 6>, 3> histogram =
-        {};                                           ///< coefficients of 1, z, ... z^5; z stays within +-4
+        {};                                           ///< coefficients of 1, z, ... z^5; z is clamped to +-4
     std::array<double, 3> mean = {};                  ///< red, green, blue
     std::array<std::array<double, 3>, 3> mixing = {}; ///< one row each for red, green, blue
 

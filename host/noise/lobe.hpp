@@ -21,16 +21,14 @@ constexpr double degrees(double radians) {
 struct Lobe {
     double frequency = 4;          ///< cycles per kernel radius
     double orientation = 0;        ///< direction of the wave vector, in degrees clockwise from right
-    double frequency_spread = 0;   ///< 0 to 1: waves are spread evenly within frequency (1 +- this)
-    double orientation_spread = 0; ///< 0 to 90 degrees (isotropic): waves are spread evenly within +- this
+    double frequency_spread = 0;   ///< 0 to 1: frequencies are spread evenly over frequency * (1 +- this)
+    double orientation_spread = 0; ///< 0 to 90 degrees (isotropic): directions are spread evenly over +- this
     double power = 1;              ///< relative to the other lobes
     /// The kernel's radius along x, in kernel radii; inversely proportional to the bandwidth.
     double radius = 1;
     double stretch = 1; ///< the kernel's radius along y, divided by that along x
 
-    /// Returns the kernel's radii along x and y.
     std::array<double, 2> radii() const { return {radius, radius * stretch}; }
-    /// Returns the longer radius.
     double longest_radius() const { return radius * std::max(stretch, 1.0); }
     /// Tells whether all its waves have one frequency and one orientation.
     bool is_one_wave() const { return frequency_spread == 0 && orientation_spread == 0; }

@@ -22,9 +22,9 @@ struct Piece {
     int index;    // determines its seed
 };
 
-// Returns floor(count) pieces. As the fraction of `count` goes from 0.8 to 1, they fade out and floor(count)
-// + 1 pieces fade in, so that the noise is continuous in `count`. Their amplitudes are proportional to `left`
-// and 1 - left.
+// Returns floor(count) pieces. As the fractional part of `count` goes from 0.8 to 1, they fade out and
+// floor(count) + 1 pieces fade in, so that the noise is continuous in `count`. The amplitudes of these two
+// sets are proportional to `left` and 1 - left.
 std::vector<Piece> pieces(double count) {
     const int fewer = static_cast<int>(count);
     const double left = std::min(5 - 5 * (count - fewer), 1.0);
@@ -38,8 +38,8 @@ std::vector<Piece> pieces(double count) {
     return all;
 }
 
-// A kernel's bandwidth, inversely proportional to its radius, fills the gaps between pieces. This many pieces
-// cover the range evenly.
+// The bandwidth of a kernel, which is inversely proportional to its radius, fills the gaps between pieces.
+// These numbers of pieces cover the ranges evenly.
 std::vector<Piece> frequencies(const Lobe& lobe) {
     return pieces(
         std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.longest_radius() + 0.8, 1.0, 16.0));

@@ -109,7 +109,8 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
         const std::vector<passes::Run> down =
             runs(y, radius[1], corner_of(viewport.camera.y, viewport.height, request, viewport), region.y,
                  region.height, block.rows);
-        auto push = push_of<passes::BakePush>({0, 0, region.width, region.height}); // like its runs
+        auto push = push_of<passes::BakePush>(
+            {0, 0, region.width, region.height}); // runs count from the region's corner
         push.radius = vec2_of(x.radius, y.radius);
         push.period = {x.period, y.period};
         push.time = wrapped_time(request);

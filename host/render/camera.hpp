@@ -29,8 +29,8 @@ struct Camera {
 /// The camera that gabor render uses.
 Camera default_camera(const Request& request);
 
-/// Returns the cell at a coordinate, and the place in it. `cells` is the number of cells per kernel radius.
-/// Cells wrap around at 2^31, as in the drop-ins.
+/// Returns the cell at a coordinate, and the position in it. `cells` is the number of cells per kernel
+/// radius. Cells wrap around at 2^31, as in the drop-ins.
 std::pair<std::int32_t, double> cell_at(const Coordinate& coordinate, double cells);
 
 /// The cells along a side of a picture; a tileable picture has a whole number of them.

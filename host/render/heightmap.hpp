@@ -20,7 +20,7 @@ struct Elevation {
     double high;
 };
 
-/// Writes a 16-bit heightmap as PNG or .r16, and next to it a file that explains its numbers.
+/// Writes a 16-bit heightmap as PNG or .r16, and beside it a JSON file with its size and range of heights.
 class HeightWriter {
   public:
     /// `pixel` is the width of a pixel in the unit of heights. Throws RequestError unless the low elevation

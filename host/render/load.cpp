@@ -18,7 +18,7 @@ namespace gabor::render {
 
 namespace {
 
-// Limits the size, so that a wrong name cannot fill the memory.
+// Limits the size, so that the name of a huge file cannot fill the memory.
 std::string read_text(const std::string& path) {
     constexpr std::size_t most = 1 << 20;
     std::ifstream file(path, std::ios::binary);

@@ -47,9 +47,10 @@ struct Paint {
 /// Tells whether a paint file contains only directions, as every format except EXR does.
 bool has_only_directions(const std::string& path);
 
-/// Reads a picture of at most 2^24 pixels. An EXR has channels `frequency` and `orientation` (degrees); in
-/// other pictures, red and green minus one half point right and down along the waves. Returns one sample of
-/// zeros for an empty path. Throws RequestError if the file cannot be read or a value is not finite.
+/// Reads a picture of at most 2^24 pixels. An EXR has channels `frequency` and `orientation` (degrees). In
+/// other pictures, red and green minus one half are the components, to the right and down, of a vector along
+/// the crests of the waves. Returns one sample of zeros for an empty path. Throws RequestError if the file
+/// cannot be read or a value is not finite.
 Paint load_paint(const std::string& path);
 
 } // namespace gabor::render

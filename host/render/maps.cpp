@@ -83,7 +83,7 @@ std::vector<float> averaged_from(std::span<const float> maps) {
     return averaged;
 }
 
-// Converts averages back to maps. The slopes that a level has lost widen its microfacets: a^2 = r^4 grows by
+// Converts averages back to maps. The slopes that averaging removed widen the microfacets: a^2 = r^4 grows by
 // twice their variance along an axis (Olano and Baker, "LEAN mapping", 2010, without directions; Walter et
 // al. 2007 for the width of Beckmann's and GGX's facets).
 std::vector<float> maps_from(std::span<const float> averaged) {

@@ -96,7 +96,8 @@ Parameter flag(std::string_view name, std::string_view applies_to, std::string_v
     return row(name, Kind::flag, "", none, none, applies_to, help, find);
 }
 
-// Returns a function that finds a value of one kind of view.
+// These functions return functions that find a value in a request: of one kind of view, of the camera of a
+// body or landscape, and of the light.
 template <typename OneView, typename T>
 auto in_view(T OneView::*member) {
     return [member](auto& request) {
@@ -105,7 +106,6 @@ auto in_view(T OneView::*member) {
     };
 }
 
-// Returns a function that finds a value of the camera of a body or landscape.
 auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
     return [=](auto& request) {
         auto* body = std::get_if<Body>(&request.view);
@@ -114,7 +114,6 @@ auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
     };
 }
 
-// Returns a function that finds a value of the light.
 auto if_lit(double Request::*member) {
     return [member](auto& request) { return has_material(request) ? &(request.*member) : nullptr; };
 }
@@ -229,8 +228,7 @@ std::vector<Parameter> make_table() {
          "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
          "in space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded mountains from "
          "above and `landscape` in perspective. Terrain has channels R, G, B, height, slope.x, slope.y, "
-         "lit.R, "
-         "lit.G, lit.B, ridge, erosion",
+         "lit.R, lit.G, lit.B, ridge, erosion",
          [](const Request& r) { return Value(std::string(name_of(r.view))); },
          [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
         {"material", Kind::choice, "", none, none, "",
@@ -306,9 +304,9 @@ std::vector<Parameter> make_table() {
              "share of the variance that the filter removes",
              [](auto& r) { return &r.filter; }),
         row("paint", Kind::text, "", none, none, "",
-            "A map stretched over the picture: a PNG, JPEG or TGA whose red and green, minus one half, point "
-            "right and down along the waves, turned by the orientation; or an EXR with channels `frequency` "
-            "and `orientation` (degrees)",
+            "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
+            "components, to the right and down, of a vector along the crests of the waves, which "
+            "--orientation turns. An EXR has channels `frequency` and `orientation` (degrees)",
             [](auto& r) { return &r.paint; }),
         flag("quadrature", "", "Add a channel `quadrature`: the noise with cosines instead of sines",
              [](auto& r) { return &r.quadrature; }),
@@ -456,7 +454,7 @@ void check_lobes(const std::vector<Lobe>& lobes) {
                 throw RequestError(fmt::format("{} {} of a lobe: expected {}", p.name, lobe.*p.member,
                                                accepted_number(p.kind, p.range, p.unit)));
     if (std::ranges::none_of(lobes, [](const Lobe& lobe) { return lobe.power > 0; }))
-        throw RequestError("no lobe has power: at least one must have power");
+        throw RequestError("every lobe has power 0: at least one must have more");
 }
 
 void check_value(const Parameter& p, const Value& value) {
@@ -635,7 +633,7 @@ bool is_set(const Request& request, std::string_view name) {
     const Parameter& p = parameter(name);
     const std::optional<Value> value = p.get(request);
     std::optional<Value> by_default = p.get(Request());
-    if (!by_default) { // only some requests have this parameter
+    if (!by_default) { // the default request lacks this parameter
         Request fresh;
         fresh.lobes = request.lobes;
         fresh.material = request.material;

@@ -24,7 +24,7 @@ struct Range {
 struct Parameter {
     enum class Kind { flag, integer, number, angle, choice, text, recipe, lobes, colour };
 
-    std::string_view name; ///< name in JSON; the command-line option has - for _
+    std::string_view name; ///< name in JSON; the command-line option has - instead of _
     Kind kind;
     std::string_view unit;  ///< such as "cycles per kernel radius"; empty for none
     Range range;            ///< limits of integers, numbers and angles
@@ -98,13 +98,13 @@ bool applies_to_material(const Request& request, std::string_view name);
 bool is_of_one_material(const Parameter& parameter);
 
 /// `to_json` writes the request as one JSON object, like the `gabor` attribute of EXR files. `from_json`
-/// reads such an object. It uses defaults for absent values, ignores parameters that exist but not in this
-/// request, and throws RequestError for anything else.
+/// reads such an object. It uses defaults for absent values, ignores known parameters that this request does
+/// not have, and throws RequestError for anything else.
 std::string to_json(const Request& request);
 Request from_json(std::string_view json);
 
-/// Read lobes from a JSON list or from the `lobes` of a request, and write a list. Reading throws
-/// RequestError if there is no list.
+/// `lobes_from_json` reads a JSON list of lobes, or the `lobes` of a request; it throws RequestError if there
+/// is no list. `lobes_to_json` writes a list.
 std::vector<noise::Lobe> lobes_from_json(std::string_view json);
 std::string lobes_to_json(const std::vector<noise::Lobe>& lobes);
 

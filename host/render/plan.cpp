@@ -57,14 +57,14 @@ Step step_of(std::string shader, const Constants& constants, const Push& push, s
 
 // ---- The plane, pixel by pixel ----
 
-// The length of a pixel in kernel radii; in perspective, the height of the camera at which the bottom one of
-// `height` rows has the request's scale.
+// Returns the length of a pixel in kernel radii. In perspective, returns the height of the camera above the
+// plane, chosen so that the bottom row has the request's scale.
 double pixel_length(const Request& request, int height) {
     return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
 }
 
-// The places of pixels along an axis (0 for x, 1 for y), for kernels of each radius. In perspective the cell
-// is the camera's, and places are in pixels from the middle of the horizon.
+// Returns the positions of pixels along an axis (0 for x, 1 for y), in the cells of kernels of each radius.
+// In perspective, the cell is the camera's, and positions are in pixels from the middle of the horizon.
 std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, std::size_t axis) {
     const bool horizon = in_perspective(request);
     const bool along_x = axis == 0;
@@ -149,7 +149,7 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     const image::Rect& region = viewport.region;
     const auto stride = static_cast<float>(viewport.stride);
     const std::vector<passes::PixelsWave> waves = pixels_waves(request, viewport, paint);
-    auto push = push_of<passes::PixelsPush>({0, 0, region.width, region.height}); // like its tables
+    auto push = push_of<passes::PixelsPush>({0, 0, region.width, region.height}); // tables begin there
     push.time = wrapped_time(request);
     push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
     if (!in_perspective(request))
@@ -199,7 +199,8 @@ double pixel_side(int shorter_side) {
     return 2 * 1.05 * std::tan(std::asin(0.25)) / shorter_side;
 }
 
-// The radius of the sphere in kernel radii: at distance 3, a unit takes 1 / (3 side) pixels.
+// The radius of the sphere in kernel radii. Its nearest point is at distance 3, where a unit of length covers
+// 1 / (3 pixel_side) pixels.
 double sphere_radius(const Request& request) {
     return 1 / (3 * pixel_side(std::min(request.width, request.height)) * request.scale);
 }
@@ -252,7 +253,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     } else {
         push_body(push, request, viewport);
         push.share =
-            1.0f / static_cast<float>(viewport.stride); // otherwise noise would vanish while a body turns
+            1.0f / static_cast<float>(viewport.stride); // filters as at full resolution: noise stays visible
     }
     Constants constants = constants_of(request);
     constants[passes::isotropic_id] = std::ranges::any_of(request.lobes, is_isotropic);
@@ -314,7 +315,7 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     push.sun = vec2_of(light_direction(request));
     push.unit = static_cast<float>(terrain_unit(request));
     push.reach = static_cast<float>(erosion_reach(terrain.erosion));
-    // In perspective the camera looks at the middle of the picture from above.
+    // In perspective, the camera looks at the middle of what the terrain view shows.
     const Camera looked_at = terrain.perspective ? default_camera(from_above(request)) : camera;
     const auto place = [&](const Coordinate& middle, int pixels) {
         return terrain.perspective ? middle : corner_of(middle, pixels, request, viewport);
@@ -425,7 +426,7 @@ bool uses_blocks(const Request& request, const Viewport& viewport) {
     if (viewport.blocks == Blocks::none || has_material(request) || !is_flat(request.view) ||
         !request.paint.empty() || request.filter || request.phasor || request.values > 1)
         return false;
-    // Nodes of isotropic noise in space share no wave.
+    // In isotropic noise in space, each node has its own wave, so the pixels of a block share nothing.
     if (in_space(request) && std::ranges::any_of(request.lobes, is_isotropic))
         return false;
     const double cell = request.scale * viewport.camera.zoom / double{drawing_recipe(request).radius};

@@ -103,8 +103,8 @@ bool uses_blocks(const Request& request, const Viewport& viewport);
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint = {},
           DeviceKind device = DeviceKind::cpu);
 
-/// Cuts the region, from top to bottom, into bands of at most `most_rows` rows. If the plan cannot fill so
-/// few rows at a time, bands have as few rows as it can fill.
+/// Cuts the region, from top to bottom, into bands of at most `most_rows` rows; if the plan fills more rows
+/// at a time, into bands of that many.
 std::vector<Band> bands(const Plan& plan, int most_rows);
 
 /// The highest frequency that the paint of a request gives its lobe, in cycles per kernel radius.

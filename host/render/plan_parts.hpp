@@ -26,7 +26,7 @@ inline passes::vec2 direction(double angle) {
     return vec2_of(std::cos(angle), std::sin(angle));
 }
 
-/// Starts the push constants of a pass over a region.
+/// Returns push constants that are zero except for the region.
 template <typename Push>
 Push push_of(const image::Rect& region) {
     Push push{};

@@ -62,8 +62,8 @@ vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values
 /// How long each part of the work took, in seconds.
 struct Times {
     double first_dispatch = 0; ///< from the call to the first submission
-    double waiting = 0;        ///< the host waited for the device
-    double gpu = 0;            ///< the passes ran on the device; NaN if it cannot tell
+    double waiting = 0;        ///< waiting for the device
+    double gpu = 0;            ///< running passes on the device; NaN if it cannot tell
     double writing = 0;        ///< compressing and writing files
     double closing = 0;        ///< flushing files to disk
 
@@ -81,7 +81,7 @@ using Fill = std::function<void(std::span<float>)>;
 Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
                     const Sink& sink, bool normals = false);
 
-/// Does the same for a renderer's plan.
+/// Executes a renderer's plan in the same way. `fill` provides the rows of its source.
 Times render_plan(const vulkan::Device& device, const Renderer& renderer, const Sink& sink,
                   const Fill& fill = {});
 

@@ -71,7 +71,7 @@ struct Terrain {
     bool tileable = false; ///< opposite edges match; only from above
     double yaw = 215;      ///< camera azimuth in degrees; only in perspective
     double pitch = 20;     ///< camera elevation, in degrees
-    double zoom = 1;       ///< 1 shows about as much as the picture from above
+    double zoom = 1;       ///< 1 shows about as much as the view from above
     bool operator==(const Terrain&) const = default;
 };
 
@@ -85,8 +85,8 @@ constexpr std::string_view no_material = "none";
 
 /// Everything that decides the pixels of a picture. render/parameters.hpp has the table of names, units,
 /// ranges and help. Pixels are within 2e-5 standard deviations of the exact noise up to frequency 4. Above
-/// that, the error grows with the frequency; with the sine kernels of `paper`, it also grows with the inverse
-/// of frequencies below 0.1.
+/// that, the error grows with the frequency; with the sine kernels of `paper`, it also grows as the frequency
+/// falls below 0.1.
 struct Request {
     int width = 1024;  ///< pixels
     int height = 1024; ///< pixels
@@ -162,7 +162,7 @@ double terrain_unit(const Request& request);
 /// The most that erosion raises or lowers hills, in kernel radii.
 double erosion_reach(const Erosion& erosion);
 
-/// The hills of gabor_terrain stay within this distance of height 0, which is six standard deviations.
+/// The heights of gabor_terrain stay within this distance of 0, which is six standard deviations.
 inline constexpr double hill_reach = 2;
 
 /// The components, to the right and down, of the unit vector towards the lamp or the sun.

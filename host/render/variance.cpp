@@ -26,7 +26,8 @@ noise::AxisVariance along_axis(const Request& request, double frequency, double 
     return {1, turn * turn + noise::window_slope_energy(request.recipe)};
 }
 
-// Returns sums over the waves of the lattice in the plane, or nothing if a pixel is too wide for the filter.
+// Returns sums over the waves of the lattice in the plane, or nothing if a pixel is wider than a kernel
+// radius.
 std::optional<Variances> variances(const Request& request) {
     Variances sum;
     for (const noise::Wave& wave : noise::waves(request.lobes, request.seed)) {

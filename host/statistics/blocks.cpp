@@ -62,8 +62,8 @@ double t_quantile() {
     return boost::math::quantile(boost::math::students_t(groups - 1), 0.975);
 }
 
-/// The mean of a quantity over all pixels; `excess` has each block's sum minus its expected share. Across
-/// borders, noise is as often anticorrelated as correlated, so the interval is on the safe side.
+/// Returns a mean over all pixels with its interval; `excess` has each block's sum minus its expected share.
+/// Across borders, noise is as often anticorrelated as correlated, so the interval is on the safe side.
 Estimate mean_interval(double value, double pixels, std::span<const double> excess, const Grid& grid) {
     std::vector<double> sums(groups);
     for (int i = 0; i < grid.blocks(); ++i)

@@ -50,7 +50,7 @@ class Blocks {
     /// leaves fewer than 8 x 8 blocks.
     std::optional<BlockEstimates> estimate(double correlation) const;
 
-    /// What is known of a block.
+    /// The pixels of one block.
     struct Block {
         Moments moments;
         Counts counts;

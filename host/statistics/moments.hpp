@@ -7,7 +7,7 @@
 namespace gabor::statistics {
 
 /// Count, mean, central moments and range of a stream of values, in one pass and without cancellation.
-/// Partial results merge.
+/// Partial results can be merged.
 /// Source: Pébay, "Formulas for robust, one-pass parallel computation of covariances and arbitrary-order
 /// statistical moments", Sandia report SAND2008-6212, 2008, equations 1.1 to 3.1.
 class Moments {

@@ -137,7 +137,7 @@ class Spectra(SpectraTest):
             self.assertEqual(whole[21:71, 33:103].tobytes(), part.tobytes())
 
     def test_presets(self):
-        listed = re.search(r"preset for options not given: (.*?), or a file", self.succeed("render", "--help"), re.DOTALL)[1]
+        listed = re.search(r"other options from a preset: (.*?), or a file", self.succeed("render", "--help"), re.DOTALL)[1]
         self.assertGreaterEqual(len(listed.split(",")), 41)
         exr = self.render(preset="figure6", size="96x64")
         self.assertTrue(np.isfinite(exr.pixels).all())

@@ -343,7 +343,7 @@ class Foreign(StatsTest):
         stats = self.stats()
         self.assertEqual((stats["outside"], stats["not_finite"], stats["spectrum"]), (41 * 60, 1, None))
         self.assert_moments(stats, pixels[(alpha == 1) & np.isfinite(pixels)])
-        self.assertIn("1 not finite, 2460 excluded as outside (A below 1)", self.succeed("stats", "in.exr"))
+        self.assertIn("1 not finite, 2460 excluded as outside the body (A below 1)", self.succeed("stats", "in.exr"))
         self.assertEqual(self.stats("in.exr", "--channel=A")["outside"], 0)
 
     def test_a_picture_without_finite_values(self):
