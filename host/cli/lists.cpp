@@ -30,9 +30,9 @@ void print_devices() {
 }
 
 void print_recipes(bool as_json) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    nlohmann::ordered_json list;
     for (const noise::Recipe& recipe : noise::recipes()) {
-        nlohmann::ordered_json macros = nlohmann::ordered_json::object();
+        auto macros = nlohmann::ordered_json::object();
         for (const noise::Macro& macro : noise::macros(recipe))
             macros[std::string(macro.name)] = macro.value;
         list.push_back({{"name", recipe.name},

@@ -32,6 +32,20 @@ constexpr std::array known{
     Recipe{"paper", 2, 1.0f, 1.0f, 2, {1, 0, 0}, "the paper's advice"},
 };
 
+constexpr int most_impulses = 16;
+constexpr float largest_radius = 3;
+
+// Tells whether the sparse noise accepts these values.
+bool acceptable(const Recipe& recipe) {
+    const auto& c = recipe.window;
+    // A window without energy cannot be normalized.
+    const double energy = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
+    return recipe.impulses >= 1 && recipe.impulses <= most_impulses && recipe.radius >= 1 &&
+           recipe.radius <= largest_radius && recipe.weight_floor >= 0 && recipe.weight_floor <= 1 &&
+           recipe.phases >= 2 && recipe.phases <= 256 &&
+           std::has_single_bit(static_cast<unsigned>(recipe.phases)) && energy >= 0.01 && energy <= 100;
+}
+
 std::string fields(const Recipe& recipe) {
     return fmt::format("N={},R={},A={},phases={},window={}:{}:{}", recipe.impulses, recipe.radius,
                        recipe.weight_floor, recipe.phases, recipe.window[0], recipe.window[1],
@@ -100,16 +114,6 @@ std::vector<Macro> macros(const Recipe& recipe) {
     std::vector<Macro> macros = all(recipe);
     std::erase_if(macros, [&](const Macro& own) { return std::ranges::count(standard, own) > 0; });
     return macros;
-}
-
-bool acceptable(const Recipe& recipe) {
-    const auto& c = recipe.window;
-    // A window without energy cannot be normalized.
-    const double energy = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
-    return recipe.impulses >= 1 && recipe.impulses <= most_impulses && recipe.radius >= 1 &&
-           recipe.radius <= largest_radius && recipe.weight_floor >= 0 && recipe.weight_floor <= 1 &&
-           recipe.phases >= 2 && recipe.phases <= 256 &&
-           std::has_single_bit(static_cast<unsigned>(recipe.phases)) && energy >= 0.01 && energy <= 100;
 }
 
 int visited_cells(const Recipe& recipe) {

@@ -54,11 +54,6 @@ struct Macro {
 /// The macros of a recipe that differ from its drop-in's defaults.
 std::vector<Macro> macros(const Recipe& recipe);
 
-/// Tells whether the sparse noise accepts these values.
-bool acceptable(const Recipe& recipe);
-constexpr int most_impulses = 16;
-constexpr float largest_radius = 3;
-
 /// Cells summed along each axis: ceil(2 R) + 1, or the lattice's nodes.
 int visited_cells(const Recipe& recipe);
 

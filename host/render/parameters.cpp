@@ -42,16 +42,11 @@ const std::array named_views{NamedView{"flat", Plane()},
                              NamedView{"landscape", Terrain{.perspective = true}}};
 
 std::string_view name_of(const View& view) {
-    const Body* body = std::get_if<Body>(&view);
-    const Terrain* terrain = std::get_if<Terrain>(&view);
-    return std::ranges::find_if(named_views,
-                                [&](const NamedView& named) {
-                                    return named.view.index() == view.index() &&
-                                           (!body || body->shape == std::get<Body>(named.view).shape) &&
-                                           (!terrain || terrain->perspective ==
-                                                            std::get<Terrain>(named.view).perspective);
-                                })
-        ->name;
+    if (const Body* body = std::get_if<Body>(&view))
+        return body->shape == Shape::sphere ? "sphere" : "torus";
+    if (const Terrain* terrain = std::get_if<Terrain>(&view))
+        return terrain->perspective ? "landscape" : "terrain";
+    return named_views[view.index()].name; // the first three have the order of View
 }
 
 // Returns the view with that name. It keeps the values that the previous view also has.

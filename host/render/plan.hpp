@@ -59,6 +59,9 @@ struct Step {
 struct Source {
     int width = 0; ///< values in a row; 0 for no map
     int halo = 0;
+    std::size_t values(int rows) const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(rows + 2 * halo);
+    }
 };
 
 /// Everything that a device needs to draw a picture.

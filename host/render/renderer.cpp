@@ -22,16 +22,19 @@ class BandBuffer {
         : row_values_(static_cast<std::size_t>(renderer.plan().width) * renderer.plan().channels.size()),
           values_(device, static_cast<std::size_t>(rows) * row_values_ * sizeof(float),
                   values_memory(device)),
-          source_(source_of(device, renderer.plan().source, rows)),
+          source_(renderer.plan().source.width == 0
+                      ? std::nullopt
+                      : std::optional<vulkan::Buffer>(std::in_place, device,
+                                                      renderer.plan().source.values(rows) * sizeof(float),
+                                                      vulkan::Memory::upload)),
           job_(renderer.job(values_, source_ ? &*source_ : nullptr)) {
         if (!device.unified())
             staging_.emplace(device, values_.size(), vulkan::Memory::readback);
     }
 
     void submit(const Renderer& renderer, const Band& band, const Fill& fill) {
-        const Source& source = renderer.plan().source;
         if (source_)
-            fill(source_->as<float>().first(source_values(source, band.rows)));
+            fill(source_->as<float>().first(renderer.plan().source.values(band.rows)));
         count_ = static_cast<std::size_t>(band.rows) * row_values_;
         std::optional<vulkan::Job::Copy> copy;
         if (staging_)
@@ -45,16 +48,6 @@ class BandBuffer {
     }
 
   private:
-    static std::size_t source_values(const Source& source, int rows) {
-        return static_cast<std::size_t>(source.width) * static_cast<std::size_t>(rows + 2 * source.halo);
-    }
-    static std::optional<vulkan::Buffer> source_of(const vulkan::Device& device, const Source& source,
-                                                   int rows) {
-        if (source.width == 0)
-            return {};
-        return vulkan::Buffer(device, source_values(source, rows) * sizeof(float), vulkan::Memory::upload);
-    }
-
     std::size_t row_values_;
     vulkan::Buffer values_;
     std::optional<vulkan::Buffer> source_;

@@ -58,9 +58,7 @@ std::vector<Blocks::Block> coarsen(std::span<const Blocks::Block> blocks, int si
 }
 
 /// The quantile of Student's t for a 95 % interval.
-double t_quantile() {
-    return boost::math::quantile(boost::math::students_t(groups - 1), 0.975);
-}
+const double t_quantile = boost::math::quantile(boost::math::students_t(groups - 1), 0.975);
 
 /// Returns a mean over all pixels with its interval; `excess` has each block's sum minus its expected share.
 /// Across borders, noise is as often anticorrelated as correlated, so the interval is on the safe side.
@@ -71,7 +69,7 @@ Estimate mean_interval(double value, double pixels, std::span<const double> exce
     double squares = 0;
     for (const double sum : sums)
         squares += sum * sum;
-    return score_interval(value, squares / (pixels * pixels) * groups / (groups - 1.0), 0, t_quantile());
+    return score_interval(value, squares / (pixels * pixels) * groups / (groups - 1.0), 0, t_quantile);
 }
 
 struct PairIndex {
@@ -130,8 +128,8 @@ PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::spa
     const double variance_scale = cvm_scale * cvm_scale / (weight * weight);
     const double slope = variance_scale * jackknife / (cvm_scale * biased);
     const double null_variance = variance_scale * degenerate;
-    return {score_interval(cvm_scale * index, null_variance, slope, t_quantile()),
-            t_quantile() * std::sqrt(null_variance)};
+    return {score_interval(cvm_scale * index, null_variance, slope, t_quantile),
+            t_quantile * std::sqrt(null_variance)};
 }
 
 } // namespace

@@ -56,10 +56,7 @@ std::optional<int> segment_side(int width, int height) {
 
 namespace {
 
-struct Cell {
-    double x; ///< frequency, in cells
-    double y;
-};
+using Frequency = std::complex<double>; ///< along x and y, in cells
 
 /// A periodogram of real data as a function on the whole plane: even, and periodic in `side`.
 class Plane {
@@ -150,31 +147,28 @@ double lobe_width(std::span<const double> profile) {
 /// Finds the mode of the periodogram under a kernel of the given radius, by mean shift from its largest cell
 /// (Fukunaga and Hostetler, 1975). The standard deviation of a cell is its mean divided by the root of the
 /// number of segments, so a parabola through three cells would only fit the scatter.
-Cell find_peak(const Plane& plane, double radius) {
-    Cell peak{0, 0};
+Frequency find_peak(const Plane& plane, double radius) {
+    Frequency peak;
     double largest = 0;
     plane.for_each([&](int x, int y, double power) {
         if (power > largest) {
             largest = power;
-            peak = {static_cast<double>(x), static_cast<double>(y)};
+            peak = Frequency(x, y);
         }
     });
     for (int step = 0; step < 50; ++step) {
-        Cell shift{0, 0};
+        Frequency shift;
         double weight = 0;
-        for (int y = static_cast<int>(std::ceil(peak.y - radius)); y <= peak.y + radius; ++y)
-            for (int x = static_cast<int>(std::ceil(peak.x - radius)); x <= peak.x + radius; ++x) {
-                const double dx = x - peak.x;
-                const double dy = y - peak.y;
-                const double w = plane(x, y) * std::max(0.0, 1 - (dx * dx + dy * dy) / (radius * radius));
-                shift.x += w * dx;
-                shift.y += w * dy;
+        for (int y = static_cast<int>(std::ceil(peak.imag() - radius)); y <= peak.imag() + radius; ++y)
+            for (int x = static_cast<int>(std::ceil(peak.real() - radius)); x <= peak.real() + radius; ++x) {
+                const Frequency d = Frequency(x, y) - peak;
+                const double w = plane(x, y) * std::max(0.0, 1 - std::norm(d) / (radius * radius));
+                shift += w * d;
                 weight += w;
             }
         if (weight == 0)
             break;
-        peak.x += shift.x / weight;
-        peak.y += shift.y / weight;
+        peak += shift / weight;
     }
     return peak;
 }
@@ -194,9 +188,9 @@ SpectrumSummary summarize(std::span<const double> periodogram, int side) {
     const double width = lobe_width(summary.radial);
     summary.bandwidth = width / cells;
 
-    const Cell peak = find_peak(plane, std::max(2.5, width));
-    if (const double distance = std::hypot(peak.x, peak.y); distance >= 1) {
-        const double degrees = std::atan2(peak.y, peak.x) * 180 / std::numbers::pi;
+    const Frequency peak = find_peak(plane, std::max(2.5, width));
+    if (const double distance = std::abs(peak); distance >= 1) {
+        const double degrees = std::arg(peak) * 180 / std::numbers::pi;
         summary.peak = {distance / cells, std::fmod(degrees + 360, 180)};
     }
 

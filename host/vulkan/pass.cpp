@@ -97,13 +97,10 @@ struct Job::State {
     vk::raii::QueryPool queries = nullptr;
     vk::raii::Fence fence = nullptr;
     bool under_way = false;
-
-    State(const Device::State& device_state, const Pass::State& pass_state)
-        : device(device_state), pass(pass_state) {}
 };
 
 Job::Job(const Device& device, const Pass& pass, const Buffers& buffers)
-    : state_(std::make_unique<State>(device.state(), pass.state())) {
+    : state_(new State{device.state(), pass.state()}) {
     const vk::raii::Device& logical = device.state().device;
     const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer,
                                       static_cast<std::uint32_t>(buffers.size()));
