@@ -58,7 +58,6 @@ render::Erosion erosion_of(const ErodeOptions& options, double hill) {
 }
 
 render::HeightMap map_of(const ErodeOptions& options) {
-    render::HeightMap map;
     const bool raw = has_extension(options.map, ".r16");
     if (raw != options.size.has_value())
         throw RequestError(raw ? "a .r16 file has no header: give its WIDTHxHEIGHT with --size"
@@ -70,21 +69,21 @@ render::HeightMap map_of(const ErodeOptions& options) {
         if (std::min(size[0], size[1]) < 1)
             refuse("--size", *options.size, accepted);
     }
-    map.open = [path = options.map, raw, size] {
+    const auto open = [path = options.map, raw, size] {
         return raw ? image::open_raw16(path, size[0], size[1]) : image::open_picture(path, "height");
     };
-    const image::PictureReader::Format format = map.open()->format();
+    const image::PictureReader::Format format = open()->format();
     if (format.channels != 1)
         throw RequestError(
             fmt::format("'{}' is in colour: a heightmap has one channel", options.map.string()));
     if (std::max(format.width, format.height) > most_side)
         throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} per side are supported",
                                        options.map.string(), format.width, format.height, most_side));
-    map.width = format.width;
-    map.height = format.height;
-    map.pixel = options.extent / format.width;
-    map.tileable = options.tileable;
-    return map;
+    return {.open = open,
+            .width = format.width,
+            .height = format.height,
+            .pixel = options.extent / format.width,
+            .tileable = options.tileable};
 }
 
 void erode(const ErodeOptions& options) {
@@ -108,9 +107,9 @@ void erode(const ErodeOptions& options) {
     if (floats && !to_exr && options.elevation.empty())
         throw RequestError("an EXR has no range of heights: give with --elevation LOW,HIGH the heights that "
                            "become 0 and 65535 in 16 bits");
-    render::Elevation elevation{0, options.extent / 8};
-    if (!options.elevation.empty())
-        elevation = {options.elevation[0], options.elevation[1]};
+    const render::Elevation elevation = options.elevation.empty()
+                                            ? render::Elevation{0, options.extent / 8}
+                                            : render::Elevation{options.elevation[0], options.elevation[1]};
     if (!(elevation.low < elevation.high && std::isfinite(elevation.high - elevation.low)))
         throw RequestError("--elevation takes LOW,HIGH, the lower height first");
     if (!floats) {

@@ -1,5 +1,3 @@
-// Lists devices, recipes, and the parameters of materials.
-
 #include "cli/commands.hpp"
 #include "noise/recipe.hpp"
 #include "render/material.hpp"

@@ -45,7 +45,6 @@ struct RenderOptions {
     ParameterOptions parameters; // the whole table
 };
 
-// The request to render, and the region.
 struct Work {
     render::Request request;
     image::Rect region;

@@ -35,7 +35,6 @@ struct StatsOptions {
     std::optional<std::string> json;
 };
 
-// A file's header and its measurements.
 struct Measured {
     int width = 0;
     int height = 0;

@@ -1,5 +1,3 @@
-// Joins regions of a picture.
-
 #include "image/exr_parts.hpp"
 
 #include <ImfInputFile.h>

@@ -50,7 +50,7 @@ class ExrStream final : public Imf::OStream {
     OutputFile& file_;
 };
 
-/// Returns the header in the form that OpenEXR takes.
+/// Converts a header to OpenEXR's form.
 Imf::Header exr_header(const ExrHeader& header);
 
 /// Returns the name of a lossless method; empty for a lossy one.

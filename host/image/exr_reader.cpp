@@ -1,5 +1,3 @@
-// Reads a picture from one file, or from several that hold its regions.
-
 #include "error.hpp"
 #include "image/exr_parts.hpp"
 #include "image/picture.hpp"
@@ -50,8 +48,6 @@ std::string described(const fs::path& path, const Imath::Box2i& window) {
     const Rect r = to_rect(window);
     return fmt::format("'{}' ({},{},{},{})", path.string(), r.x, r.y, r.width, r.height);
 }
-
-// ---- Common attributes ----
 
 // Returns a header's attributes in serialized form, without the data window.
 std::map<std::string, std::string> common_attributes(const Imf::Header& header) {
@@ -106,8 +102,6 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
                                                       : "its " + name));
 }
 
-// ---- Placement ----
-
 // Checks that each pixel of the picture is in exactly one region.
 void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture) {
     // The first pixel of a gap is in the top row or just below a region, and in the left column or just right
@@ -133,8 +127,6 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
                     "no region contains the pixel {},{}; together, the regions must cover the picture", x,
                     y));
 }
-
-// ---- Channels ----
 
 std::vector<std::string> names_of(const Imf::ChannelList& channels) {
     std::vector<std::string> names;

@@ -36,7 +36,6 @@ class OutputFile {
     /// Flushes to disk and publishes the file, replacing an existing one atomically.
     void commit();
 
-    /// Returns the path as given.
     const std::filesystem::path& path() const { return path_; }
 
   private:

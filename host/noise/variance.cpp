@@ -52,8 +52,8 @@ double window_slope_energy(const Recipe& lattice) {
     // Hann's window, (1 + cos pi x) / 2.
     if (lattice.taps > 2)
         return std::numbers::pi * std::numbers::pi / 3;
-    // The window is cos t(x) with tan t = s / (1 - s), s = 3 x^2 - 2 x^3; shifted by 1, it is sin t. Their
-    // squares add up to 1, and the squares of their derivatives to t'^2.
+    // The window is cos t(x) with tan t = s / (1 - s), s = 3 x^2 - 2 x^3. The window shifted by 1 is sin t.
+    // The squares of both add up to 1, and the squares of their derivatives to t'^2.
     return boost::math::quadrature::gauss<double, 30>::integrate(
         [](double x) {
             const double s = x * x * (3 - 2 * x);

@@ -14,8 +14,8 @@ double window_energy(const Recipe& recipe, double a);
 double variance(const Recipe& recipe, double frequency, double orientation, double time = 0);
 
 /// The integral of h'^2 over the integral of h^2 for a lattice's window, per kernel radius squared. The
-/// variance of the noise's derivative along x is this plus (2 pi F.x)^2; for `lattice-2`, that is the mean
-/// over places.
+/// variance of the noise's derivative along x is this plus (2 pi F.x)^2. With `lattice-2` that variance
+/// depends on the place, and the sum is its mean.
 double window_slope_energy(const Recipe& lattice);
 
 /// Variances of a wave of the three-tap lattice along one axis.

@@ -65,9 +65,8 @@ struct Maps {
     }
 };
 
-// Converts maps to values that mip levels can average: the same channels, but with r^4, the second moment of
-// the microfacets' slopes, in place of the roughness r, and with the slopes along x and y and the sum of
-// their squares in place of the normal.
+// Replaces the channels that mip levels cannot average: the roughness r with r^4, the second moment of the
+// microfacets' slopes, and the normal with the slopes along x and y and the sum of their squares.
 std::vector<float> averaged_from(std::span<const float> maps) {
     std::vector<float> averaged(maps.begin(), maps.end());
     for (std::size_t i = 0; i < averaged.size(); i += map_channels.size()) {

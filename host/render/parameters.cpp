@@ -27,7 +27,6 @@ constexpr std::string_view terrains = "the terrain or landscape view";
 constexpr std::string_view lit_views = "a material or terrain";
 constexpr std::string_view orbits = "the sphere, torus or landscape view";
 
-// A view with its default values.
 struct NamedView {
     std::string_view name;
     View view;

@@ -60,7 +60,7 @@ class Blocks {
     int width_;
     int height_;
     NormalDistribution expected_;
-    std::vector<Block> blocks_; ///< row by row
+    std::vector<Block> blocks_; ///< in row-major order
 };
 
 } // namespace gabor::statistics

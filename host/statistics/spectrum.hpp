@@ -23,7 +23,6 @@ class Spectrum {
     /// Returns the averaged periodogram in the order that `summarize` takes. Call it after the last row.
     std::vector<double> periodogram() const;
 
-    /// Returns the side of the segments in pixels.
     int side() const { return segments_.side(); }
 
   private:

@@ -217,13 +217,11 @@ std::unique_ptr<Device::State> make_state(const std::string& selector, const Pre
     const double tick = double{chosen.physical.getProperties().limits.timestampPeriod} * 1e-9;
     const std::uint64_t mask =
         chosen.timestamp_bits < 64 ? (std::uint64_t{1} << chosen.timestamp_bits) - 1 : ~std::uint64_t{0};
-    bool unified = false;
-    const vk::PhysicalDeviceMemoryProperties memory = chosen.physical.getMemoryProperties();
-    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
-        const auto wanted =
-            coherent | vk::MemoryPropertyFlagBits::eHostCached | vk::MemoryPropertyFlagBits::eDeviceLocal;
-        unified |= (memory.memoryTypes[i].propertyFlags & wanted) == wanted;
-    }
+    constexpr auto shared =
+        coherent | vk::MemoryPropertyFlagBits::eHostCached | vk::MemoryPropertyFlagBits::eDeviceLocal;
+    const bool unified = std::ranges::any_of(
+        chosen.physical.getMemoryProperties().memoryTypes, // unused ones have no flags
+        [&](const vk::MemoryType& type) { return (type.propertyFlags & shared) == shared; });
     return std::unique_ptr<Device::State>(
         new Device::State{std::move(context), std::move(instance), std::move(messenger),
                           std::move(chosen.physical), chosen.info, chosen.family, std::move(device),
