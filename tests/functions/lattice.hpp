@@ -4,7 +4,7 @@
 // their functions as members. tests/golden shows that devices and translations give the same values.
 
 #include "compare.hpp"
-#include "reference/lattice.hpp"
+#include "reference/sum.hpp"
 
 #include "gabor_lattice.hpp" // for its vectors
 
@@ -66,12 +66,46 @@ inline gabor_vec3 narrow(const noise::Vector<3>& v) {
     return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
+template <std::size_t N>
+noise::Vector<N> random_unit(Draw& draw) {
+    noise::Vector<N> v;
+    for (double& coordinate : v)
+        coordinate = draw.uniform(-1, 1);
+    return noise::unit(v);
+}
+
+/// The lobes as the reference sums them.
+inline std::vector<noise::SpectrumLobe> reference_lobes(const Lattice3::GaborLobes& lobes,
+                                                        std::uint32_t seed) {
+    std::vector<noise::SpectrumLobe> all;
+    for (const auto& [frequency, orientation, radius, power] : lobes.lobe)
+        all.push_back({frequency, orientation, wide(radius), power,
+                       noise::lattice_lobe_seed(seed, static_cast<int>(all.size()))});
+    return all;
+}
+
 /// Converts a place to the drop-in's type.
 template <typename Functions>
 auto place_of(Functions&, const noise::Place<2>& place) {
     const auto& [cell, local, radius, period, animated, time] = place;
     return typename Functions::GaborPlace{{cell[0], cell[1]},     narrow(local), narrow(radius),
                                           {period[0], period[1]}, animated,      static_cast<float>(time)};
+}
+
+/// The same in space, for the noise or, with `filtered`, for its mean over a pixel with the steps dx and dy.
+template <typename Functions>
+typename Functions::GaborPlace3d place_of(Functions&, const noise::Place<3>& place, bool filtered = false,
+                                          gabor_vec3 dx = {0, 0, 0}, gabor_vec3 dy = {0, 0, 0}) {
+    const auto& [cell, local, radius, period, animated, time] = place;
+    return {{cell[0], cell[1], cell[2]},
+            narrow(local),
+            narrow(radius),
+            {period[0], period[1], period[2]},
+            animated,
+            static_cast<float>(time),
+            filtered,
+            dx,
+            dy};
 }
 
 /// The place that functions of a position compute from it in single precision.
@@ -117,24 +151,6 @@ inline noise::Place<2> any_lattice_place(Draw& draw, int taps) {
     place.animated = draw.word() % 2;
     place.time = draw.uniform(-2, 2);
     return place;
-}
-
-/// A pixel's steps in the plane, in kernel radii.
-struct Pixel {
-    gabor_vec2 dx{0, 0}, dy{0, 0};
-
-    Pixel() = default;
-    Pixel(gabor_vec2 x, gabor_vec2 y) : dx(x), dy(y) {}
-    /// A pixel with the standard deviations `deviation` and `deviation * ratio`, with its longer axis at an
-    /// angle.
-    Pixel(double deviation, double ratio, double angle)
-        : dx(static_cast<float>(2 * deviation * std::cos(angle)),
-             static_cast<float>(2 * deviation * std::sin(angle))),
-          dy(-static_cast<float>(ratio) * dx.y, static_cast<float>(ratio) * dx.x) {}
-};
-
-inline std::string to_string(const Pixel& pixel) {
-    return fmt::format("pixel ({}, {}), ({}, {})", pixel.dx.x, pixel.dx.y, pixel.dy.x, pixel.dy.y);
 }
 
 /// The standard deviation of one component of the gradient of isotropic noise. Its square is the sum of half

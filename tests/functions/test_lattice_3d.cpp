@@ -11,7 +11,6 @@ using namespace gabor;
 using noise::dot;
 using test::Differences;
 using test::Largest;
-using test::random_unit;
 using test::Sample3d;
 using Vector = noise::Vector<3>;
 
@@ -109,7 +108,7 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
         const float f = octave == 0 ? 0 : 0.1f * static_cast<float>(std::exp2(octave * 0.62));
         const Anywhere s(draw, f, animated, periodic);
         const double tight = tolerance(f);
-        const auto place = test::place_of(n, s);
+        const auto place = test::place_of(n, s.place);
         const Vector along = noise::unit(test::wide(s.direction)), normal = noise::unit(test::wide(s.normal));
         const auto wave = noise::wave_noise(3, noise::scaled(f, along), s.seed);
         const auto isotropic = noise::isotropic_noise_3d(f, s.seed);
@@ -190,8 +189,8 @@ TEST_CASE("waves of surface noise are tangent, have the requested frequency, and
     double longest = 0;
     double shortest = 1e9;
     for (int i = 0; i < 20000; ++i) {
-        const Vector normal = random_unit(draw);
-        Vector direction = random_unit(draw);
+        const Vector normal = test::random_unit<3>(draw);
+        Vector direction = test::random_unit<3>(draw);
         if (i % 4 == 0) { // the direction is near or along the normal
             for (std::size_t axis = 0; axis < 3; ++axis)
                 direction[axis] = normal[axis] + (i % 8 ? 0.3 : 0.01) * direction[axis];
@@ -219,7 +218,7 @@ TEST_CASE("the frames of isotropic noise are uniform over all directions", "[spa
     test::Draw draw(34);
     std::vector<Vector> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int i = 0; i < 24; ++i)
-        directions.push_back(random_unit(draw));
+        directions.push_back(test::random_unit<3>(draw));
     constexpr int count = 1 << 17;
     std::vector<std::array<statistics::Moments, 4>> powers(directions.size());
     test::Largest angles;

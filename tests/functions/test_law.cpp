@@ -157,7 +157,7 @@ Sample3d moved(Sample3d sample, const std::array<double, 3>& nodes) {
 }
 
 auto field_of(const Sample3d& s) {
-    return n.gabor_field_3d(place_of(n, s), s.frequency, s.direction, s.seed);
+    return n.gabor_field_3d(place_of(n, s.place), s.frequency, s.direction, s.seed);
 }
 
 // Returns the quadrature, the noise and the noise's slopes.
@@ -241,7 +241,7 @@ TEST_CASE("noise on the lattice in space is normal at each of 4 x 4 x 4 places o
         laws.add(test::law_samples() / 8, [&, f = frequency, tiled = tiled](std::size_t k) {
             Sample3d s = solid_sample(draw, {places[k][0], places[k][1], places[k][2]});
             s.frequency = f;
-            s.direction = test::narrow(test::random_unit(draw));
+            s.direction = test::narrow(test::random_unit<3>(draw));
             for (std::size_t axis = 0; tiled && axis < 3; ++axis) {
                 s.place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
                 s.place.radius[axis] = 1.5f * draw.uniform(0.8, 1.25);
@@ -258,7 +258,7 @@ TEST_CASE("surface noise on the lattice is normally distributed for every surfac
     Draw draw(32);
     std::vector<std::array<float, 3>> normals;
     for (int i = 0; i < 32; ++i) {
-        const gabor_vec3 normal = test::narrow(test::random_unit(draw));
+        const gabor_vec3 normal = test::narrow(test::random_unit<3>(draw));
         normals.push_back({normal.x, normal.y, normal.z});
     }
     for (const bool isotropic : {false, true}) {
@@ -266,12 +266,13 @@ TEST_CASE("surface noise on the lattice is normally distributed for every surfac
         laws.add(test::law_samples() / 4, [&](std::size_t k) {
             Sample3d s = solid_sample(draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
             s.normal = {normals[k][0], normals[k][1], normals[k][2]};
-            s.direction = test::narrow(test::random_unit(draw));
+            s.direction = test::narrow(test::random_unit<3>(draw));
             if (draw.word() % 2) // near the normal, where another direction replaces this one
                 s.direction = s.normal + 0.45f * s.direction;
             const auto field =
-                isotropic ? n.gabor_surface_isotropic_3d(place_of(n, s), s.normal, s.frequency, s.seed)
-                          : n.gabor_surface_3d(place_of(n, s), s.normal, s.frequency, s.direction, s.seed);
+                isotropic
+                    ? n.gabor_surface_isotropic_3d(place_of(n, s.place), s.normal, s.frequency, s.seed)
+                    : n.gabor_surface_3d(place_of(n, s.place), s.normal, s.frequency, s.direction, s.seed);
             return std::array{field.quadrature, field.noise};
         });
         laws.check(isotropic ? "surface, isotropic" : "surface");
@@ -364,8 +365,9 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
             quarter,
             [&, place = place, normal = normal] {
                 const Sample3d s = solid_sample(draw, place);
-                return numbers_of(on_surface ? n.gabor_surface_isotropic_3d(place_of(n, s), normal, 1, s.seed)
-                                             : n.gabor_isotropic_3d(place_of(n, s), 1, s.seed));
+                return numbers_of(on_surface
+                                      ? n.gabor_surface_isotropic_3d(place_of(n, s.place), normal, 1, s.seed)
+                                      : n.gabor_isotropic_3d(place_of(n, s.place), 1, s.seed));
             },
             of_isotropic(slope, {{2, x}, {4, z}}, {3}));
     }
@@ -413,8 +415,9 @@ TEST_CASE("the covariance of isotropic noise is that of an even ring or shell of
                       [&](const Vector& lag, float f) {
                           const Sample3d s = solid_sample(
                               draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
-                          const auto first = n.gabor_isotropic_3d(place_of(n, s), f, s.seed);
-                          const auto second = n.gabor_isotropic_3d(place_of(n, moved(s, lag)), f, s.seed);
+                          const auto first = n.gabor_isotropic_3d(place_of(n, s.place), f, s.seed);
+                          const auto second =
+                              n.gabor_isotropic_3d(place_of(n, moved(s, lag).place), f, s.seed);
                           return std::array{first.quadrature, first.noise, second.quadrature, second.noise};
                       });
     plane.check("in the plane, in units of 4.5 standard errors");

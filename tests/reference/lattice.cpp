@@ -215,13 +215,20 @@ Lattice<2> map_noise(const std::array<Vector<2>, 9>& given, std::uint32_t seed) 
             }};
 }
 
+// The correlation of isotropic noise at an offset d is the mean of cos(2 pi F u.d) over directions u: J_0(t)
+// in a plane with d along it, and sin(t) / t in space, where t = 2 pi F |d|.
 Lattice<2> isotropic_noise(double frequency, std::uint32_t seed) {
-    return {3, seed, [frequency](const auto& lines, std::size_t, auto& waves) {
+    return {3, seed,
+            [frequency](const auto& lines, std::size_t, auto& waves) {
                 const auto words = isotropic_words(lines[0], lines[1]);
                 for (std::size_t m = 0; m < 3; ++m)
                     waves.push_back(
                         {wave_along(frequency, pi / 6 * uniform(words[3]) + pi / 3 * static_cast<double>(m)),
                          words.at(m)});
+            },
+            frequency,
+            [frequency](const Vector<2>& offset) {
+                return std::cyl_bessel_j(0, 2 * pi * std::abs(frequency) * length(offset));
             }};
 }
 
@@ -237,8 +244,6 @@ std::array<Vector<3>, 3> isotropic_frame(std::uint32_t word) {
             sum(-std::sin(spin), level_one, std::cos(spin), other)};
 }
 
-// The mean of cos(2 pi F u.d) over directions u is sin(t) / t in space, and J_0(t) on a surface with d along
-// it, where t = 2 pi F |d|.
 Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed) {
     return {3, seed,
             [frequency](const auto& lines, std::size_t, auto& waves) {

@@ -12,14 +12,6 @@ namespace {
 
 using std::numbers::pi;
 
-// The two principal axes of a normal filter; their lengths are its standard deviations.
-template <std::size_t N>
-std::array<Vector<N>, 2> principal_axes(const Vector<N>& dx, const Vector<N>& dy) {
-    const double angle = 0.5 * std::atan2(2 * dot(dx, dy), dot(dx, dx) - dot(dy, dy));
-    return {sum(std::cos(angle) / 2, dx, std::sin(angle) / 2, dy),
-            sum(-std::sin(angle) / 2, dx, std::cos(angle) / 2, dy)};
-}
-
 // Converts a place to a term's own kernel radii and nodes.
 template <std::size_t N>
 Place<N> placed(const Place<N>& place, const Vector<N>& radius) {
@@ -52,6 +44,15 @@ double smoothstep(double low, double high, double x) {
 }
 
 } // namespace
+
+template <std::size_t N>
+std::array<Vector<N>, 2> principal_axes(const Vector<N>& dx, const Vector<N>& dy) {
+    const double angle = 0.5 * std::atan2(2 * dot(dx, dy), dot(dx, dx) - dot(dy, dy));
+    return {sum(std::cos(angle) / 2, dx, std::sin(angle) / 2, dy),
+            sum(-std::sin(angle) / 2, dx, std::cos(angle) / 2, dy)};
+}
+
+template std::array<Vector<2>, 2> principal_axes(const Vector<2>&, const Vector<2>&);
 
 template <std::size_t N>
 Field<N> Sum<N>::field(const Place<N>& place) const {

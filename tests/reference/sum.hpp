@@ -40,6 +40,10 @@ class Sum {
     std::vector<Term> terms_;
 };
 
+/// The principal axes of the same filter, whose lengths are its standard deviations.
+template <std::size_t N>
+std::array<Vector<N>, 2> principal_axes(const Vector<N>& dx, const Vector<N>& dy);
+
 /// Like GaborLobe in shaders/gabor_spectrum.glsl, with the seed of the lobe's own noise.
 struct SpectrumLobe {
     double frequency = 4; ///< cycles per unit of length
