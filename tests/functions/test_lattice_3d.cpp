@@ -1,14 +1,8 @@
 // Compares every function of gabor_lattice_3d.glsl with the double-precision reference.
 
 #include "lattice_3d.hpp"
-#include "statistics/moments.hpp"
-
-#include <fmt/ranges.h>
-
-#include <vector>
 
 using namespace gabor;
-using noise::dot;
 using test::Differences;
 using test::Largest;
 using test::Sample3d;
@@ -160,96 +154,6 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
                                        1e-4 * (1 + f), s);
     }
     test::check(of, 14);
-}
-
-TEST_CASE("the gradient on the lattice equals differences of the reference", "[space][oracle]") {
-    test::Draw draw(24);
-    for (int i = 0; i < 500; ++i) {
-        const auto wave = test::wide(draw.uniform<gabor_vec3>(-3, 3));
-        const auto reference = noise::wave_noise(3, wave, draw.word());
-        noise::Place<3> place;
-        for (double& coordinate : place.local) // exact in a float, like their neighbours
-            coordinate = std::floor(draw.uniform(-8, 8) * 256) / 256;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            constexpr double h = 0x1p-12;
-            noise::Place<3> before = place;
-            noise::Place<3> after = place;
-            before.local[axis] -= h;
-            after.local[axis] += h;
-            const double difference =
-                (reference.field(after).value.imag() - reference.field(before).value.imag()) / (2 * h) * 1.5;
-            REQUIRE(reference.field(place).slope[axis].imag() == Approx(difference).margin(5e-3));
-        }
-    }
-}
-
-TEST_CASE("waves of surface noise are tangent, have the requested frequency, and sum to variance 1",
-          "[space][oracle]") {
-    test::Draw draw(33);
-    double longest = 0;
-    double shortest = 1e9;
-    for (int i = 0; i < 20000; ++i) {
-        const Vector normal = test::random_unit<3>(draw);
-        Vector direction = test::random_unit<3>(draw);
-        if (i % 4 == 0) { // the direction is near or along the normal
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                direction[axis] = normal[axis] + (i % 8 ? 0.3 : 0.01) * direction[axis];
-            direction = noise::unit(direction);
-        }
-        const double frequency = draw.uniform(0.1f, 6);
-        double power = 0;
-        for (const noise::SurfaceWave& w : noise::surface_waves(normal, frequency, direction, 1)) {
-            power += w.weight * w.weight;
-            const double length = noise::length(w.wave) / frequency;
-            longest = std::max(longest, length);
-            shortest = std::min(shortest, length);
-            REQUIRE(std::abs(dot(w.wave, normal)) < 1e-9 * frequency);
-        }
-        REQUIRE(power == Approx(1).margin(1e-9));
-    }
-    fmt::print("frequency on the surface: {:.9f} to {:.9f} of the requested one\n", shortest, longest);
-    CHECK(shortest > 1 - 1e-9);
-    CHECK(longest < 1 + 1e-9);
-}
-
-// Each vector u of a random frame is uniform on the sphere, so (u.v)^2k has mean 1 / (2k + 1) for every v,
-// and the harmonics up to degree 8 vanish.
-TEST_CASE("the frames of isotropic noise are uniform over all directions", "[space][oracle]") {
-    test::Draw draw(34);
-    std::vector<Vector> directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (int i = 0; i < 24; ++i)
-        directions.push_back(test::random_unit<3>(draw));
-    constexpr int count = 1 << 17;
-    std::vector<std::array<statistics::Moments, 4>> powers(directions.size());
-    test::Largest angles;
-    for (int i = 0; i < count; ++i) {
-        const auto frame = noise::isotropic_frame(draw.word() | 1u);
-        for (std::size_t a = 0; a < 3; ++a)
-            for (std::size_t b = 0; b < 3; ++b)
-                angles.see(dot(frame.at(a), frame.at(b)), a == b ? 1 : 0, 1e-12,
-                           [&] { return fmt::format("{}, {}", a, b); });
-        for (std::size_t k = 0; k < directions.size(); ++k) {
-            std::array<double, 4> sums{};
-            for (const Vector& u : frame)
-                for (std::size_t n = 0; n < 4; ++n)
-                    sums.at(n) += std::pow(dot(u, directions[k]), 2.0 * static_cast<double>(n + 1)) / 3;
-            for (std::size_t n = 0; n < 4; ++n)
-                powers[k].at(n).add(sums.at(n));
-        }
-    }
-    angles.check("frames");
-    test::Largest even; // differences in units of 4.5 standard errors
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-        for (std::size_t n = 1; n < 4; ++n) { // the squares of a frame sum to 1
-            const statistics::Moments& power = powers[k].at(n);
-            even.see(power.mean(), 1 / (2.0 * static_cast<double>(n + 1) + 1),
-                     4.5 * std::sqrt(power.variance() / count), [&] {
-                         return fmt::format("power {} along {:.2f}", 2 * (n + 1),
-                                            fmt::join(directions[k], " "));
-                     });
-        }
-    }
-    even.check("powers of cosines, in units of 4.5 standard errors");
 }
 
 TEST_CASE("in space, only a frequency's magnitude and a direction's orientation matter", "[space]") {

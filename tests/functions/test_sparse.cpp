@@ -176,26 +176,32 @@ TEST_CASE("periods of the sparse noise in space and time agree with the referenc
     });
 }
 
-TEST_CASE("the gradient equals differences of the reference", "[sparse][oracle]") {
+// The margin is h^2 / 6 times the third derivative, which is (2 pi F)^3 times a few sigma.
+template <std::size_t N>
+void check_gradient(Draw& draw, const auto& reference) {
+    noise::Place<N> place;
+    for (std::size_t axis = 0; axis < N; ++axis) // on and across the edges of cells and windows
+        place.local[axis] = std::floor(draw.uniform(-8, 8) * 256) / 256;
+    for (std::size_t axis = 0; axis < N; ++axis) {
+        constexpr double h = 0x1p-14;
+        noise::Place<N> before = place, after = place;
+        before.local[axis] -= h;
+        after.local[axis] += h;
+        const auto difference = reference.field(after).value - reference.field(before).value;
+        REQUIRE(reference.field(place).slope[axis].imag() ==
+                Approx(difference.imag() / (2 * h) * place.radius[axis]).margin(5e-4));
+    }
+}
+
+TEST_CASE("gradients of the reference equal its differences", "[sparse][lattice][space][oracle]") {
     Draw draw(6);
-    for_recipes([&](const auto& n) {
-        const Reference reference(n.recipe, 3, 0.7, 9);
-        for (int i = 0; i < 2000; ++i) {
-            // These places are exact in a float, on and across the edges of cells and windows.
-            const auto coordinate = [&] { return std::floor(draw.uniform(-8, 8) * 256) / 256; };
-            const float x = coordinate(), y = coordinate();
-            const auto value = [&](float dx, float dy) {
-                return reference(noise::place_at(n.recipe, 0, 0, x + dx, y + dy));
-            };
-            constexpr float h = 0x1p-12f;
-            const noise::Field<2> field = reference.field(noise::place_at(n.recipe, 0, 0, x, y));
-            const double along_x = (value(h, 0) - value(-h, 0)) / (2 * h) * n.recipe.radius;
-            const double along_y = (value(0, h) - value(0, -h)) / (2 * h) * n.recipe.radius;
-            // The margin is h^2 / 6 times the third derivative, which is (2 pi F)^3 times a few sigma.
-            REQUIRE(field.slope[0].imag() == Approx(along_x).margin(5e-4));
-            REQUIRE(field.slope[1].imag() == Approx(along_y).margin(5e-4));
-        }
-    });
+    for (int i = 0; i < 1000; ++i) {
+        for (const char* recipe : {"one", "pure", "paper"})
+            check_gradient<2>(draw, Reference(noise::find_recipe(recipe), 3, 0.7, 9));
+        for (const int taps : {2, 3, 4})
+            check_gradient<2>(draw, noise::wave_noise(taps, noise::wave_along(3, 0.7), draw.word()));
+        check_gradient<3>(draw, noise::wave_noise(3, noise::Vector<3>{2, -1, 2}, draw.word()));
+    }
 }
 
 TEST_CASE("frequencies outside the range are clamped", "[sparse]") {
@@ -208,78 +214,41 @@ TEST_CASE("frequencies outside the range are clamped", "[sparse]") {
     CHECK(std::isfinite(noise(std::numeric_limits<float>::infinity())));
 }
 
-TEST_CASE("painted frequency and orientation leave no seam", "[sparse]") {
-    for_recipes([](auto n) {
-        constexpr double step = 0x1p-11; // kernel radii; the line crosses eight cells
-        const auto noise = [&](int i) {
-            const double x = i * step;
-            return double{n.gabor_noise({static_cast<float>(x), 0.37f}, static_cast<float>(4 + std::sin(x)),
-                                        static_cast<float>(std::sin(0.7 * x)), 3)};
-        };
-        // The second derivative is at most (2 pi F)^2 times a few sigma; a seam would exceed this bound by
-        // its height.
-        const double bound = std::pow(2 * std::numbers::pi * 5 * step, 2) * 5;
-        Largest bend;
-        for (int i = 1; i < 1 << 14; ++i)
-            bend.see(noise(i - 1) + noise(i + 1), 2 * noise(i), bound,
-                     [&] { return fmt::format("step {}", i); });
-        bend.check(n.recipe.name);
-    });
-}
-
 // By quadrature of the characteristic functions, `one` and `pure` have a cvm of 0.01 and 0.007. That of
 // `paper` is 2^18 (kurtosis / 24)^2 0.1429, with the exact excess kurtosis by quadrature from Campbell's
 // theorem and the effect of stratification.
-TEST_CASE("the sparse noises have the predicted kurtosis, and are as Gaussian as predicted",
+TEST_CASE("the sparse noises have variance 1, also in tiles, and the predicted kurtosis and cvm",
           "[sparse][law]") {
     const auto check = [](auto n, double excess_kurtosis, double most_cvm) {
         constexpr int count = 1 << 21;
-        Draw draw(3);
+        Draw draw(3), draw_tiles(4);
         const auto kernel = n.gabor_kernel(4, 0.3f);
-        statistics::Moments moments;
+        statistics::Moments moments, tiled;
         statistics::Gaussianity gaussianity;
         for (int i = 0; i < count; ++i) {
             const float value = n.gabor_noise_at({draw.cell(), draw.cell()}, draw.uniform<gabor_vec2>(0, 1),
                                                  kernel, draw.word());
             moments.add(value);
             gaussianity.add(value);
+            if (i % 2)
+                tiled.add(n.gabor_noise_tiled(draw_tiles.uniform<gabor_vec2>(0, 8),
+                                              draw_tiles.uniform<gabor_vec2>(2, 4), 3, 0.3f,
+                                              draw_tiles.word()));
         }
         const statistics::Estimate cvm = gaussianity.index();
         fmt::print("{}: variance {:.5f}, excess kurtosis {:.4f}, cvm {:.3f} [{:.3f}, {:.3f}]\n",
                    n.recipe.name, moments.variance(), moments.excess_kurtosis(), cvm.value, cvm.low,
                    cvm.high);
         // four standard errors
-        CHECK(moments.mean() == Approx(0).margin(4 / std::sqrt(count)));
-        CHECK(moments.variance() == Approx(1).margin(4 * std::sqrt(2.0 / count)));
+        for (const statistics::Moments& each : {moments, tiled}) {
+            const double values = static_cast<double>(each.count());
+            CHECK(each.mean() == Approx(0).margin(4 / std::sqrt(values)));
+            CHECK(each.variance() == Approx(1).margin(4 * std::sqrt(2 / values)));
+        }
         CHECK(moments.excess_kurtosis() == Approx(excess_kurtosis).margin(4 * std::sqrt(24.0 / count)));
         CHECK(cvm.low < most_cvm);
     };
     check(test::One(), 0.0315, 0.01);
     check(test::Pure(), 0.0131, 0.007);
     check(test::Paper(), -0.0325, 0.07);
-}
-
-TEST_CASE("the sparse noise, also with periods and animated, and its quadrature have mean 0 and variance 1",
-          "[sparse][law]") {
-    const auto check = [](const std::string& name, const auto& noise) {
-        Draw draw(4);
-        statistics::Moments moments;
-        for (int i = 0; i < 1 << 20; ++i)
-            moments.add(noise(draw, draw.uniform<gabor_vec2>(0, 8)));
-        INFO(name);
-        CHECK(moments.mean() == Approx(0).margin(0.004)); // four standard errors
-        CHECK(moments.variance() == Approx(1).margin(0.006));
-    };
-    for_recipes([&](auto n) {
-        check(fmt::format("{}, tiled", n.recipe.name), [&](Draw& draw, gabor_vec2 p) {
-            return n.gabor_noise_tiled(p, draw.uniform<gabor_vec2>(2, 4), 3, 0.3f, draw.word());
-        });
-    });
-    test::Paper n; // with more phases, neither the time nor the quadrature matters
-    for (const float frequency : {0.25f, 3.0f})
-        check(fmt::format("frequency {}, animated", frequency), [&](Draw& draw, gabor_vec2 p) {
-            return n.gabor_noise_animated(p, 0.13f, frequency, 0.3f, draw.word());
-        });
-    check("quadrature", // the quadrature of a slow sine exceeds the sine
-          [&](Draw& draw, gabor_vec2 p) { return n.gabor_noise_complex(p, 3, 0.3f, draw.word()).x; });
 }

@@ -2,7 +2,7 @@
 // tools/test-long draws 10^8.
 
 #include "../largest.hpp"
-#include "draws.hpp"
+#include "randomness.hpp"
 #include "reference/reference.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,11 +20,11 @@
 #include <vector>
 
 using gabor::noise::impulse_word;
+using gabor::test::chi_square;
+using gabor::test::draws;
+using gabor::test::far;
 
 namespace {
-
-// In standard deviations. A few thousand values do not exceed this limit by chance.
-constexpr double far = 5.5;
 
 struct Input {
     std::int32_t column;
@@ -74,17 +74,6 @@ struct Field {
 constexpr std::array fields{Field{"x", 8, 23}, Field{"y", 0, 23}, Field{"phase", 0, 8},
                             Field{"magnitude", 31, 1}, Field{"phase rate", 8, 3}};
 
-// Pearson's chi-square against equal counts, converted to a standard normal value.
-double chi_square(const std::vector<std::uint64_t>& counts, std::uint64_t total) {
-    const double expected = static_cast<double>(total) / static_cast<double>(counts.size());
-    double sum = 0;
-    for (const std::uint64_t count : counts)
-        sum += (static_cast<double>(count) - expected) * (static_cast<double>(count) - expected) / expected;
-    const double freedom = static_cast<double>(counts.size() - 1);
-    // Wilson and Hilferty's cube root, accurate for few degrees of freedom too.
-    return (std::cbrt(sum / freedom) - (1 - 2 / (9 * freedom))) / std::sqrt(2 / (9 * freedom));
-}
-
 } // namespace
 
 TEST_CASE("flipping any bit of an input flips each bit of the word half the time", "[randomness]") {
@@ -132,7 +121,7 @@ TEST_CASE("the fields of words are uniform", "[randomness]") {
                 ++counts[k][std::rotl(word, static_cast<int>(8 * k)) & 0xfff];
         }
         for (unsigned k = 0; k < 4; ++k)
-            largest.see(chi_square(counts[k], draws()), 0, far,
+            largest.see(chi_square(counts[k]), 0, far,
                         fmt::format("{}, bits from {}", sequence.name, (32 - 8 * k) % 32));
     }
     largest.check("uniformity");
@@ -148,7 +137,7 @@ TEST_CASE("the fields of one word are independent", "[randomness]") {
                     const std::uint32_t word = sequence.input(i).word();
                     ++counts[fields[a].of(word) * fields[b].values() + fields[b].of(word)];
                 }
-                largest.see(chi_square(counts, draws()), 0, far,
+                largest.see(chi_square(counts), 0, far,
                             fmt::format("{}, {} and {}", sequence.name, fields[a].name, fields[b].name));
             }
         }
@@ -191,7 +180,7 @@ TEST_CASE("the words of neighbours are independent", "[randomness]") {
         for (std::size_t f = 0; f < fields.size(); ++f) {
             const double variance = (std::pow(fields[f].values(), 2) - 1) / 12;
             const std::string which = fmt::format("{}, {}", fields[f].name, name);
-            joint.see(chi_square(counts[f], draws()), 0, far, which);
+            joint.see(chi_square(counts[f]), 0, far, which);
             linear.see(product[f] / variance / std::sqrt(static_cast<double>(draws())), 0, far, which);
         }
     }

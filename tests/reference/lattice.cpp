@@ -85,6 +85,19 @@ double uniform(std::uint32_t word) {
     return static_cast<std::int32_t>(word) * 0x1p-31;
 }
 
+// The frame of a node of isotropic noise in space, from its word.
+std::array<Vector<3>, 3> isotropic_frame(std::uint32_t word) {
+    const double azimuth = pi / 2 * uniform(word);
+    const double rise = uniform(word << 12);
+    const double spin = pi / 4 * uniform(word << 20);
+    const double level = std::sqrt(1 - rise * rise);
+    const Vector<3> first{level * std::cos(azimuth), level * std::sin(azimuth), rise};
+    const Vector<3> level_one{-std::sin(azimuth), std::cos(azimuth), 0};
+    const Vector<3> other = cross(first, level_one);
+    return {first, sum(std::cos(spin), level_one, std::sin(spin), other),
+            sum(-std::sin(spin), level_one, std::cos(spin), other)};
+}
+
 } // namespace
 
 std::uint32_t lattice_word(std::int32_t column, std::int32_t row, std::uint32_t seed) {
@@ -230,18 +243,6 @@ Lattice<2> isotropic_noise(double frequency, std::uint32_t seed) {
             [frequency](const Vector<2>& offset) {
                 return std::cyl_bessel_j(0, 2 * pi * std::abs(frequency) * length(offset));
             }};
-}
-
-std::array<Vector<3>, 3> isotropic_frame(std::uint32_t word) {
-    const double azimuth = pi / 2 * uniform(word);
-    const double rise = uniform(word << 12);
-    const double spin = pi / 4 * uniform(word << 20);
-    const double level = std::sqrt(1 - rise * rise);
-    const Vector<3> first{level * std::cos(azimuth), level * std::sin(azimuth), rise};
-    const Vector<3> level_one{-std::sin(azimuth), std::cos(azimuth), 0};
-    const Vector<3> other = cross(first, level_one);
-    return {first, sum(std::cos(spin), level_one, std::sin(spin), other),
-            sum(-std::sin(spin), level_one, std::cos(spin), other)};
 }
 
 Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed) {

@@ -121,9 +121,6 @@ Lattice<2> map_noise(const std::array<Vector<2>, 9>& waves, std::uint32_t seed);
 Lattice<2> isotropic_noise(double frequency, std::uint32_t seed);
 Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed);
 
-/// The frame of a node of isotropic noise in space, from its word.
-std::array<Vector<3>, 3> isotropic_frame(std::uint32_t word);
-
 /// Isotropic noise on a surface that two unit vectors at right angles span.
 Lattice<3> tangent_noise(double frequency, const std::array<Vector<3>, 2>& tangents, std::uint32_t seed);
 

@@ -90,8 +90,4 @@ std::vector<float> picture(int width, int height, const Lobe& lobe, std::uint64_
     return a;
 }
 
-double lobe_width(double spread) {
-    return std::sqrt(std::numbers::ln2) / (std::numbers::pi * spread);
-}
-
 } // namespace samples

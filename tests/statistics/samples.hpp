@@ -26,7 +26,7 @@ struct Bent {
 
 /// A picture of a stationary normal process with mean 0 and variance 1: A cos(2 pi f.x) + B sin(2 pi f.x),
 /// where A and B are white noise filtered by exp(-|d|^2 / (2 spread^2)). Its autocorrelation is exp(-|d|^2 /
-/// (4 spread^2)) cos(2 pi f.d), and the full width of its lobes at half maximum is lobe_width(spread).
+/// (4 spread^2)) cos(2 pi f.d).
 struct Lobe {
     double spread; ///< pixels
     double fx = 0; ///< cycles per pixel
@@ -34,7 +34,5 @@ struct Lobe {
 };
 
 std::vector<float> picture(int width, int height, const Lobe& lobe, std::uint64_t seed);
-
-double lobe_width(double spread);
 
 } // namespace samples

@@ -1,7 +1,6 @@
 #include "statistics/spectrum.hpp"
 
 #include "samples.hpp"
-#include "statistics/moments.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -95,23 +94,6 @@ TEST_CASE("white noise is white: power proportional to area") {
         area += 2 * std::numbers::pi * k * df * df;
     CHECK(inner == Approx(area).epsilon(0.01));
     CHECK(summary.correlation == Approx(2).epsilon(0.1));
-}
-
-TEST_CASE("a noise with a known lobe is measured with its frequency, orientation, width and correlation") {
-    const auto [fx, fy] = GENERATE(table<double, double>({{0.13, 0.07}, {-0.05, 0.12}}));
-    const double spread = 10;
-    const int side = 1400;
-    const std::vector<float> picture = samples::picture(side, side, {spread, fx, fy}, 31);
-    Moments moments;
-    moments.add(picture);
-    const SpectrumSummary summary = spectrum_of(picture, side, side);
-    INFO("lobe " << fx << ", " << fy);
-    CHECK(summary.peak->frequency == Approx(std::hypot(fx, fy)).epsilon(0.005));
-    CHECK(summary.peak->orientation == Approx(degrees(fx, fy)).margin(0.3));
-    CHECK(summary.bandwidth == Approx(samples::lobe_width(spread)).epsilon(0.03));
-    CHECK(summary.power == Approx(moments.variance()).epsilon(0.025));
-    // 2 sqrt(integral of exp(-d^2 / (2 spread^2)) cos^2) = 2 sqrt(pi) spread
-    CHECK(summary.correlation == Approx(2 * std::sqrt(std::numbers::pi) * spread).epsilon(0.04));
 }
 
 TEST_CASE("segments fit into the picture, and tiny pictures have none") {
