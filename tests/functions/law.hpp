@@ -95,18 +95,16 @@ void check_covariance(Largest& largest, const Instance& instance, double expecte
     CHECK(error < 0.01);
 }
 
-/// Offsets of side^axes places in a cell from its corner, which is the first place.
-inline std::vector<std::vector<float>> places_of_cell(std::size_t side, std::size_t axes) {
-    std::vector<std::vector<float>> places{{}};
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-        std::vector<std::vector<float>> longer;
-        for (const std::vector<float>& place : places) {
-            for (std::size_t step = 0; step < side; ++step) {
-                longer.push_back(place);
-                longer.back().push_back(static_cast<float>(step) / static_cast<float>(side));
-            }
+/// Offsets of side^N places in a cell from its corner, which is the first place.
+template <std::size_t N>
+std::vector<std::array<double, N>> places_of_cell(std::size_t side) {
+    std::vector<std::array<double, N>> places(static_cast<std::size_t>(std::pow(side, N)));
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        std::size_t rest = k;
+        for (double& coordinate : places[k]) {
+            coordinate = static_cast<double>(rest % side) / static_cast<double>(side);
+            rest /= side;
         }
-        places = longer;
     }
     return places;
 }

@@ -23,6 +23,33 @@ namespace {
 
 constexpr double half = 0.5, quarter = 0.25; // shares of the samples
 
+// Checks noise of any direction, without and with periods, at side^N places of a cell. `values` returns the
+// noise and its quadrature.
+template <std::size_t N>
+void check_cell(int taps, std::size_t side, auto values) {
+    const auto places = test::places_of_cell<N>(side);
+    Draw draw(30);
+    Laws all(places);
+    for (const float frequency : {0.0f, 0.05f, 0.7f, 1.5f, 4.0f, 30.0f}) {
+        const bool periodic = frequency == 1.5f;
+        Laws laws(places);
+        laws.add(test::law_samples() / 8, [&](std::size_t k) {
+            noise::Place<N> place;
+            place.local = places[k];
+            for (std::size_t axis = 0; axis < N; ++axis) {
+                place.cell[axis] = draw.cell();
+                place.radius[axis] = 0.5 * taps * (periodic ? draw.uniform(0.8, 1.25) : 1);
+                place.period[axis] = periodic ? taps + static_cast<std::int32_t>(draw.word() % 9) : 0;
+            }
+            return values(place, frequency, test::random_unit<N>(draw), draw.word());
+        });
+        laws.check(
+            fmt::format("{} taps, {} axes, frequency {}{}", taps, N, frequency, periodic ? ", periods" : ""));
+        all.merge(laws);
+    }
+    all.check("all waves");
+}
+
 // ---- In the plane
 
 constexpr float frequency = 1.5;
@@ -36,46 +63,6 @@ gabor_vec2 anywhere(Draw& draw) {
 std::vector<Statistic> sum_and_difference(double covariance) {
     return {sum_of("sum", std::sqrt(2 + 2 * covariance), {{0}, {1}}),
             sum_of("difference", std::sqrt(2 - 2 * covariance), {{0}, {1, -1}})};
-}
-
-template <typename Functions>
-void check_cell(Functions n) {
-    struct Waves {
-        float frequency, orientation;
-        bool tiled;
-    };
-    constexpr int taps = Functions::taps;
-    const auto places = test::places_of_cell(16, 2);
-    Draw draw(8);
-    Laws all(places);
-    fmt::print("{} taps\n", taps);
-    for (const auto& [frequency, orientation, tiled] : {Waves{4, 0, false},
-                                                        {4, 0.4f, false},
-                                                        {4, 0.785398f, false},
-                                                        {4, 1.1f, false},
-                                                        {0, 0.4f, false},
-                                                        {0.05f, 0.4f, false},
-                                                        {0.7f, 0.4f, false},
-                                                        {30, 0.4f, false},
-                                                        {1.5f, 0.4f, true}}) {
-        Laws laws(places);
-        laws.add(test::law_samples() / 8, [&, f = frequency, o = orientation, t = tiled](std::size_t k) {
-            const gabor_vec2 local(places[k][0], places[k][1]);
-            if (!t)
-                return std::array{
-                    n.gabor_noise_at({draw.cell(), draw.cell()}, local, n.gabor_kernel(f, o), draw.word())};
-            gabor_vec2 p, tile = draw.uniform<gabor_vec2>(0.3, 4.3);
-            for (int axis = 0; axis < 2; ++axis) {
-                const float nodes = std::max(std::floor(tile[axis] * 0.5f * taps + 0.5f), float{taps});
-                p[axis] = (std::floor(nodes * draw.uniform(0, 1)) + local[axis]) * tile[axis] / nodes;
-            }
-            return std::array{n.gabor_noise_tiled(p, tile, f, o, draw.word())};
-        });
-        laws.check(
-            fmt::format("frequency {}, orientation {}{}", frequency, orientation, tiled ? ", tiles" : ""));
-        all.merge(laws);
-    }
-    all.check("all waves");
 }
 
 template <typename Functions>
@@ -198,9 +185,23 @@ std::vector<Statistic> of_isotropic(double slope, const std::vector<test::Term>&
 
 } // namespace
 
-TEST_CASE("the lattice noise is normal at each of 16 x 16 places of a cell", "[law]") {
-    check_cell(test::Lattice3());
-    check_cell(test::Lattice4());
+TEST_CASE("the lattice noise is normal at each of 16 x 16 places of a cell, and of 4 x 4 x 4 in space",
+          "[law]") {
+    const auto in_plane = [](auto functions) {
+        return [functions](const auto& place, float frequency, const auto& direction,
+                           std::uint32_t seed) mutable {
+            const auto kernel =
+                functions.gabor_kernel_wave(test::narrow(noise::scaled(frequency, direction)));
+            const auto [x, y] = functions.gabor_field(place_of(functions, place), kernel, seed).value;
+            return std::array{x, y};
+        };
+    };
+    check_cell<2>(3, 16, in_plane(test::Lattice3()));
+    check_cell<2>(4, 16, in_plane(test::Lattice4()));
+    check_cell<3>(3, 4, [](const auto& place, float frequency, const auto& direction, std::uint32_t seed) {
+        const auto field = n.gabor_field_3d(place_of(n, place), frequency, test::narrow(direction), seed);
+        return std::array{field.quadrature, field.noise};
+    });
 }
 
 TEST_CASE("the lattice noise, its gradient, quadrature and phasor, four noises, and pairs of places are "
@@ -225,33 +226,6 @@ TEST_CASE("the lattice noise at two times is jointly normal with correlation cos
             },
             sum_and_difference(std::pow(std::cos(pi * lag), 2)));
     }
-}
-
-TEST_CASE("noise on the lattice in space is normal at each of 4 x 4 x 4 places of a cell", "[law]") {
-    Draw draw(30);
-    const auto places = test::places_of_cell(4, 3);
-    Laws all(places);
-    struct Waves {
-        float frequency;
-        bool tiled;
-    };
-    for (const auto& [frequency, tiled] :
-         {Waves{0, false}, {0.7f, false}, {4, false}, {30, false}, {1.5f, true}}) {
-        Laws laws(places);
-        laws.add(test::law_samples() / 8, [&, f = frequency, tiled = tiled](std::size_t k) {
-            Sample3d s = solid_sample(draw, {places[k][0], places[k][1], places[k][2]});
-            s.frequency = f;
-            s.direction = test::narrow(test::random_unit<3>(draw));
-            for (std::size_t axis = 0; tiled && axis < 3; ++axis) {
-                s.place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
-                s.place.radius[axis] = 1.5f * draw.uniform(0.8, 1.25);
-            }
-            return std::array{field_of(s).quadrature, field_of(s).noise};
-        });
-        laws.check(fmt::format("frequency {}{}", frequency, tiled ? ", tiles" : ""));
-        all.merge(laws);
-    }
-    all.check("all waves");
 }
 
 TEST_CASE("surface noise on the lattice is normally distributed for every surface normal", "[law]") {

@@ -5,6 +5,7 @@
 
 #include "file.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -38,24 +39,11 @@
 
 namespace {
 
-[[maybe_unused]] float exp2(float x) {
-    return std::exp2(x);
-}
-[[maybe_unused]] int abs(int x) {
-    return std::abs(x);
-}
-[[maybe_unused]] float min(float a, float b) {
-    return a < b ? a : b;
-}
-[[maybe_unused]] float abs(float x) {
-    return std::abs(x);
-}
-[[maybe_unused]] float sin(float x) {
-    return std::sin(x);
-}
-[[maybe_unused]] float floor(float x) {
-    return std::floor(x);
-}
+using std::abs;
+using std::exp2;
+using std::floor;
+using std::min;
+using std::sin;
 [[maybe_unused]] float uintBitsToFloat(std::uint32_t bits) {
     return std::bit_cast<float>(bits);
 }

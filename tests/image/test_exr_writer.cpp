@@ -74,27 +74,15 @@ TEST_CASE("Every compression keeps every bit, with any bands", "[exr]") {
     const std::vector<std::string> channels =
         GENERATE(std::vector<std::string>{"Y"}, std::vector<std::string>{"R", "G", "B"},
                  std::vector<std::string>{"noise.0", "A", "Z", "noise.1"});
-    const auto pixels = any_floats(61 * 150 * channels.size());
+    auto pixels = any_floats(61 * 150 * channels.size());
+    std::fill(pixels.begin() + std::ssize(pixels) / 2, pixels.end(), 1.0f); // random bits do not compress
     for (const std::string_view compression : compression_names()) {
         CAPTURE(compression);
         write(path, {{0, 0, 100, 200}, window, channels, compression, {}}, pixels, {1, 7, 16, 33, 2, 31});
+        CHECK((std::filesystem::file_size(path) < pixels.size() * sizeof(float)) == (compression != "none"));
         for (std::size_t c = 0; c < channels.size(); ++c)
             for (const int rows : {1, 13, 64, 1000})
                 CHECK(same_bits(read_all(path, channels[c], rows), channel_of(pixels, c, channels.size())));
-    }
-}
-
-TEST_CASE("Compressible values survive in a smaller file", "[exr]") {
-    const ScratchFolder folder;
-    const auto path = folder / "out.exr";
-    std::vector<float> pixels(64 * 64);
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        pixels[i] = i % 64 < 48 ? 0.0f : static_cast<float>(i);
-    for (const std::string_view compression : compression_names()) {
-        CAPTURE(compression);
-        write(path, {{0, 0, 64, 64}, {0, 0, 64, 64}, {"Y"}, compression, {}}, pixels, {5, 64});
-        CHECK(same_bits(read_all(path, "Y", 10), pixels));
-        CHECK((std::filesystem::file_size(path) < pixels.size() * sizeof(float)) == (compression != "none"));
     }
 }
 

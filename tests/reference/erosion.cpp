@@ -13,10 +13,6 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-double mix(double a, double b, double t) {
-    return (1 - t) * a + t * b;
-}
-
 // A position on a lattice axis: `local` spacings from node `cell`, with `nodes` nodes per unit of length.
 struct Axis {
     std::int32_t cell;
@@ -106,7 +102,7 @@ Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const
                const Erosion& erosion, std::uint32_t seed) {
     Terrain result = base;
     const auto rounding = [&](double cosine) {
-        return mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * cosine);
+        return std::lerp(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * cosine);
     };
     Vector<2> steer = base.slope, gully_slope{};
     double gully = base.ridge, depth = erosion.strength / erosion.frequency, width = 1;
@@ -131,13 +127,13 @@ Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const
             const double s = erosion.sharpness;
             z = kept * s / std::sqrt(1 + s * s * std::norm(field.value)) * field.value;
         }
-        gully = mix(gully, erosion.gully_weight * z.real(), mask);
-        result.ridge = mix(result.ridge, z.real(), mask);
+        gully = std::lerp(gully, erosion.gully_weight * z.real(), mask);
+        result.ridge = std::lerp(result.ridge, z.real(), mask);
         result.height += depth * gully;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             // The slope of cos(2 pi wave.p), with the length of z held fixed.
             gully_slope[axis] =
-                mix(gully_slope[axis], -erosion.gully_weight * two_pi * wave[axis] * z.imag(), mask);
+                std::lerp(gully_slope[axis], -erosion.gully_weight * two_pi * wave[axis] * z.imag(), mask);
             result.slope[axis] += depth * gully_slope[axis];
             const double side = z.imag() < 0 ? -two_pi : two_pi;
             steer[axis] -= side * kept * erosion.branching * erosion.gully_weight * depth * mask * wave[axis];

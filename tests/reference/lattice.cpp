@@ -11,16 +11,9 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-constexpr std::uint32_t spread = 0x9e3779b1u;
 constexpr double knee = 0.93687595;
 constexpr double flattening = 0.89289313;
 constexpr double cubic = 0.62342056;
-
-std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
-    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word ^ word >> 15;
-}
 
 std::uint32_t next_word(std::uint32_t word) {
     return (word ^ word >> 15) * 0xd35a2d97u;
@@ -33,6 +26,12 @@ std::int32_t wrapped(std::int64_t index, std::int32_t period) {
 }
 
 } // namespace
+
+std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
+    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
+    word = (word ^ word >> 15) * 0xd35a2d97u;
+    return word ^ word >> 15;
+}
 
 LatticeWindow lattice_window(int taps, double d) {
     if (std::abs(d) >= 1)

@@ -11,6 +11,10 @@
 
 namespace gabor::noise {
 
+/// The hash of all noises: an odd number that spreads small integers over 32 bits, and the mixing of a word.
+constexpr std::uint32_t spread = 0x9e3779b1u;
+std::uint32_t mix(std::uint32_t word, std::uint32_t salt);
+
 /// The noise in N dimensions as a complex number, whose imaginary part is the noise itself, and its gradient
 /// per kernel radius.
 template <std::size_t N>

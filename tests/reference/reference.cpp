@@ -9,14 +9,7 @@ namespace gabor::noise {
 
 namespace {
 
-constexpr std::uint32_t spread = 0x9e3779b1u;
 constexpr std::uint32_t spread_impulses = 0x85ebca6bu;
-
-std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
-    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word ^ word >> 15;
-}
 
 // Cells wrap modulo 2^32.
 std::int32_t shifted(std::int32_t cell, std::int64_t by) {

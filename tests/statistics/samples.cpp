@@ -2,6 +2,8 @@
 
 #include "statistics/estimate.hpp"
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -22,22 +24,19 @@ std::vector<float> smooth(int width, int height, double spread, std::uint64_t se
     for (float& tap : kernel)
         tap /= static_cast<float>(std::sqrt(squares));
 
-    const auto columns = static_cast<std::size_t>(width);
-    const auto rows = static_cast<std::size_t>(height);
-    const std::size_t padded_columns = columns + kernel.size() - 1;
-    const std::size_t padded_rows = rows + kernel.size() - 1;
-    const std::vector<float> white = normal(padded_columns * padded_rows, seed);
-    std::vector<float> along(columns * padded_rows);
-    for (std::size_t y = 0; y < padded_rows; ++y)
-        for (std::size_t k = 0; k < kernel.size(); ++k)
-            for (std::size_t x = 0; x < columns; ++x)
-                along[y * columns + x] += kernel[k] * white[y * padded_columns + x + k];
-    std::vector<float> result(columns * rows);
-    for (std::size_t y = 0; y < rows; ++y)
-        for (std::size_t k = 0; k < kernel.size(); ++k)
-            for (std::size_t x = 0; x < columns; ++x)
-                result[y * columns + x] += kernel[k] * along[(y + k) * columns + x];
-    return result;
+    // Filters along rows, without margins, and exchanges rows and columns.
+    const auto along = [&](const std::vector<float>& in, std::size_t rows) {
+        const std::size_t columns = in.size() / rows, kept = columns - kernel.size() + 1;
+        std::vector<float> out(kept * rows);
+        for (std::size_t y = 0; y < rows; ++y)
+            for (std::size_t k = 0; k < kernel.size(); ++k)
+                for (std::size_t x = 0; x < kept; ++x)
+                    out[x * rows + y] += kernel[k] * in[y * columns + x + k];
+        return out;
+    };
+    const std::size_t margin = kernel.size() - 1, columns = static_cast<std::size_t>(width) + margin,
+                      rows = static_cast<std::size_t>(height) + margin;
+    return along(along(normal(columns * rows, seed), rows), columns - margin);
 }
 
 } // namespace
@@ -58,17 +57,11 @@ double Bent::norm() const {
 double Bent::index() const {
     using gabor::statistics::normal_cdf;
     using gabor::statistics::normal_density;
-    const int places = 20000; // points of the midpoint rule over x in [-10, 10]
-    const double step = 20.0 / places;
-    double sum = 0;
-    for (int i = 0; i < places; ++i) {
-        const double x = -10 + (i + 0.5) * step;
-        const double y = (*this)(x);
-        const double slope = (1 + 3 * c * x * x) / norm();
-        const double d = normal_cdf(x) - normal_cdf(y);
-        sum += d * d * normal_density(y) * slope * step;
-    }
-    return 262144 * sum;
+    const auto square = [this](double x) {
+        const double y = (*this)(x), slope = (1 + 3 * c * x * x) / norm();
+        return std::pow(normal_cdf(x) - normal_cdf(y), 2) * normal_density(y) * slope;
+    };
+    return 262144 * boost::math::quadrature::gauss_kronrod<double, 31>::integrate(square, -10.0, 10.0);
 }
 
 void Bent::apply(std::span<float> values) const {

@@ -26,29 +26,24 @@ void add_picture(Blocks& blocks, const std::vector<float>& picture, int width) {
         blocks.add(0, static_cast<int>(y), pixels.subspan(y * columns, columns));
 }
 
-/// The mean of the estimates from many pictures, its standard error, and the share of intervals that contain
-/// `truth`.
+/// The estimates from many pictures, and how many of their intervals contain `truth`.
 struct Trial {
     double truth;
-    double sum = 0;
-    double squares = 0;
+    Moments estimates;
     double covered = 0;
 
     void add(const Estimate& estimate) {
-        sum += estimate.value;
-        squares += estimate.value * estimate.value;
+        estimates.add(estimate.value);
         covered += estimate.low <= truth && truth <= estimate.high;
     }
-    double mean() const { return sum / repetitions; }
-    double error() const { return std::sqrt((squares / repetitions - mean() * mean()) / repetitions); }
-    double coverage() const { return covered / repetitions; }
 };
 
 void check(const char* name, const Trial& trial) {
-    INFO(name << ": truth " << trial.truth << ", mean " << trial.mean() << " +- " << trial.error()
-              << ", covered " << trial.coverage());
-    CHECK(std::abs(trial.mean() - trial.truth) < 3 * trial.error());
-    CHECK(trial.coverage() > 0.9);
+    const double mean = trial.estimates.mean(), error = std::sqrt(trial.estimates.variance() / repetitions);
+    INFO(name << ": truth " << trial.truth << ", mean " << mean << " +- " << error << ", covered "
+              << trial.covered << " of " << repetitions);
+    CHECK(std::abs(mean - trial.truth) < 3 * error);
+    CHECK(trial.covered > 0.9 * repetitions);
 }
 
 } // namespace
@@ -56,10 +51,10 @@ void check(const char* name, const Trial& trial) {
 TEST_CASE("estimates from blocks are unbiased, and their intervals cover the truth") {
     const double c = GENERATE(0.0, 0.1);
     const samples::Bent bent{c};
-    Trial mean{5};
-    Trial variance{4};
-    Trial analytic{bent.index()};
-    Trial measured{bent.index()};
+    Trial mean{5, {}};
+    Trial variance{4, {}};
+    Trial analytic{bent.index(), {}};
+    Trial measured{bent.index(), {}};
     for (std::uint64_t seed = 1; seed <= repetitions; ++seed) {
         std::vector<float> picture = samples::picture(block_side, block_side, lobe, seed);
         bent.apply(picture);

@@ -9,6 +9,8 @@
 
 namespace gabor::test {
 
+using noise::mix;
+using noise::spread;
 using study::Envelope;
 using study::Ingredients;
 using study::Kernel;
@@ -16,14 +18,6 @@ using study::Points;
 using study::Weights;
 
 namespace {
-
-constexpr std::uint32_t spread = 0x9e3779b1u;
-
-std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
-    word = (word ^ word >> 16) * 0x21f0aaadu + salt;
-    word = (word ^ word >> 15) * 0xd35a2d97u;
-    return word ^ word >> 15;
-}
 
 std::uint32_t reversed(std::uint32_t word) {
     std::uint32_t result = 0;

@@ -4,10 +4,12 @@
 #include "study/ingredients.hpp"
 #include "study/noise.hpp"
 
+#include <boost/math/distributions/poisson.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace gabor;
 
@@ -16,28 +18,24 @@ TEST_CASE("Poisson counts have Poisson's law at every mean", "[points]") {
     for (const int mean : {1, 2, 4, 10, 30, 70, 450}) {
         constexpr int side = 96;
         const study::PointSet set = study::point_set(device, {.impulses = mean}, side, 17);
-        // Each bin is a range of counts in which at least 20 cells are expected.
-        const double cells = side * side;
-        double chi = 0;
-        int bins = 0;
-        double expected = 0;
-        double seen = 0;
-        double expected_before = 0;
-        double seen_before = 0;
-        for (int k = 0; expected_before + expected < cells - 20; ++k) {
-            expected += cells * std::exp(k * std::log(mean) - mean - std::lgamma(k + 1.0));
-            seen += static_cast<double>(std::ranges::count(set, static_cast<std::size_t>(k),
-                                                           [](const auto& cell) { return cell.size(); }));
-            if (expected < 20)
+        std::vector<double> counts;
+        for (const auto& cell : set)
+            counts.push_back(static_cast<double>(cell.size()));
+        // Each bin is a range of counts up to a quantile.
+        const boost::math::poisson law(mean);
+        double chi = 0, below = -1, share = 0;
+        int bins = -1;
+        for (int k = 1; k <= 50; ++k) {
+            const double to = k == 50 ? 1e9 : boost::math::quantile(law, k / 50.0);
+            if (to == below)
                 continue;
-            chi += std::pow(seen - expected, 2) / expected;
+            const double expected = side * side * (boost::math::cdf(law, to) - share);
+            const auto seen = std::ranges::count_if(counts, [&](double c) { return c > below && c <= to; });
+            chi += std::pow(static_cast<double>(seen) - expected, 2) / expected;
             ++bins;
-            expected_before += expected;
-            seen_before += seen;
-            expected = seen = 0;
+            below = to;
+            share = boost::math::cdf(law, to);
         }
-        const double rest = cells - expected_before;
-        chi += std::pow(cells - seen_before - rest, 2) / rest;
         INFO("mean " << mean << ": chi^2 " << chi << " of " << bins << " degrees of freedom");
         CHECK(std::abs(chi - bins) < 3.5 * std::sqrt(2.0 * bins));
     }

@@ -1,25 +1,12 @@
+#include "../statistics/samples.hpp"
 #include "statistics/stationarity.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 using namespace gabor::statistics;
-
-namespace {
-
-std::vector<float> normal_values(std::size_t count, double deviation, unsigned seed) {
-    std::mt19937 random(seed);
-    std::normal_distribution<float> normal(0, static_cast<float>(deviation));
-    std::vector<float> values(count);
-    for (float& value : values)
-        value = normal(random);
-    return values;
-}
-
-} // namespace
 
 TEST_CASE("known values have the expected quantiles and spreads", "[stationarity]") {
     CHECK(quantile({3, 1, 2}, 0.5) == 2);
@@ -36,7 +23,7 @@ TEST_CASE("known values have the expected quantiles and spreads", "[stationarity
 TEST_CASE("windows of white noise have the spread of a chi-square law", "[stationarity]") {
     constexpr std::size_t pixels = 256;
     constexpr std::size_t count = 20000;
-    const std::vector<float> values = normal_values(pixels * count, 2, 1);
+    const std::vector<float> values = samples::normal(pixels * count, 1, 0, 2);
     InstanceStationarity whole;
     for (std::size_t i = 0; i < count; ++i)
         whole.add(std::span(values).subspan(i * pixels, pixels));
@@ -50,7 +37,7 @@ TEST_CASE("windows of white noise have the spread of a chi-square law", "[statio
 TEST_CASE("equal places differ only by chance, and a different one is detected", "[stationarity]") {
     constexpr std::size_t count = 64;
     constexpr std::size_t instances = 20000;
-    std::vector<float> values = normal_values(count * instances, 1, 2);
+    std::vector<float> values = samples::normal(count * instances, 2);
     const auto at_each_place = [&] {
         ProcessStationarity result;
         for (std::size_t place = 0; place < count; ++place) {
