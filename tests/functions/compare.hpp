@@ -56,6 +56,26 @@ class Draw {
     std::mt19937 random_;
 };
 
+/// Draws a place up to 10^6 from the origin, or in any cell. One coordinate in four is on or next to a
+/// multiple of 1/2, where windows and cells may end.
+template <std::size_t N>
+noise::Place<N> any_place(Draw& draw) {
+    const double reach = std::exp2(draw.uniform(0, 20));
+    const bool far = draw.word() % 2;
+    noise::Place<N> place;
+    for (std::size_t axis = 0; axis < N; ++axis) {
+        float local = draw.uniform(-reach, reach);
+        if (draw.one_in(4))
+            local = draw.one_in(2) ? 0.5f * std::round(2 * local) : draw.edge(local, 0.5f);
+        if (far) {
+            place.cell[axis] = draw.cell();
+            local -= std::floor(local);
+        }
+        place.local[axis] = local;
+    }
+    return place;
+}
+
 template <std::size_t N>
 std::string to_string(const noise::Place<N>& p) {
     return fmt::format("cell {} + {}, radius {}, period {}, time {}", p.cell, p.local, p.radius, p.period,

@@ -12,32 +12,13 @@ namespace {
 
 test::Lattice3 n;
 
-// Draws a place in any octant up to 10^6, or in any cell. One coordinate in four is on or next to a change of
-// nodes, and one in eight next to a node.
-noise::Place<3> draw_place(test::Draw& draw) {
-    const double reach = std::exp2(draw.uniform(0, 20));
-    noise::Place<3> place;
-    const bool far = draw.word() % 2;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        float local = draw.uniform(-reach, reach);
-        if (draw.one_in(4))
-            local = draw.edge(std::round(local) + (draw.one_in(3) ? 0.0f : 0.5f), 0.5f);
-        if (far) {
-            place.cell[axis] = draw.cell();
-            local -= std::floor(local);
-        }
-        place.local[axis] = local;
-    }
-    return place;
-}
-
 // A random sample with a given frequency. Functions of its position p compute their place as p * 1.5 in
 // single precision.
 struct Anywhere : Sample3d {
     noise::Place<3> here;
 
     Anywhere(test::Draw& draw, float f, bool animated, bool periodic) {
-        place = draw_place(draw);
+        place = test::any_place<3>(draw);
         frequency = f;
         direction = draw.uniform<gabor_vec3>(-3, 3);
         normal = draw.uniform<gabor_vec3>(-3, 3);
@@ -58,11 +39,10 @@ struct Anywhere : Sample3d {
 
 // Waves turn by up to 2 pi F per radius, so the rounding of positions has an effect proportional to F.
 double tolerance(double frequency) {
-    return 2e-5 * std::max(1.0, frequency / 4);
+    return 2 * test::tolerance(frequency);
 }
-
 double slope_tolerance(double frequency) {
-    return tolerance(frequency) * (2 * std::numbers::pi * frequency + 4);
+    return 2 * test::slope_tolerance(frequency);
 }
 
 void see_field(Largest& largest, const test::Lattice3::GaborField3d& field, const noise::Field<3>& expected,

@@ -34,23 +34,10 @@ auto place_of(Functions&, const noise::Place<2>& p) {
                                           static_cast<float>(p.time)};
 }
 
-// Draws a place in any quadrant up to 10^6, or in any cell; one coordinate in four is on or next to a cell's
-// edge.
 noise::Place<2> any_place(Draw& draw, const noise::Recipe& recipe) {
-    const double reach = std::exp2(draw.uniform(0, 20));
-    const bool far = draw.word() % 2;
-    noise::Place<2> p = noise::place_at(recipe, 0, 0, 0, 0);
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        float local = draw.uniform(-reach, reach);
-        if (draw.one_in(4))
-            local = draw.one_in(2) ? std::round(local) : draw.edge(local);
-        if (far) {
-            p.cell[axis] = draw.cell();
-            local -= std::floor(local);
-        }
-        p.local[axis] = local;
-    }
-    return p;
+    noise::Place<2> place = test::any_place<2>(draw);
+    place.radius.fill(recipe.radius);
+    return place;
 }
 
 struct Sample {

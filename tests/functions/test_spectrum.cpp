@@ -2,7 +2,10 @@
 
 #include "lattice.hpp"
 
+#include <boost/math/special_functions/sinc.hpp>
+
 #include <array>
+#include <numeric>
 #include <vector>
 
 using namespace gabor;
@@ -185,12 +188,8 @@ TEST_CASE("isotropic noise agrees with the reference in any cell, with any perio
 
 // The power spectrum of Hann's window, normalized to power 1.
 static double hann_power(double k) {
-    if (std::abs(k) < 1e-9)
-        return 4.0 / 3;
-    if (std::abs(std::abs(k) - 0.5) < 1e-9)
-        return 1.0 / 3;
-    const double transform = std::sin(2 * pi * k) / (2 * pi * k * (1 - 4 * k * k));
-    return transform * transform * 4 / 3;
+    const auto box = [](double q) { return boost::math::sinc_pi(2 * pi * q); };
+    return std::pow(box(k) + (box(k - 0.5) + box(k + 0.5)) / 2, 2) * 4 / 3;
 }
 
 TEST_CASE("isotropic noise has the same power in every direction within 5 %", "[spectrum]") {
@@ -213,9 +212,7 @@ TEST_CASE("isotropic noise has the same power in every direction within 5 %", "[
             }
             powers.push_back(power);
         }
-        double mean = 0;
-        for (const double power : powers)
-            mean += power / directions;
+        const double mean = std::reduce(powers.begin(), powers.end()) / directions;
         Largest largest;
         for (std::size_t i = 0; i < powers.size(); ++i)
             largest.see(powers[i] / mean, 1, 0.05, [&] { return fmt::format("{} degrees", i); });

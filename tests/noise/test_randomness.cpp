@@ -188,16 +188,6 @@ TEST_CASE("the words of neighbours are independent", "[randomness]") {
     linear.check("neighbours, correlation");
 }
 
-TEST_CASE("along a row of cells no word repeats within 2^24", "[randomness]") {
-    for (const std::int32_t row : {0, 1, -77}) {
-        std::vector<std::uint32_t> words;
-        for (std::int32_t column = -(1 << 23); column < 1 << 23; ++column)
-            words.push_back(impulse_word(column, row, 0, 7));
-        std::ranges::sort(words);
-        CHECK(std::ranges::adjacent_find(words) == words.end());
-    }
-}
-
 TEST_CASE("along a row of cells each of the 2^32 words occurs once: the period is 2^32 cells",
           "[.][period]") {
     std::vector<std::uint64_t> seen(std::size_t{1} << 26);
