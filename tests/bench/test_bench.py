@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Bench(ProgramTest):
-    def test_quick_run_reports_everything(self):
+    def test_a_quick_run_reports_everything(self):
         text = self.succeed("bench", "--quick", "--json", "bench.json")
         report = json.loads((self.folder / "bench.json").read_text())
         self.assertTrue(report["device"] and report["driver"] and report["peak_memory"] > 0)
@@ -57,7 +57,7 @@ class Bench(ProgramTest):
         for row in json.loads((self.folder / "isa.json").read_text())["code"]:
             self.assertIn(f"| {row['name']} | {row['instructions']:.0f} | {row['inverse_throughput']:.0f} |", text)
 
-    def test_unwritable_report(self):
+    def test_an_unwritable_report_is_refused(self):
         self.assert_fails(2, ["nowhere"], "bench", "--quick", "--json", "nowhere/bench.json")
 
     @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe, which lacks statistics")

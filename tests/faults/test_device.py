@@ -36,22 +36,22 @@ class Device(ProgramTest):
         for output in ("new.exr", "old.exr"):
             self.fail_at_every_call(function, words, least, "render", "-o", output, *FOUR_BANDS)
 
-    def test_no_memory_for_buffers(self):
+    def test_a_lack_of_memory_for_buffers_is_reported(self):
         self.render("vkAllocateMemory", ["OutOfDeviceMemory"], 4)
 
-    def test_no_memory_for_the_pipeline(self):
+    def test_a_lack_of_memory_for_the_pipeline_is_reported(self):
         self.render("vkCreateComputePipelines", ["OutOfDeviceMemory"], 1)
 
-    def test_no_memory_for_the_device(self):
+    def test_a_lack_of_memory_for_the_device_is_reported(self):
         self.render("vkCreateDevice", ["OutOfDeviceMemory"], 1)
 
-    def test_lost_when_work_is_submitted(self):
+    def test_a_loss_when_work_is_submitted_is_reported(self):
         self.render("vkQueueSubmit", ["DeviceLost"], 2)
 
-    def test_lost_while_rendering(self):
+    def test_a_loss_while_rendering_is_reported(self):
         self.render("vkWaitForFences", ["DeviceLost"], 2)
 
-    def test_lost_during_a_study(self):
+    def test_a_loss_during_a_study_is_reported(self):
         result = gabor("study", "figure1", "--quick", "-o", ".", command=(LAB,), cwd=self.folder,
                        env=broken("vkWaitForFences", 3))
         self.assertEqual(result.returncode, 1)

@@ -18,7 +18,7 @@ LARGE = ("--size=4000x4000", "--compression=zip")
 
 
 class Folders(ProgramTest):
-    def test_a_read_only_folder(self):
+    def test_a_read_only_folder_is_refused(self):
         mount = ["unshare", "--user", "--map-root-user", "--mount", "sh", "-c"]
         read_only = "mount -t tmpfs -o size=1m tmpfs . && cd . && echo older >old.exr && mount -o remount,ro . && "
         if subprocess.run([*mount, read_only + ":"], cwd=self.folder, capture_output=True).returncode != 0:
@@ -29,7 +29,7 @@ class Folders(ProgramTest):
             self.assertEqual((result.returncode, result.stdout), (2, "old.exr\nolder\n"), result.stderr)
             self.assertRegex(result.stderr, r"\Agabor: cannot write [^\n]*Read-only file system[^\n]*\n\Z")
 
-    def test_a_folder_that_vanishes(self):
+    def test_a_folder_that_vanishes_is_a_failure(self):
         for turn in range(ROUNDS):
             (self.folder / "folder").mkdir()
             process = start("render", "-o", "folder/out.exr", *LARGE, cwd=self.folder)
@@ -56,7 +56,7 @@ class Streams(ProgramTest):
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr, r"\Agabor: cannot write pipe: it is a pipe[^\n]*\n\Z")
 
-    def test_nobody_reads_what_is_printed(self):
+    def test_printing_to_a_closed_pipe_is_a_failure(self):
         self.succeed("render", "-o", "out.exr", "--size=64x64")
         before = self.files()
         for arguments in (["devices"], ["--help"], ["stats", "out.exr"], ["stats", "out.exr", "--json", "-"],

@@ -1,6 +1,7 @@
 #pragma once
 
-// Helps tests of functions to draw arguments and to compare results with the double-precision reference.
+// Draws arguments for the drop-ins' functions, and compares their results with the double-precision
+// reference.
 
 #include "largest.hpp"
 #include "reference/lattice.hpp"
@@ -16,13 +17,13 @@
 
 namespace gabor::test {
 
-/// The tolerance is 1e-5 up to frequency 4 and proportional to the frequency above, since single precision
-/// limits the phase.
+/// The tolerance of a value: 1e-5 up to frequency 4, and proportional to the frequency above, where the
+/// rounding of the phase dominates.
 inline double tolerance(double frequency) {
     return 1e-5 * std::max(1.0, frequency / 4);
 }
 
-/// The tolerance of derivatives, which scale with the frequency.
+/// The tolerance of a derivative, which grows with the frequency.
 inline double slope_tolerance(double frequency) {
     return tolerance(frequency) * (2 * std::numbers::pi * frequency + 2);
 }
@@ -38,7 +39,7 @@ class Draw {
         return static_cast<float>(std::uniform_real_distribution<>(low, high)(random_));
     }
 
-    /// Returns `Vector(x, y)` or `Vector(x, y, z)` with uniform numbers.
+    /// Returns a vector of uniform numbers.
     template <typename Vector>
     Vector uniform(double low, double high) {
         Vector v;
@@ -47,7 +48,7 @@ class Draw {
         return v;
     }
 
-    /// Returns a number on or next to a multiple of `step`, where windows and cells may end.
+    /// Returns a float next to the multiple of `step` nearest to x, where a window or cell may end.
     float edge(float x, float step = 1) {
         return std::nextafter(step * std::round(x / step), word() % 2 ? 1e9f : -1e9f);
     }
@@ -82,9 +83,9 @@ std::string to_string(const noise::Place<N>& p) {
                        p.animated ? p.time : 0);
 }
 
-// ---- Comparisons of a drop-in's vectors, whose types differ from class to class
+// ---- Comparisons. They are templates because each class of translated functions has its own types.
 
-/// Compares a complex number, given as (real part, noise).
+/// Compares a complex number, whose imaginary part is the noise.
 template <typename Place>
 void see(Largest& largest, const auto& value, std::complex<double> expected, double tolerance,
          const Place& place) {
@@ -101,7 +102,7 @@ void see(Largest& values, Largest& slopes, const auto& field, const noise::Field
     see(slopes, field.slope_y, expected.slope[1], slope_tolerance, place);
 }
 
-/// Compares (noise, d/dx, d/dy).
+/// Compares a noise and its gradient, given as (noise, d/dx, d/dy).
 template <typename Place>
 void see_gradient(Largest& values, Largest& slopes, const auto& gradient, const noise::Field<2>& expected,
                   double tolerance, double slope_tolerance, const Place& place) {
@@ -110,7 +111,7 @@ void see_gradient(Largest& values, Largest& slopes, const auto& gradient, const 
     slopes.see(gradient.z, expected.slope[1].imag(), slope_tolerance, place);
 }
 
-/// Compares the numbers of a vector.
+/// Compares the components of a vector.
 template <std::size_t count, typename Place>
 void see(Largest& largest, const auto& vector, const std::array<double, count>& expected, double tolerance,
          const Place& place) {
@@ -118,8 +119,8 @@ void see(Largest& largest, const auto& vector, const std::array<double, count>& 
         largest.see(vector[static_cast<int>(c)], expected[c], tolerance, place);
 }
 
-/// Checks that a function has no jump as a pixel's position, size or rotation changes along a path. On a
-/// smooth path, the slope on each side predicts the next value to second order.
+/// Checks that a function has no jump as a pixel's position, size or rotation changes along a path. A step of
+/// a smooth function equals the mean of the steps before and after it, to second order.
 template <typename Value>
 void check_path(Differences& of, int path, int steps, const Value& value) {
     Largest& largest = of[path % 3 == 0 ? "in place" : path % 3 == 1 ? "in size" : "in rotation"];

@@ -1,16 +1,16 @@
 #pragma once
 
-// gabor_lattice.glsl and the drop-ins that need it, translated to C++. For each number of taps, a class has
-// their functions as members. tests/golden shows that devices and translations give the same values.
+// gabor_lattice.glsl and the drop-ins that need it, translated to C++. Each class has the functions for one
+// number of taps as members. tests/golden checks that devices and translations give the same values.
 
 #include "compare.hpp"
 #include "reference/sum.hpp"
 
-#include "gabor_lattice.hpp" // for its vectors
+#include "gabor_lattice.hpp" // for gabor_vec2 and gabor_vec3
 
 namespace gabor::test {
 
-namespace { // each file compiles its own copy, with its own options
+namespace { // each source compiles its own copy, with its own compiler options
 
 #undef GABOR_TAPS
 #undef GABOR_LATTICE_HPP
@@ -43,7 +43,7 @@ struct Lattice3 {
 
 #include "gabor_lattice_3d.hpp"
 
-    /// A map with a jump.
+    /// A direction map that jumps along the line x + y = 1.
     static gabor_vec2 map_at(gabor_vec2 p) {
         return p.x + p.y > 1 ? gabor_vec2(1.5f, 0.25f * p.y) : gabor_vec2(-0.5f * p.x, 2);
     }
@@ -74,7 +74,7 @@ noise::Vector<N> random_unit(Draw& draw) {
     return noise::unit(v);
 }
 
-/// The lobes as the reference sums them.
+/// Converts lobes to those of the reference.
 inline std::vector<noise::SpectrumLobe> reference_lobes(const Lattice3::GaborLobes& lobes,
                                                         std::uint32_t seed) {
     std::vector<noise::SpectrumLobe> all;
@@ -108,7 +108,7 @@ typename Functions::GaborPlace3d place_of(Functions&, const noise::Place<3>& pla
             dy};
 }
 
-/// The place that functions of a position compute from it in single precision.
+/// The place that a function of a position p computes from p in single precision.
 template <typename Vector>
 auto lattice_place(int taps, const Vector& p) {
     noise::Place<sizeof(Vector) / sizeof(float)> place;
@@ -119,7 +119,7 @@ auto lattice_place(int taps, const Vector& p) {
     return place;
 }
 
-/// The place of p, in kernel radii, in noise that repeats after `tile`.
+/// The place that a tiled function computes from p. `p` and `tile` are in kernel radii.
 template <typename Vector>
 auto lattice_tile(int taps, const Vector& p, const Vector& tile) {
     auto place = lattice_place(taps, p);
@@ -153,8 +153,8 @@ inline noise::Place<2> any_lattice_place(Draw& draw, int taps) {
     return place;
 }
 
-/// The standard deviation of one component of the gradient of isotropic noise. Its square is the sum of half
-/// of 4 pi^2 F^2, from the waves, and pi^2 / 3, from the windows.
+/// The standard deviation of one component of the gradient of isotropic noise in the plane. To its square,
+/// the waves contribute half of 4 pi^2 F^2, and the windows pi^2 / 3.
 inline double isotropic_slope(double frequency) {
     using std::numbers::pi;
     return std::sqrt(2 * pi * pi * frequency * frequency + pi * pi / 3);

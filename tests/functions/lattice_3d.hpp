@@ -7,7 +7,7 @@ namespace gabor::test {
 /// Arguments of functions in space.
 struct Sample3d {
     noise::Place<3> place;
-    gabor_vec3 p{0, 0, 0}; ///< position in kernel radii, for functions that take one
+    gabor_vec3 p{0, 0, 0}; ///< position in kernel radii, for functions that take no place
     float frequency = 2;
     gabor_vec3 direction{1, 0, 0}, normal{0, 0, 1};
     std::uint32_t seed = 0;

@@ -28,7 +28,7 @@ inline double law_samples() {
     return text ? std::strtod(text, nullptr) : 1 << 21;
 }
 
-/// A value computed from one instance's numbers, which by theory is normal with mean 0.
+/// A value computed from one instance's numbers. In theory, it is normal with mean 0.
 struct Statistic {
     std::string name;
     double deviation;
@@ -49,7 +49,7 @@ inline Statistic sum_of(std::string name, double deviation, std::vector<Term> te
             }};
 }
 
-/// Compares statistics with the normal distribution, using this share of the samples. Each call of
+/// Compares statistics with the normal distribution, using a share of the samples. Each call of
 /// `instance()` returns the numbers of another instance as an array.
 template <typename Instance>
 void check_laws(double share, const Instance& instance, const std::vector<Statistic>& statistics) {
@@ -109,11 +109,11 @@ std::vector<std::array<double, N>> places_of_cell(std::size_t side) {
     return places;
 }
 
-/// Collects the same number of values for each place of a cell or each normal of a surface. By theory, all
-/// are standard normal.
+/// Collects the same number of values for each place of a cell or each normal of a surface. In theory, all
+/// values are standard normal.
 class Laws {
   public:
-    /// fmt::format makes the names of the places or normals in `each`.
+    /// `each` has the places or normals, which fmt::format turns into names.
     template <typename Each>
     explicit Laws(const std::vector<Each>& each) : moments_(each.size()), laws_(each.size()) {
         for (const Each& one : each)
@@ -142,7 +142,7 @@ class Laws {
     void check(const std::string& title) const {
         const double n = static_cast<double>(moments_.front().count());
         const double count = static_cast<double>(laws_.size());
-        // Checks by chi-square per degree of freedom that means and variances differ only by chance.
+        // Chi-square per degree of freedom shows whether means and variances differ only by chance.
         double means = 0, variances = 0, furthest = 0;
         statistics::Moments together, cvms;
         std::string worst;
@@ -159,18 +159,19 @@ class Laws {
             cvms.add(cvm);
         }
         const double error = std::sqrt(cvms.variance() / count);
-        fmt::print("  {}, {:.3g} values: mean {:.5f}, variance {:.5f}\n"
-                   "    {} each: chi-square of means {:.2f}, of variances {:.2f}, the furthest {:+.5f}; cvm "
-                   "{:.4f} +- {:.4f} on average, {:.3f} at worst, {}\n",
-                   title, n * count, together.mean(), together.variance(), n, means, variances, furthest,
-                   cvms.mean(), error, cvms.maximum(), worst);
+        fmt::print(
+            "  {}, {:.3g} values: mean {:.5f}, variance {:.5f}\n"
+            "    {} each: chi-square of means {:.2f}, of variances {:.2f}, the largest excess {:+.5f}; cvm "
+            "{:.4f} +- {:.4f} on average, {:.3f} at worst, {}\n",
+            title, n * count, together.mean(), together.variance(), n, means, variances, furthest,
+            cvms.mean(), error, cvms.maximum(), worst);
         INFO(title);
         CHECK(std::abs(together.mean()) < 5 / std::sqrt(n * count));
         CHECK(std::abs(together.variance() - 1) < 5 * std::sqrt(2 / (n * count)));
         CHECK(std::abs(means - 1) < 5 * std::sqrt(2 / count));
         CHECK(std::abs(variances - 1) < 5 * std::sqrt(2 / count));
         CHECK(cvms.mean() - 4 * error < 0.05);
-        // Among 2304 normal distributions, the largest T - 1/6 is about 1.2, and above 2 in one case of 75.
+        // The largest T - 1/6 of 2304 normal samples is about 1.2, and exceeds 2 in one case of 75.
         CHECK(cvms.maximum() < 0.5 + 2 * statistics::cvm_scale / n);
     }
 

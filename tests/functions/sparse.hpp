@@ -1,11 +1,11 @@
 #pragma once
 
-// gabor_noise.glsl translated to C++. For each choice of its macros, a class has its functions as members.
+// gabor_noise.glsl translated to C++. Each class has the functions for one choice of the macros as members.
 
 #include "compare.hpp"
 #include "reference/reference.hpp"
 
-#include "gabor_noise.hpp" // for its vectors
+#include "gabor_noise.hpp" // for gabor_vec2
 
 namespace gabor::test {
 

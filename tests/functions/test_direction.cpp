@@ -71,7 +71,7 @@ TEST_CASE("noise along a map agrees with the reference in any cell, with any per
     constexpr int count = 1 << 15;
     Draw draw(71);
     Differences of;
-    // Waves have up to 6 cycles, and their offsets are rounded to 1e-7 of 8 kernel radii.
+    // Waves have up to 6 cycles per kernel radius, and a position of 8 radii is rounded by about 1e-6.
     constexpr double tight = 3e-5, loose = 5e-4;
     int left_out = 0;
     for (int i = 0; i < count; ++i) {
@@ -99,7 +99,7 @@ TEST_CASE("noise along a map agrees with the reference in any cell, with any per
                 n.gabor_field_waves(place_of(n, s.place), given, s.seed),
                 noise::map_noise(waves, s.seed).field(s.place), 2e-5, 6e-4, s);
 
-        s.place.cell = {}; // the map is bounded only near the origin
+        s.place.cell = {}; // far from the origin, the map's frequencies are too high
         if (is_ambiguous(s.place))
             ++left_out;
         else {

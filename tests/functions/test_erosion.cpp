@@ -18,9 +18,9 @@ namespace {
 struct Sample {
     std::int32_t column = 0, row = 0;
     gabor_vec2 local{0, 0}, period{0, 0}, dx{0, 0}, dy{0, 0};
-    std::optional<Terrain> base; // replaces the hills; in single precision
+    std::optional<Terrain> base; // replaces the hills; exact in floats
     std::uint32_t seed = 7;
-    noise::Erosion erosion; // in single precision
+    noise::Erosion erosion; // exact in floats
 
     noise::Ground ground() const { return {{column, row}, {local.x, local.y}, {period.x, period.y}}; }
     Sample beside(float x, float y) const {
@@ -116,7 +116,7 @@ Sample drawn(Draw& draw) {
     return s;
 }
 
-// Samples in different terrains.
+// Samples at random places, each in its own terrain.
 std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
     Draw draw(seed);
     std::vector<Sample> samples(count);
@@ -127,7 +127,7 @@ std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
     return samples;
 }
 
-// Samples of one octave of gullies on a plane that falls in any direction.
+// Samples of one octave of gullies, each on a plane that falls in a random direction.
 std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
     std::vector<Sample> samples = anywhere(count, seed);
     Draw draw(seed + 1);
@@ -139,10 +139,10 @@ std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
     return samples;
 }
 
-// ---- Measures of a terrain, whose values are in docs/performance.md
+// ---- Measures of a terrain. docs/performance.md has their values.
 
-// The largest step of the height over a distance of 1/64, after halving this distance 12 times. Each halving
-// keeps the half with the larger step, so a jump keeps its size.
+// The largest step of the height over an interval of 1/64 that is halved 12 times. Each time, the half with
+// the larger step remains, so a jump keeps its size.
 double largest_step(auto terrains) {
     double largest = 0;
     for (Sample left : anywhere(1 << 14, 1)) {
@@ -222,7 +222,7 @@ double spikes(auto terrains) {
     return largest / std::sqrt(square / static_cast<double>(samples.size()));
 }
 
-// The excess of the slopes' power along the axes over that along the diagonals.
+// How much more power slopes have along the axes than along the diagonals, as a share of all power.
 double axes(auto terrains) {
     double fourfold = 0, power = 0;
     for (const Sample& s : anywhere(1 << 18, 5)) {
@@ -250,7 +250,8 @@ double cells(auto terrains, double cell) {
     return (means.maximum() - means.minimum()) / means.mean();
 }
 
-// The RMS difference between the slope and finite differences of the height, relative to their RMS.
+// The RMS difference between the slope and finite differences of the height, divided by the RMS of these
+// differences.
 double slope_error(auto terrains) {
     constexpr float step = 1.0f / 2048;
     double error = 0, power = 0;
@@ -352,13 +353,13 @@ void check_tiles(Terrains<Functions> terrains) {
 
 } // namespace
 
-// The rounding in an octave turns the gullies of the next octave.
+// Rounding in one octave turns the gullies of the next, so the tolerances are larger than the rounding.
 TEST_CASE("hills and erosion agree with the reference", "[erosion][oracle]") {
     compare(Terrains<test::Lattice2>());
     compare(Terrains<test::Lattice3>());
 }
 
-TEST_CASE("eroded heights are continuous, and their gullies run down the slope without spikes or traces of a "
+TEST_CASE("eroded heights are continuous, and gullies run down the slope without spikes or traces of a "
           "lattice",
           "[erosion]") {
     check_properties(Terrains<test::Lattice2>());
@@ -378,7 +379,7 @@ TEST_CASE("filtering gullies keeps the mean height", "[erosion]") {
     for (Sample& s : samples) {
         sharp.push_back(terrains.eroded(s).height);
         relief += std::pow(sharp.back(), 2) / static_cast<double>(samples.size());
-        s.base = terrains.hills(s); // too smooth for the filter to change
+        s.base = terrains.hills(s); // unfiltered, so that only the gullies differ
     }
     relief = std::sqrt(relief);
     for (const float pixel : {1 / 64.0f, 1 / 24.0f, 1 / 8.0f, 1 / 3.0f, 1.0f, 100.0f}) {
@@ -401,8 +402,9 @@ TEST_CASE("filtering gullies keeps the mean height", "[erosion]") {
     }
 }
 
-// The pixel's filter is normal with a deviation of half its side; the last pixel shows only the mean.
-TEST_CASE("filtered hills are close to the mean over each pixel, and have the same mean", "[erosion]") {
+// The filter is normal, with a deviation of half the pixel's side. Only the mean remains in the last pixel.
+TEST_CASE("filtered hills are close to the mean of the hills over each pixel, and have the same overall mean",
+          "[erosion]") {
     Terrains<test::Lattice3> terrains;
     constexpr int places = 1 << 14, points = 64;
     const std::vector<Sample> middles = anywhere(places, 17);

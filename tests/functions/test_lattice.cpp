@@ -27,8 +27,7 @@ std::string to_string(const Sample& s) {
                        s.frequency, s.orientation, s.sharpness, s.seed);
 }
 
-// Draws a place near the origin, in any quadrant up to 10^5 nodes, or in any cell up to 2^31. One coordinate
-// in four is on or next to a cell border, where a window ends.
+// Draws all arguments. The coordinates of p go up to 10^5 kernel radii.
 Sample drawn(Draw& draw, int taps) {
     Sample s{};
     s.place = test::any_lattice_place(draw, taps);
@@ -107,8 +106,8 @@ void compare(Functions n) {
         of["gabor_noise_animated"].see(
             n.gabor_noise_animated(s.p, s.time(), s.frequency, s.orientation, s.seed),
             reference.field(place).value.imag(), tight, s);
-        // Both p in node spacings and the number of nodes per radius are rounded. Tiles are compared only
-        // where this adds little error.
+        // A tiled function rounds p in node spacings, and the number of nodes per radius. Tiles are compared
+        // only where this adds little error.
         const noise::Place<2> tile = test::lattice_tile(taps, s.p, s.tile);
         const double rounding = 2 * std::numbers::pi * (s.frequency + std::ranges::max(tile.radius)) *
                                 std::max(std::abs(s.p.x), std::abs(s.p.y)) * std::exp2(-21);

@@ -28,7 +28,7 @@ struct Anywhere : Sample3d {
         seed = draw.word();
         place.time = here.time = draw.uniform(-2, 2);
         place.animated = here.animated = animated;
-        if (draw.one_in(4)) // near the limit of the projection to the tangent plane
+        if (draw.one_in(4)) // near the normal, where another direction replaces this one
             direction = normal + draw.uniform<gabor_vec3>(-0.3, 0.3);
         for (std::size_t axis = 0; periodic && axis < 3; ++axis) {
             place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
@@ -126,8 +126,8 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
                                       surface.field(s.here).value.imag(), tight, s);
         of["gabor_noise_surface_isotropic"].see(n.gabor_noise_surface_isotropic(s.p, s.normal, f, s.seed),
                                                 surface_isotropic.field(s.here).value.imag(), tight, s);
-        // Tiles are compared where floats resolve them: p is rounded by 10^-6, and the wave turns by 2 pi F
-        // per radius.
+        // Tiles are compared near the origin, where p is rounded by 10^-6. The wave turns by 2 pi F per
+        // radius.
         const auto p = draw.uniform<gabor_vec3>(-8, 8), tile = draw.uniform<gabor_vec3>(0.5, 9);
         of["gabor_noise_3d_tiled"].see(n.gabor_noise_3d_tiled(p, tile, f, s.direction, s.seed),
                                        wave.field(test::lattice_tile(3, p, tile)).value.imag(),
@@ -136,7 +136,7 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
     test::check(of, 14);
 }
 
-TEST_CASE("in space, only a frequency's magnitude and a direction's orientation matter", "[space]") {
+TEST_CASE("noise in space ignores the sign of the frequency and the length of the direction", "[space]") {
     const auto noise = [](float frequency, gabor_vec3 direction) {
         return n.gabor_noise_3d({0.3f, 0.8f, 0.1f}, frequency, direction, 7);
     };

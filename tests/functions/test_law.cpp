@@ -1,5 +1,5 @@
-// Checks that the lattice's noises over independent instances, in the plane, in space and on surfaces, are
-// normal at each place and jointly. GABOR_LAW_SAMPLES sets the number of samples per statistic.
+// Checks over independent instances that the lattice's noises, in the plane, in space and on surfaces, are
+// normal at each place and jointly.
 
 #include "lattice_3d.hpp"
 #include "law.hpp"
@@ -59,15 +59,17 @@ gabor_vec2 anywhere(Draw& draw) {
     return draw.uniform<gabor_vec2>(0, 1000);
 }
 
-// The sum and the difference of two numbers.
-std::vector<Statistic> sum_and_difference(double covariance) {
-    return {sum_of("sum", std::sqrt(2 + 2 * covariance), {{0}, {1}}),
-            sum_of("difference", std::sqrt(2 - 2 * covariance), {{0}, {1, -1}})};
+// Checks that pairs of values have a joint normal distribution with this covariance.
+void check_pairs(const std::string& name, double covariance, const auto& pair) {
+    fmt::print("{}\n", name);
+    test::check_laws(quarter, pair,
+                     {sum_of("sum", std::sqrt(2 + 2 * covariance), {{0}, {1}}),
+                      sum_of("difference", std::sqrt(2 - 2 * covariance), {{0}, {1, -1}})});
 }
 
 template <typename Functions>
 void check_joint(Functions n) {
-    // E[n_x^2] = (2 pi F_x)^2 + sum h'^2 / sum h^2, and the latter is pi^2 / 3.
+    // E[n_x^2] = (2 pi F_x)^2 + sum h'^2 / sum h^2, where the last term is pi^2 / 3.
     const double x = std::hypot(2 * pi * frequency * std::cos(orientation), pi / std::sqrt(3));
     const double y = std::hypot(2 * pi * frequency * std::sin(orientation), pi / std::sqrt(3));
     const auto normal = [](double u) { return statistics::normal_quantile(std::clamp(u, 1e-9, 1 - 1e-9)); };
@@ -108,17 +110,15 @@ void check_joint(Functions n) {
         const gabor_vec2 step(static_cast<float>(length * std::cos(angle)),
                               static_cast<float>(length * std::sin(angle)));
         const double turns = frequency * (step.x * std::cos(orientation) + step.y * std::sin(orientation));
-        fmt::print("lag ({:.2f}, {:.2f})\n", step.x, step.y);
-        test::check_laws(
-            quarter,
-            [&] {
-                const gabor_vec2 p = draw.uniform<gabor_vec2>(0, 100);
-                const std::uint32_t seed = draw.word();
-                return std::array{n.gabor_noise(p, frequency, orientation, seed),
-                                  n.gabor_noise(p + step, frequency, orientation, seed)};
-            },
-            sum_and_difference(noise::hann_correlation(step.x) * noise::hann_correlation(step.y) *
-                               std::cos(2 * pi * turns)));
+        check_pairs(fmt::format("lag ({:.2f}, {:.2f})", step.x, step.y),
+                    noise::hann_correlation(step.x) * noise::hann_correlation(step.y) *
+                        std::cos(2 * pi * turns),
+                    [&] {
+                        const gabor_vec2 p = draw.uniform<gabor_vec2>(0, 100);
+                        const std::uint32_t seed = draw.word();
+                        return std::array{n.gabor_noise(p, frequency, orientation, seed),
+                                          n.gabor_noise(p + step, frequency, orientation, seed)};
+                    });
     }
 }
 
@@ -152,7 +152,7 @@ std::array<float, 5> numbers_of(const test::Lattice3::GaborField3d& field) {
     return {field.quadrature, field.noise, field.gradient.x, field.gradient.y, field.gradient.z};
 }
 
-// The covariance of two places along the lattice's axes, from the windows of the nodes that reach both.
+// The covariance of two places along the lattice's axes, from the nodes whose windows reach both.
 double covariance(const Sample3d& sample, const std::array<double, 3>& lag) {
     double product = 1, turns = 0;
     const Vector direction = noise::unit(test::wide(sample.direction));
@@ -168,8 +168,8 @@ double covariance(const Sample3d& sample, const std::array<double, 3>& lag) {
     return product * std::cos(2 * pi * turns);
 }
 
-// Statistics that show whether both parts of a noise (numbers 1 and 0) and the gradient's components of equal
-// deviation are jointly normal.
+// Statistics of a noise (number 1), its quadrature (number 0) and two components of its gradient, whose
+// deviation is `slope`. They show whether all are jointly normal.
 std::vector<Statistic> of_isotropic(double slope, const std::vector<test::Term>& dx, test::Term dy) {
     std::vector<test::Term> both = dx, mixed = dx;
     both.push_back(dy);
@@ -214,17 +214,13 @@ TEST_CASE("the lattice noise, its gradient, quadrature and phasor, four noises, 
 TEST_CASE("the lattice noise at two times is jointly normal with correlation cos^2(pi lag)", "[law]") {
     Draw draw(15);
     for (const float lag : {0.05f, 0.16f, 0.25f, 0.5f}) {
-        fmt::print("time lag {}\n", lag);
-        test::check_laws(
-            quarter,
-            [&] {
-                const gabor_vec2 p = anywhere(draw);
-                const float time = draw.uniform(0, 1);
-                const std::uint32_t seed = draw.word();
-                return std::array{n.gabor_noise_animated(p, time, frequency, orientation, seed),
-                                  n.gabor_noise_animated(p, time + lag, frequency, orientation, seed)};
-            },
-            sum_and_difference(std::pow(std::cos(pi * lag), 2)));
+        check_pairs(fmt::format("time lag {}", lag), std::pow(std::cos(pi * lag), 2), [&] {
+            const gabor_vec2 p = anywhere(draw);
+            const float time = draw.uniform(0, 1);
+            const std::uint32_t seed = draw.word();
+            return std::array{n.gabor_noise_animated(p, time, frequency, orientation, seed),
+                              n.gabor_noise_animated(p, time + lag, frequency, orientation, seed)};
+        });
     }
 }
 
@@ -260,9 +256,9 @@ TEST_CASE(
     Draw draw(41);
     for (const auto& place : {std::array{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0.0f}}) {
         const Vector wave = noise::unit(test::wide(solid_sample(draw, place).direction));
-        // sum h'^2 = pi^2 / 4 * 3/2 and sum h^2 = 9/8 along an axis, so a slope has the variance
-        // pi^2 / 3 + (2 pi F)^2, and two of them covary by 4 pi^2 F_x F_y. d/dx of one part and the other
-        // part itself covary by 2 pi F_x.
+        // sum h'^2 = pi^2 / 4 * 3/2 and sum h^2 = 9/8 along an axis, so a slope has the variance pi^2 / 3 +
+        // (2 pi F)^2, two slopes have the covariance 4 pi^2 F_x F_y, and d/dx and the quadrature have 2 pi
+        // F_x.
         const auto slope = [&](std::size_t axis) {
             return std::hypot(pi / std::sqrt(3), 2 * pi * wave[axis]);
         };
@@ -279,14 +275,10 @@ TEST_CASE(
     }
     for (const auto& lag : {std::array{0.3, 0.0, 0.0}, {0.0, 0.7, 0.7}, {0.5, -0.5, 1.0}, {1.5, 0.0, 0.4}}) {
         const std::array local{0.25f, 0.5f, 0.0f};
-        fmt::print("lag {}\n", lag);
-        test::check_laws(
-            quarter,
-            [&] {
-                const Sample3d s = solid_sample(draw, local);
-                return std::array{field_of(s).noise, field_of(moved(s, lag)).noise};
-            },
-            sum_and_difference(covariance(solid_sample(draw, local), lag)));
+        check_pairs(fmt::format("lag {}", lag), covariance(solid_sample(draw, local), lag), [&] {
+            const Sample3d s = solid_sample(draw, local);
+            return std::array{field_of(s).noise, field_of(moved(s, lag)).noise};
+        });
     }
     fmt::print("four at a node\n");
     test::check_laws(quarter,
@@ -328,9 +320,9 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
          {Where{"in space, at a node", node}, Where{"in space, elsewhere", other},
           Where{"at a pole", node, {0, 0, 1}}, Where{"between two frames", middle, {0.6f, 0, 0.8f}}}) {
         Draw draw(42);
-        // The variance of the derivative along an axis or a tangent has 4/3 pi^2 F^2 in space, or 2 pi^2 F^2
-        // on a surface, from the waves, and pi^2 / 3 from the windows. One tangent is in x and z, the other
-        // is y.
+        // To the variance of the derivative along an axis or a tangent, the waves contribute 4/3 pi^2 F^2 in
+        // space or 2 pi^2 F^2 on a surface, and the windows pi^2 / 3. One tangent is in the x-z plane, the
+        // other is the y axis.
         const bool on_surface = normal.z != 0;
         const double slope = std::sqrt(pi * pi / 3 + pi * pi * (on_surface ? 2 : 4.0 / 3));
         const double x = on_surface ? normal.z : 1, z = on_surface ? -normal.x : 0;
@@ -398,7 +390,8 @@ TEST_CASE("the covariance of isotropic noise is that of an even ring or shell of
     space.check("in space, in units of 4.5 standard errors");
 }
 
-// The value has variance 1, and the gradient sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2.
+// The value has variance 1, and the gradient the covariance sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum
+// h^2)^2.
 TEST_CASE("noise along a map that is read at the nodes is normal at every place", "[law]") {
     Draw draw(3);
     for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, -0.4f}, {-0.5f, 0.1f}}) {

@@ -1,4 +1,5 @@
-// Compares stripes drawn as waves of other shapes, and filtered stripes, with their definitions.
+// Compares profiles, which draw stripes as waves of other shapes, and filtered stripes with their
+// definitions.
 
 #include "lattice.hpp"
 #include "reference/sum.hpp"
@@ -35,7 +36,8 @@ Profiles averaged(double phase, double duty, double width) {
 
 } // namespace
 
-TEST_CASE("profiles are averages over a width, or over the phases that shortened stripes represent",
+TEST_CASE("profiles of a phase average over the given width, and profiles of stripes over the width that "
+          "their length implies",
           "[profiles]") {
     Draw draw(3);
     Largest by_width, by_stripes;
@@ -57,7 +59,7 @@ TEST_CASE("profiles are averages over a width, or over the phases that shortened
                                n.gabor_stripes_ridges(z)};
         for (std::size_t c = 0; c < 5; ++c) {
             by_width.see(found[c], expected[c], 5e-4 + 1e-6 / used, where);
-            if (used > 0.02 && used < 0.98) // beyond, a float length is too coarse for width or phase
+            if (used > 0.02 && used < 0.98) // elsewhere, the rounded length leaves width or phase uncertain
                 by_stripes.see(stripes[c], expected[c], 0.003 / used, where);
         }
     }
@@ -65,8 +67,8 @@ TEST_CASE("profiles are averages over a width, or over the phases that shortened
     by_stripes.check("gabor_stripes_sine ...");
 }
 
-// The expected values are the means of z min(1 / |z|, sharpness) and of |z|, where z is v + sqrt(removed)
-// times normal numbers.
+// The expected values are the means of z min(1 / |z|, sharpness) and of |z|, where z is the filtered value
+// plus sqrt(removed) times normal numbers.
 TEST_CASE("filtered stripes are the mean of stripes over the removed noise", "[profiles]") {
     Draw draw(3);
     test::Differences of;

@@ -1,5 +1,5 @@
 // Compares every function of gabor_noise.glsl with the double-precision reference. Also compares the noise's
-// distribution with the normal one, using one value at a random place in each of many independent instances.
+// distribution over independent instances with theory.
 
 #include "sparse.hpp"
 #include "statistics/gaussianity.hpp"
@@ -17,7 +17,7 @@ using test::tolerance;
 
 namespace {
 
-// Runs a check for each of the product's recipes.
+// Runs a check for each published recipe.
 template <typename Check>
 void for_recipes(const Check& check) {
     check(test::One());
@@ -59,7 +59,8 @@ void compare(Functions n) {
     Draw draw(1);
     Differences of;
     for (int batch = 0; batch < 34; ++batch) {
-        // Frequencies cover 0.1 to 64 evenly in octaves, including both ends and the end of the series.
+        // Frequencies cover 0.1 to 64 evenly in octaves. At the first, the shader switches from a power
+        // series to a recurrence.
         const float frequency = batch == 0 ? 0.63662f : 0.1f * static_cast<float>(std::exp2(batch * 0.28281));
         const float orientation =
             batch % 4 == 0 ? static_cast<float>(batch / 4) * 0.78539816f : draw.uniform(-8, 8);
@@ -67,7 +68,7 @@ void compare(Functions n) {
         const Reference reference(n.recipe, frequency, orientation, seed);
         const auto kernel = n.gabor_kernel(frequency, orientation);
         const double tight = tolerance(frequency), loose = slope_tolerance(frequency);
-        // At low frequency a sine is small and its quadrature correspondingly large.
+        // At low frequency, a sine kernel is small, so normalization makes its quadrature large.
         const double larger = n.recipe.phases == 2 ? std::max(1.0, 2.0 / frequency) : 1;
         for (int i = 0; i < count; ++i) {
             Sample s{any_place(draw, n.recipe), {0, 0}, frequency, orientation, seed};
@@ -122,7 +123,7 @@ TEST_CASE("periods of the sparse noise in space and time agree with the referenc
             const float frequency = draw.uniform(1.5, 8), orientation = draw.uniform(-8, 8);
             const std::uint32_t seed = draw.word();
             const Reference reference(n.recipe, frequency, orientation, seed);
-            const double tight = 2 * tolerance(frequency); // fewer, larger impulses per radius
+            const double tight = 2 * tolerance(frequency); // impulses are fewer and larger
             // A position is rounded by 10^-6, and the wave turns by 2 pi F per radius.
             const double rounded = 3e-5 * (1 + frequency);
             for (int i = 0; i < 1 << 10; ++i) {
@@ -163,11 +164,11 @@ TEST_CASE("periods of the sparse noise in space and time agree with the referenc
     });
 }
 
-// The margin is h^2 / 6 times the third derivative, which is (2 pi F)^3 times a few sigma.
+// A difference errs by h^2 / 6 times the third derivative, which is (2 pi F)^3 times a few sigma.
 template <std::size_t N>
 void check_gradient(Draw& draw, const auto& reference) {
     noise::Place<N> place;
-    for (std::size_t axis = 0; axis < N; ++axis) // on and across the edges of cells and windows
+    for (std::size_t axis = 0; axis < N; ++axis) // often on the edge of a cell or window
         place.local[axis] = std::floor(draw.uniform(-8, 8) * 256) / 256;
     for (std::size_t axis = 0; axis < N; ++axis) {
         constexpr double h = 0x1p-14;
@@ -180,7 +181,7 @@ void check_gradient(Draw& draw, const auto& reference) {
     }
 }
 
-TEST_CASE("gradients of the reference equal its differences", "[sparse][lattice][space][oracle]") {
+TEST_CASE("gradients of the reference equal its finite differences", "[sparse][lattice][space][oracle]") {
     Draw draw(6);
     for (int i = 0; i < 1000; ++i) {
         for (const char* recipe : {"one", "pure", "paper"})

@@ -63,7 +63,7 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[spectru
     Differences of;
     for (int i = 0; i < 1 << 12; ++i) {
         const float reach = std::exp2(draw.uniform(0, 8));
-        const bool most = draw.one_in(64); // more waves than are used
+        const bool most = draw.one_in(64); // needs more waves than the function sums
         Sample s = somewhere(draw, reach, most ? 20 : draw.uniform(0, 6));
         for (int axis = 0; axis < 2; ++axis)
             if (draw.one_in(4))
@@ -100,7 +100,7 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[spectru
     test::check(of, 4);
 }
 
-TEST_CASE("spreads, lobes and the filter agree with the reference in tiles, far cells and time",
+TEST_CASE("spreads, lobes and the filter agree with the reference in tiles, in far cells and at any time",
           "[spectrum][oracle]") {
     Draw draw(37);
     Differences of;
@@ -121,7 +121,7 @@ TEST_CASE("spreads, lobes and the filter agree with the reference in tiles, far 
                                 draw.word() % 2 ? draw.uniform(3, 12) : 0);
         auto place = n.gabor_place_tiled({0, 0}, period);
         place.local = draw.uniform<gabor_vec2>(0, 1);
-        // Far cells are exact with a period, and without one if all lobes have the same kernel radius.
+        // Far cells are exact with a period, and without a period if all lobes have the same kernel radius.
         for (int axis = 0; axis < 2; ++axis)
             place.cell[axis] =
                 static_cast<std::int32_t>(draw.word() % 2 ? draw.word() & 0x7fffff00u : draw.word() % 16);
@@ -192,7 +192,7 @@ static double hann_power(double k) {
     return std::pow(box(k) + (box(k - 0.5) + box(k + 0.5)) / 2, 2) * 4 / 3;
 }
 
-TEST_CASE("isotropic noise has the same power in every direction within 5 %", "[spectrum]") {
+TEST_CASE("a spread over all directions has the same power in each direction within 5 %", "[spectrum]") {
     for (const double frequency : {0.3, 0.5, 0.8, 1.0, 1.2, 1.5, 1.7, 2.0, 2.4, 3.0, 3.3, 4.0, 6.0, 8.0}) {
         const auto lobes = noise::spread_lobes(frequency, 0.2, 0, pi / 2, 1);
         std::vector<double> powers;

@@ -1,4 +1,4 @@
-// Reads a request as JSON: it is refused, or survives writing and reading again unchanged.
+// Reads a request as JSON. It must be refused, or stay the same when it is written and read again.
 
 #include "render/parameters.hpp"
 #include "error.hpp"

@@ -13,8 +13,8 @@
 
 namespace gabor::fuzz {
 
-/// Runs the program in this process, in a folder where no file can be created. Its status must be 0 or 2;
-/// status 1 is a failure while working.
+/// Runs the program in this process, in a folder where no file can be created. Its exit status must be 0 or
+/// 2, since 1 means that the work failed.
 inline void run(const std::vector<std::string>& arguments) {
     static const bool nowhere = chdir("/proc/self/fdinfo") == 0;
     std::vector<const char*> pointers{"gabor"};

@@ -26,15 +26,15 @@ inline std::vector<std::string> calls(const std::string& path) {
     return calls;
 }
 
-/// Whether a call's result at a point is as small as the documentation promises for any arguments.
+/// Whether a call's result is within the range that the documentation promises for arbitrary arguments.
 inline bool is_in_range(const std::string& call, int point, float value) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
-    const int kind = std::abs(point) % 5;                       // the kind in functions.glsl
+    const int kind = std::abs(point) % 5;                       // as in functions.glsl
     const bool is_sine = has("noise_complex(s.p, s.frequency"); // its quadrature grows at low frequency
-    if (kind == 0 && has("isotropic_filtered"))                 // beyond frequency 10^6
+    if (kind == 0 && has("isotropic_filtered"))                 // no promise above frequency 10^6
         return true;
     if (has("gabor_footprint(s.dx, s.dy).") ||
-        (kind == 2 && (has("place") || has("stretched")))) // with tiny periods
+        (kind == 2 && (has("place") || has("stretched")))) // no promise for tiny periods
         return true;
     const bool unlimited = has("gradient") || has("field") || has("3d(") || has("node_position") ||
                            has("gabor_er") || has("gabor_terrain") || (kind == 0 && is_sine);
@@ -44,13 +44,13 @@ inline bool is_in_range(const std::string& call, int point, float value) {
            std::bit_cast<std::uint32_t>(unlimited ? std::numeric_limits<float>::max() : 200.0f);
 }
 
-/// The results of calls at 64 points, and the file with this version's results.
+/// The results of calls at 64 points, to compare with the file of this version's results.
 class Rows {
   public:
     static constexpr int points = 64;
     static constexpr int numbers = 16; ///< per line of the file, each a sum over every 16th point
 
-    /// Starts a point; values seen until the next call belong to it.
+    /// Starts a point, to which the values seen from now on belong.
     void begin(int point) {
         point_ = point;
         call_ = 0;

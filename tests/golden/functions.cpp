@@ -83,7 +83,7 @@ int main(int count, char** arguments) {
         rows.begin(point);
         see_all(point);
     }
-#if defined GABOR_ROUNDING // unrounded products move places far away
+#if defined GABOR_ROUNDING // fused products are not rounded, which moves places far away
     const bool same = rows.compare(arguments[1], 1e-4, 0.2);
 #else
     const bool same = rows.compare(arguments[1], 2e-6, 2e-6);

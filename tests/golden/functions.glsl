@@ -35,7 +35,7 @@ uint random_word(int point, int k) {
 
 // A number from low to high.
 float drawn(int point, int k, float low, float high) {
-    precise float above = (high - low) * (float(random_word(point, k) >> 8u) / 16777216.0f); // the same for any rounding
+    precise float above = (high - low) * (float(random_word(point, k) >> 8u) / 16777216.0f); // every compiler draws the same number
     return low + above;
 }
 
@@ -57,7 +57,7 @@ float any_within(int point, int k, float most) {
     return abs(value) <= most ? value : min(most, 1.0e30f) * drawn(point, k + 500, -1.0f, 1.0f);
 }
 
-// Nodes are at integers, and for three taps, windows end at odd integers.
+// With three taps, even integers are nodes, and windows end at odd ones.
 float coordinate(int point, int k) {
     int kind = point / 4 % 4;
     float far = drawn(point, k, -2.0e4f, 2.0e4f);
@@ -78,7 +78,7 @@ Point any_of(Point s, int i) {
     s.q = vec3(0.3f, 0.8f, 3.1f);
     s.period = vec2(4.0f, 4.0f);
     s.period_3d = vec3(4.0f, 4.0f, 4.0f);
-    int kind = i % 5; // file.hpp uses the same kind
+    int kind = i % 5; // as in file.hpp
     if (kind == 0) {
         s.frequency = any_within(i, 100, MOST);
         s.orientation = any_within(i, 101, 3.4e38f);
@@ -90,7 +90,7 @@ Point any_of(Point s, int i) {
         s.local = vec2(any_within(i, 107, 64.0f), any_within(i, 108, 64.0f));
         s.time = any_within(i, 109, 1.0e38f);
     }
-    if (kind == 2) { // as far as positions do not overflow in nodes or cells
+    if (kind == 2) { // no index of a node or cell may overflow
 #if defined GOLDEN_NOISE
         const float longest = 1.0e9f;
 #else
@@ -168,7 +168,7 @@ Point point_of(int point) {
     return of_any ? any_of(s, i) : s;
 }
 
-// The recorded part of a value: a sum of its components, with derivatives scaled to about 1.
+// The number that is recorded for a value: a sum of its components, with derivatives scaled to about 1.
 
 float kept(float v) {
     return v;
@@ -251,7 +251,7 @@ void see_all(int i) {
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
 #endif
 #if defined GOLDEN_SPECTRUM
-    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // small, because lobes with another radius round their places
+    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // small, because lobes whose radius is not 1 round positions
     GaborLobes lobes;
     lobes.count = 5; // only GABOR_LOBES are used
     lobes.lobe[0] = gabor_lobe(s.frequency, s.orientation, 1.0f, 2.0f);

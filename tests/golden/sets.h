@@ -1,5 +1,4 @@
-// The macros of each set of functions, for C++ and GLSL. GABOR_OF_SET chooses the set, whose values are in
-// SET.txt.
+// The macros of each set of functions, for C++ and GLSL. GABOR_OF_x chooses set x, whose values are in x.txt.
 
 #if defined GABOR_OF_noise_one
 #define GOLDEN_NOISE
@@ -14,7 +13,7 @@
 #define GABOR_WEIGHT_FLOOR 1.0f
 #define GABOR_PHASES 2
 #define GABOR_WINDOW vec3(1.0f, 0.0f, 0.0f)
-#elif defined GABOR_OF_noise_own // everything that two phases and a window with three terms can need
+#elif defined GABOR_OF_noise_own // two phases and a window with three terms, which use all of the code
 #define GOLDEN_NOISE
 #define GABOR_IMPULSES 3
 #define GABOR_RADIUS 1.25f

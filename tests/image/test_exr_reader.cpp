@@ -114,7 +114,7 @@ std::string refusal(const fs::path& path, const std::vector<std::string>& channe
     return "accepted";
 }
 
-/// Overwrites what follows `mark` in the file.
+/// Returns the file with other values after `mark`.
 template <std::size_t n>
 std::string patched(std::string file, std::string_view mark, const std::array<std::int32_t, n>& values) {
     const std::size_t start = file.find(mark);

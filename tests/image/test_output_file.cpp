@@ -43,7 +43,7 @@ mode_t mode(const fs::path& path) {
     return status.st_mode & 07777;
 }
 
-/// Runs `body`, which returns the exit status, in a child process; returns the status from waitpid.
+/// Runs `body`, which returns an exit status, in a child process. Returns the status from waitpid.
 template <class Body>
 int in_child(Body body) {
     const pid_t child = ::fork();
@@ -212,7 +212,8 @@ TEST_CASE("A FIFO receives the data in order", "[output_file]") {
 TEST_CASE("A failing disk is not reported as a wrong request", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
-    // The file size limit stands in for a full disk: it cuts the first write short and fails the next.
+    // The file size limit stands in for a full disk: it cuts the first write short and makes the next one
+    // fail.
     const int status = in_child([&] {
         ::signal(SIGXFSZ, SIG_IGN);
         const rlimit limit{1000, 1000};
@@ -230,7 +231,7 @@ TEST_CASE("A failing disk is not reported as a wrong request", "[output_file]") 
         OutputFile file(path);
         if (!fails([&] { write(file, std::string(2000, 'x')); }))
             return 2;
-        return fails([&] { file.commit(); }) ? 0 : 3; // even if nobody heard of the first failure
+        return fails([&] { file.commit(); }) ? 0 : 3; // even if the first failure was ignored
     });
     CHECK(status == 0);
     CHECK(folder.count() == 0);

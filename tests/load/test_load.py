@@ -32,7 +32,7 @@ class Load(ProgramTest):
         self.assertEqual((process.returncode, stderr), (0, b""))
         return usage.ru_maxrss * 1024
 
-    def test_processes_in_a_row(self):
+    def test_later_processes_need_no_more_memory(self):
         count = 200 if LONG else 12
         peaks = [self.run_measured("render", "-o", "out.exr", "--size=300x200") for _ in range(count)]
         print(f"  {count} processes, one after another: {min(peaks) // MIB} to {max(peaks) // MIB} MiB each")
@@ -40,8 +40,8 @@ class Load(ProgramTest):
         self.assertLess(np.median(peaks[-quarter:]), 1.05 * np.median(peaks[:quarter]))
         self.assertEqual(set(self.files()), {"out.exr"})
 
-    def test_processes_at_once(self):
-        """Several processes write different pictures to one name. The file must be complete, whichever is last."""
+    def test_processes_at_once_write_whole_files(self):
+        """Processes that run at once write to different names, then all to one name."""
         self.run_measured("render", "-o", "alone.exr", "--size=900x900")
         names = [f"{i}.exr" for i in range(8)]
         for outputs in (names, ["one.exr"] * 8):
@@ -55,7 +55,7 @@ class Load(ProgramTest):
         self.assertEqual(set(files), {*names, "one.exr", "alone.exr"})
         self.assertEqual(len(set(files.values())), 1)
 
-    def test_large_pictures_in_bounded_memory(self):
+    def test_large_pictures_need_bounded_memory(self):
         """Renders a picture (with GABOR_LONG, 32768 x 32768 pixels, 4 GiB), measures it, and fits noise to its PNG."""
         side = 32768 if LONG else 4096
         if shutil.disk_usage(self.folder).free < 5 * side * side:

@@ -1,6 +1,6 @@
 #pragma once
 
-// For tests of words as random numbers.
+// Helps to test words as random numbers.
 
 #include <cmath>
 #include <cstdint>

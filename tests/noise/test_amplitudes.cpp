@@ -51,7 +51,8 @@ TEST_CASE("lines at any distance have equal, nearly equal or opposite words only
                 const std::uint32_t difference = (a - b) & 0x7fffff; // the highest bit is set in both
                 equal_here += difference == 0;
                 near_here += difference < 64 || difference > 0x7fffff - 63;
-                low_here += ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // same imaginary part
+                low_here +=
+                    ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // equal or opposite imaginary parts
             }
             INFO("axis " << axis << ", distance " << distance << ": " << equal_here << " equal, " << near_here
                          << " nearly, " << low_here << " in the low bits");
@@ -69,7 +70,7 @@ TEST_CASE("lines at any distance have equal, nearly equal or opposite words only
     }
 }
 
-TEST_CASE("few pairs of lines correlate, and no more in one part than in the other", "[amplitudes]") {
+TEST_CASE("few pairs of lines correlate in either part of their amplitudes", "[amplitudes]") {
     constexpr int lines = 512, length = 1024;
     for (const bool columns : {true, false}) {
         std::vector<std::array<float, 2>> parts(lines * length);

@@ -31,7 +31,7 @@ struct Offset {
     int x, y;
 };
 
-// The i-th word in a sequence of nodes: over seeds, or in a square.
+// The words around the i-th node of a sequence, which goes over seeds or through a square.
 class Words {
   public:
     Words(bool over_seeds, std::uint64_t i)
@@ -72,7 +72,7 @@ TEST_CASE("the variances of the lattice noise and its derivatives are the same a
                 mixed += w.value * w.curvature;
             }
             CHECK(value == Approx(lattice_energy(taps)).epsilon(1e-12));
-            if (taps == 2) // only the noise itself
+            if (taps == 2) // only Hann's windows keep the variances of derivatives
                 continue;
             CHECK(slope == Approx(pi * pi / 8 * taps).epsilon(1e-12));
             CHECK(curvature == Approx(std::pow(pi, 4) / 8 * taps).epsilon(1e-12));
@@ -93,7 +93,7 @@ TEST_CASE("sidelobes of the lattice noise are at most -31 dB", "[lattice]") {
             return std::abs(sum);
         };
         double largest = 0;
-        for (double frequency = 1.0; frequency < 12; frequency += 0.01) // the lobe ends at 1
+        for (double frequency = 1.0; frequency < 12; frequency += 0.01) // the main lobe ends at 1
             largest = std::max(largest, amplitude(frequency) / amplitude(0));
         const double decibels = 20 * std::log10(largest);
         fmt::print("{} taps: the largest sidelobe is {:.2f} dB\n", taps, decibels);
@@ -143,7 +143,7 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
             }
             const bool is_same = figure.size() == 1 && figure[0].x == 0 && figure[0].y == 0;
             for (std::size_t a = 0; a < 4; ++a)
-                for (std::size_t b = is_same ? a + 1 : 0; b < 4; ++b) // no number with itself
+                for (std::size_t b = is_same ? a + 1 : 0; b < 4; ++b) // not a number with itself
                     sigmas.see(sums[a][b] / std::sqrt(static_cast<double>(count)), 0, gabor::test::far, [&] {
                         return fmt::format("{} offsets from ({}, {}), numbers {} and {}, {}", figure.size(),
                                            figure[0].x, figure[0].y, a, b, name(over_seeds));
@@ -163,7 +163,8 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
     for (const bool over_seeds : {false, true}) {
         for (const auto& [width, height] : {Offset{1, 1}, {2, 1}, {1, 2}, {2, 2}, {7, 5}}) {
             std::complex<double> alternating, plain;
-            std::vector<std::uint64_t> high(256), low(256); // the two leading bits of each part of the four
+            std::vector<std::uint64_t> high(256),
+                low(256); // by the two leading bits of this part of each amplitude
             for (std::uint64_t i = 0; i < count; ++i) {
                 const Words node(over_seeds, i);
                 const std::array words{node.at({0, 0}), node.at({width, 0}), node.at({width, height}),

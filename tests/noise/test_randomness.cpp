@@ -1,5 +1,4 @@
-// Tests the words of impulses as random numbers. GABOR_DRAWS sets the number of draws per figure;
-// tools/test-long draws 10^8.
+// Tests the words of impulses as random numbers.
 
 #include "../largest.hpp"
 #include "randomness.hpp"
@@ -35,7 +34,7 @@ struct Input {
     std::uint32_t word() const { return impulse_word(column, row, index, seed); }
 };
 
-// The sequences of inputs that pictures use: a square of cells around the origin, and seeds with impulses.
+// Sequences of inputs as in pictures: over the cells of a square, over seeds, and over the impulses of cells.
 Input in_square(std::uint64_t i) {
     const auto along = static_cast<std::int32_t>(i & 0x3fff);
     const auto across = static_cast<std::int32_t>(i >> 14);
@@ -59,7 +58,7 @@ struct Sequence {
 constexpr std::array sequences{Sequence{"cells", in_square}, Sequence{"seeds", over_seeds},
                                Sequence{"impulses", over_impulses}};
 
-// The six leading bits of a field that the drop-in takes from a word.
+// A field that the drop-in takes from a word. Tests use its six leading bits.
 struct Field {
     std::string_view name;
     int lowest;

@@ -78,7 +78,7 @@ TEST_CASE("the variance at any time agrees with Campbell's theorem by quadrature
         noise::find_recipe(GENERATE(as<std::string>(), "one", "pure", "paper", sines));
     const double frequency = GENERATE(0.1, 0.5, 1.0, 4.0), time = GENERATE(0.0, 0.13);
     const double orientation = GENERATE(0.0, 30.0, 45.0, 200.0) * pi / 180;
-    // The mean over the phases of impulses, which turn 1 to 4 times per period.
+    // The mean square of the sine over the phases of impulses, which turn 1 to 4 times per period.
     const auto square = [&](double x, double y) {
         if (recipe.phases != 2)
             return 0.5;
@@ -111,7 +111,7 @@ TEST_CASE("recipes have their published values", "[noise]") {
         float weight_floor;
         int phases;
         std::array<float, 3> window;
-        double sidelobe; // sidelobe of the window along an axis, in decibels
+        double sidelobe; // the window's largest along an axis, in decibels
     };
     const Published published[] = {{"one", 1, 1, 0.675f, 256, {3, -4.5f, 2.5f}, -29.00},
                                    {"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, -41.45},

@@ -112,7 +112,8 @@ Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const
         const double steep = std::max(std::hypot(steer[0], steer[1]), 1e-9);
         mask *= std::pow(mask_of(steep / std::max(erosion.onset, 1e-6), round), 2);
         const Vector<2> wave{-steer[1] / steep * frequency, steer[0] / steep * frequency};
-        // A Gaussian filter whose deviation is half a pixel, faded to 0 where it would leave 2 % of a wave.
+        // The filter is Gaussian, with a deviation of half a pixel. It fades to 0 where it would leave 2 % of
+        // a wave.
         const double across = std::pow(dot(wave, dx), 2) + std::pow(dot(wave, dy), 2);
         const double kept =
             std::max(1.02 * std::exp(-std::numbers::pi * std::numbers::pi / 2 * across) - 0.02, 0.0);

@@ -69,7 +69,7 @@ std::uint32_t node_word(const std::array<std::uint32_t, 3>& lines) {
     return lines[0] * (lines[1] * lines[2] >> 8 | 0x800001u);
 }
 
-// The words of an isotropic noise's nodes: of the amplitudes of three waves, then of their angles.
+// The words of a node of isotropic noise: three for the amplitudes of its waves, and one for their angles.
 std::array<std::uint32_t, 4> isotropic_words(std::uint32_t column, std::uint32_t row) {
     std::array<std::uint32_t, 4> words{};
     for (std::uint32_t& word : words) {

@@ -11,7 +11,8 @@
 
 namespace gabor::noise {
 
-/// The hash of all noises: an odd number that spreads small integers over 32 bits, and the mixing of a word.
+/// The hash of all noises spreads small integers over 32 bits by multiplication with an odd number, and mixes
+/// the bits of a word with a salt.
 constexpr std::uint32_t spread = 0x9e3779b1u;
 std::uint32_t mix(std::uint32_t word, std::uint32_t salt);
 
@@ -72,7 +73,8 @@ double lattice_amplitude_deviation();
 /// The complex amplitude of a word. One part comes from the whole word, the other from its low 20 bits.
 std::complex<double> lattice_amplitude(std::uint32_t word);
 
-/// The same at a time in an animation of period 1, as a mix with two more amplitudes derived from the word.
+/// The amplitude at a time in an animation of period 1: a mix with two more amplitudes that are derived from
+/// the word.
 std::complex<double> lattice_amplitude(std::uint32_t word, double time);
 
 /// A noise on a lattice of nodes c, each with waves F_cm of amplitudes A_cm, in double precision, from the
@@ -85,13 +87,13 @@ class Lattice {
         Vector<N> wave;     ///< cycles per kernel radius
         std::uint32_t word; ///< selects the amplitude
     };
-    /// Adds the waves of a node, from the words of the lines through it, along each axis, and from its number
-    /// among those around a place, which rises with x, then y.
+    /// Adds the waves of a node. `lines` has the words of the lines through the node, one along each axis.
+    /// `number` counts the nodes around a place, along x first, then along y.
     using Waves = std::function<void(const std::array<std::uint32_t, N>& lines, std::size_t number,
                                      std::vector<Wave>& waves)>;
 
-    /// `taps` is GABOR_TAPS. `frequency` is that of the waves; `correlation` is their correlation at an
-    /// offset, apart from that of the windows.
+    /// `taps` is GABOR_TAPS. `frequency` is that of the waves; `correlation` returns the waves' own
+    /// correlation at an offset, without that of the windows.
     Lattice(int taps, std::uint32_t seed, Waves waves, double frequency = 0,
             std::function<double(const Vector<N>&)> correlation = {})
         : taps_(taps), seed_(seed), waves_(std::move(waves)), frequency_(frequency),
@@ -120,8 +122,8 @@ Vector<2> wave_along(double frequency, double orientation);
 /// The noise of gabor_field_waves: a wave for each of the nine nodes around the place, row by row.
 Lattice<2> map_noise(const std::array<Vector<2>, 9>& waves, std::uint32_t seed);
 
-/// The noise of gabor_noise_isotropic and gabor_noise_3d_isotropic: at each node N waves or, in the plane,
-/// three, evenly spread and turned at random.
+/// The noise of gabor_noise_isotropic and gabor_noise_3d_isotropic: three waves at each node, evenly spread
+/// and turned at random.
 Lattice<2> isotropic_noise(double frequency, std::uint32_t seed);
 Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed);
 

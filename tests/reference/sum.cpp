@@ -20,7 +20,7 @@ Place<N> placed(const Place<N>& place, const Vector<N>& radius) {
         if (radius[axis] == 1)
             continue;
         own.radius[axis] = 1.5;
-        const double nodes = place.radius[axis] * radius[axis]; // of `place`, per radius of the term
+        const double nodes = place.radius[axis] * radius[axis]; // nodes of `place` per radius of the term
         if (place.period[axis]) {
             const double length = place.period[axis] / nodes;
             own.period[axis] = std::max(3, static_cast<int>(std::lround(1.5 * length)));

@@ -29,11 +29,11 @@ class Sum {
     /// number, at least 3, into a period.
     Field<N> field(const Place<N>& place) const;
 
-    /// The noise through a normal filter of covariance (dx dx^T + dy dy^T) / 4, by quadrature of the noise
-    /// against the normal density.
+    /// The noise after a normal filter of covariance (dx dx^T + dy dy^T) / 4, by quadrature of the noise
+    /// times the normal density.
     Field<N> filtered(const Place<N>& place, const Vector<N>& dx, const Vector<N>& dy) const;
 
-    /// The share of its variance that the same filter removes, by quadrature of the noise's covariance.
+    /// The share of the noise's variance that the same filter removes, by quadrature of the covariance.
     double removed(const Place<N>& place, const Vector<N>& dx, const Vector<N>& dy) const;
 
   private:

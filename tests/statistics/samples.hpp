@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-/// Data with known answers, from fixed seeds.
+/// Data with known statistics, from fixed seeds.
 namespace samples {
 
 std::vector<float> normal(std::size_t count, std::uint64_t seed, double mean = 0, double deviation = 1);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int block_side = 256;
 constexpr int repetitions = 120;
-const samples::Lobe lobe{2.0}; // its correlation is exp(-|d|^2 / 16), 1e-7 beyond a block of 16 pixels
+const samples::Lobe lobe{2.0}; // the correlation is exp(-|d|^2 / 16), and 1e-7 at the 16 pixels of a block
 constexpr double correlation = 16;
 
 void add_picture(Blocks& blocks, const std::vector<float>& picture, int width) {
@@ -102,7 +102,7 @@ TEST_CASE("the index is the mean over all pairs of pixels in blocks that do not 
     CHECK(blocks.estimate(2)->cvm.value == Approx(262144 * sum / pairs).epsilon(0.002));
 }
 
-TEST_CASE("the index of a large picture of independent pixels is exact") {
+TEST_CASE("the index of a large picture of independent pixels is right") {
     const samples::Bent bent{0.2};
     std::vector<float> picture = samples::normal(2000 * 1000, 3);
     bent.apply(picture);

@@ -13,7 +13,7 @@ using namespace gabor::statistics;
 
 namespace {
 
-/// The index by the statistic's definition, which sorts the values.
+/// The index by its definition.
 double sorted_index(std::vector<float> values, double deviation) {
     std::sort(values.begin(), values.end());
     const double n = static_cast<double>(values.size());
@@ -53,7 +53,7 @@ Coverage coverage(std::size_t count, const samples::Bent& bent) {
 
 } // namespace
 
-TEST_CASE("the index agrees with the sorted formula") {
+TEST_CASE("the index agrees with its definition, which sorts the values") {
     const std::size_t count = GENERATE(1u, 2u, 100u, 50000u);
     const double c = GENERATE(0.0, 0.03);
     const double deviation = GENERATE(1.0, 0.25);
@@ -75,8 +75,8 @@ TEST_CASE("the index of two values equals the one computed by hand") {
 }
 
 TEST_CASE("a deviation measured afterwards gives the same index as one known before") {
-    // Covers the widest range of bins for sums and differences of pairs, which are counted in units of their
-    // largest deviation, and slightly more.
+    // Sums and differences of pairs are counted in units of the largest deviation that they can have. These
+    // deviations cover that range, and slightly more.
     const double relative = GENERATE(0.1, 0.5, 0.7, 1.2);
     std::vector<float> values = samples::normal(1000000, 8);
     samples::Bent{0.05}.apply(values);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int lobe_side = 256;
 
-/// The periodogram that has `density` at each frequency, given in cells of 1 / lobe_side.
+/// The periodogram that has density(x, y) at each frequency (x, y) / lobe_side.
 std::vector<double> periodogram_of(const std::function<double(double, double)>& density) {
     std::vector<double> periodogram;
     for (int row = 0; row < lobe_side; ++row)
@@ -53,7 +53,7 @@ TEST_CASE("a Gaussian lobe is measured correctly") {
     CHECK(summary.correlation == Approx(2 * lobe_side * std::sqrt(squares) / 1.4).epsilon(1e-4));
 }
 
-TEST_CASE("a wide ring has its own width, though it is not Gaussian") {
+TEST_CASE("the bandwidth of a wide ring is right, though the ring is not Gaussian") {
     const auto summary =
         summarize(periodogram_of([](double fx, double fy) {
                       const double r = std::hypot(fx, fy);

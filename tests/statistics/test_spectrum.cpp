@@ -83,7 +83,7 @@ TEST_CASE("the power of one segment equals that of its windowed pixels") {
     CHECK(std::reduce(summary.radial.begin(), summary.radial.end()) == Approx(summary.power).epsilon(1e-12));
 }
 
-TEST_CASE("white noise is white: power proportional to area") {
+TEST_CASE("the power of white noise is proportional to area") {
     const SpectrumSummary summary = spectrum_of(samples::normal(1024 * 1024, 9), 1024, 1024);
     CHECK(summary.power == Approx(1).epsilon(0.01));
     const double df = summary.radial_step;

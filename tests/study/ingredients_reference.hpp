@@ -20,7 +20,7 @@ struct Impulse {
 std::vector<Impulse> cell_impulses(const study::Ingredients& ingredients, std::int32_t cell_x,
                                    std::int32_t cell_y, std::uint32_t seed);
 
-/// The sum over all cells within reach, without the factor K.
+/// The sum of all impulses within reach, without the normalization K.
 double ingredients_sum(const study::Ingredients& ingredients, const study::PlaneWave& wave, double x,
                        double y, std::uint32_t seed);
 

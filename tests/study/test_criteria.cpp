@@ -94,8 +94,7 @@ TEST_CASE("the recommended noise has the expected contrast and stationarity", "[
     const vulkan::Device device;
     Noise noise(device, recommended);
     const statistics::InstanceStationarity windows = measure_windows(single(noise), 1 << 12, 1);
-    CHECK(windows.contrast().interdecile ==
-          Approx(0.94).epsilon(0.06)); // the paper's criteria share these figures
+    CHECK(windows.contrast().interdecile == Approx(0.94).epsilon(0.06));
     CHECK(windows.median_deviation() == Approx(0.96).epsilon(0.02));
     const statistics::ProcessStationarity places = measure_places(single(noise), 1, 1 << 13, 1).stationarity;
     CHECK(places.variance().median == Approx(1).margin(0.01));

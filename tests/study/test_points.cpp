@@ -13,7 +13,7 @@
 
 using namespace gabor;
 
-TEST_CASE("Poisson counts have Poisson's law at every mean", "[points]") {
+TEST_CASE("Poisson counts have the Poisson distribution at every mean", "[points]") {
     const vulkan::Device device;
     for (const int mean : {1, 2, 4, 10, 30, 70, 450}) {
         constexpr int side = 96;

@@ -53,7 +53,7 @@ class StudyTest(ProgramTest):
         self.assertAlmostEqual(float(seminal[10]["n_star"]), 10, places=4)
         self.assertEqual(set(self.files()), {"figure3.csv", "figure3.json"})
 
-    def test_pictures_and_plots(self):
+    def test_figures_have_pictures_and_plots(self):
         for name in ("figure1", "figure6"):
             self.succeed("study", name, "--quick", "-o", ".")
         self.assertEqual(set(self.files()), {"figure1.csv", "figure1.json", "figure6.csv", "figure6.json", "figure6_pair.png",
@@ -62,7 +62,7 @@ class StudyTest(ProgramTest):
         for name in ("figure1.png", "figure6.png"):
             self.assertGreater((self.folder / name).stat().st_size, 10000)
 
-    def test_the_law_at_places_and_of_pairs(self):
+    def test_law_measures_places_pairs_covariance_and_spectra(self):
         shutil.copytree(self.law, self.folder, dirs_exist_ok=True)
         noises = {"seminal", "advice", "paper", "one", "pure", "lattice_2", "lattice_3", "lattice_4"}
         counts = {"law_places": 64, "law": 1, "law_pairs": 10, "law_covariance": 9, "law_spectra": 1}
@@ -99,7 +99,7 @@ class StudyTest(ProgramTest):
         self.assertEqual(self.interrupted, -signal.SIGINT)
         self.assertEqual((self.law / "law_places.csv").stat().st_mtime_ns, self.first_table)
 
-    def test_a_table_of_another_driver_starts_again(self):
+    def test_a_table_of_another_version_device_or_driver_starts_again(self):
         self.succeed("study", "figure1", "--quick", "-o", ".")
         table, sidecar = self.folder / "figure1.csv", self.folder / "figure1.json"
         whole, conditions = table.read_bytes(), json.loads(sidecar.read_text())
@@ -113,7 +113,7 @@ class StudyTest(ProgramTest):
         self.succeed("study", "figure1", "--quick", "-o", ".")
         self.assertEqual(table.read_text(), "kept\n")
 
-    def test_wrong_requests(self):
+    def test_wrong_requests_are_refused(self):
         self.assert_refused(["figure7", "figure1", "future", "all"], "study", "figure7", "-o", ".")
         self.assert_refused(["--output"], "study", "figure1")
         (self.folder / "file").write_text("")

@@ -20,7 +20,7 @@ TEST_CASE("known values have the expected quantiles and spreads", "[stationarity
     CHECK(dispersion(values).interdecile == Approx(80.0 / 50));
 }
 
-TEST_CASE("windows of white noise have the spread of a chi-square law", "[stationarity]") {
+TEST_CASE("windows of white noise have the spread of a chi-square distribution", "[stationarity]") {
     constexpr std::size_t pixels = 256;
     constexpr std::size_t count = 20000;
     const std::vector<float> values = samples::normal(pixels * count, 1, 0, 2);
@@ -34,7 +34,7 @@ TEST_CASE("windows of white noise have the spread of a chi-square law", "[statio
     CHECK(whole.median_deviation() == Approx(std::sqrt(whole.contrast().median)).epsilon(1e-6));
 }
 
-TEST_CASE("equal places differ only by chance, and a different one is detected", "[stationarity]") {
+TEST_CASE("equal places differ only by chance, and a place with another mean is detected", "[stationarity]") {
     constexpr std::size_t count = 64;
     constexpr std::size_t instances = 20000;
     std::vector<float> values = samples::normal(count * instances, 2);
