@@ -7,7 +7,7 @@
 #include "gabor_noise.glsl"
 #endif
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8) in;
 layout(std430, binding = 0) writeonly buffer Values { float values[]; };
 
 void main() {
