@@ -35,6 +35,9 @@ class Values(ErrorTest):
             self.refuse_render([name, interval], f"--{name}={text}")
         for name, text in zip(itertools.cycle(accepted), ("4abc", "4,5", "4 ", " 4", "four", "+4", "0x10", "1e999", "--4")):
             self.refuse_render([f"--{name}", text, "a number"], f"--{name}={text}")
+        for text in ("45 deg", "rad", "deg", "45turns", "45radrad"):
+            self.refuse_render(["--orientation", text, "0.7854rad"], f"--orientation={text}")
+        self.refuse_render(["--scale '45deg'"], "--scale=45deg")
 
     def test_negative_numbers_as_separate_arguments(self):
         self.refuse_render(["scale", "2 to 4096"], "--scale", "-4")
@@ -162,6 +165,7 @@ class LikeFiles(ErrorTest):
                  ('{"scale": true}', ["scale"]), ('{"scale": 1}', ["scale", "2 to 4096"]), ('{"scale": null}', ["scale"]),
                  ('{"frequency": 1e999}', ["like.exr"]), ('{"recipe": 1}', ["recipe"]),
                  ('{"recipe": "best"}', ["best", "one", "paper"]), ('{"width": 0}', ["width", "1 to 65536"]),
+                 ('{"width": 65537}', ["width", "1 to 65536"]), ('{"frequency": 0}', ["frequency", "0.001"]),
                  ('{"width": 2, "height": 2}', ["region"])]
         for parameters, words in cases:
             write_exr(self.folder / "like.exr", {"Y": np.zeros((4, 4), "f4")}, parameters)

@@ -31,11 +31,6 @@ class Terrain(ProgramTest):
             upper, lower = (np.take(hills["height"], range(start, hills[name].shape[axis] - 2 + start), axis) for start in (2, 0))
             np.testing.assert_allclose(middle, (upper - lower) / (2 * pixel), atol=0.002)
 
-    def test_a_region_is_a_part_of_the_whole(self):
-        whole, part = self.drawn(), self.drawn("--region=37,50,90,31")
-        for name, values in part.items():
-            np.testing.assert_array_equal(values, whole[name][50:81, 37:127])
-
     def test_tiles_have_no_seam(self):
         tile = self.drawn("--tileable", "--scale=12", size="96x96")["height"]
         for tile in (tile, tile.T):

@@ -7,7 +7,6 @@
 
 #include "gabor_materials.hpp"
 
-#include "error.hpp"
 #include "largest.hpp"
 #include "render/load.hpp"
 #include "render/material.hpp"
@@ -360,20 +359,4 @@ TEST_CASE("each material has at least three presets, one of them named after it 
         CHECK(render::preset(material).material == material);
         CHECK(counts[std::string(material)] >= 3);
     }
-}
-
-TEST_CASE("a material cannot be combined with the noise's own parameters", "[material]") {
-    const auto refused = [](Request request, const char* words) {
-        CHECK_THROWS_WITH(render::check(request), Catch::Contains(words));
-    };
-    refused({.material = "plastic"}, "material 'plastic': expected none, wood, fabric");
-    refused({.lobes = {{.frequency = 3}}, .material = "wood"}, "frequency conflicts with material wood");
-    refused({.material = "wood", .gradient = true}, "gradient conflicts with material wood");
-    refused({.view = render::Slice{}, .material = "wood"}, "only planes and bodies have materials");
-    Request request{.time = 0.5, .material = "sand"};
-    render::drop_conflicting(request, "material");
-    CHECK(request == Request{.material = "sand"});
-    request.phasor = true;
-    render::drop_conflicting(request, "phasor");
-    CHECK(request == Request{.phasor = true});
 }

@@ -369,33 +369,6 @@ TEST_CASE("filtered colours of space keep their mean", "[render]") {
     CHECK(mean[2] == Approx(3).margin(0.4));
 }
 
-TEST_CASE("a region matches the whole bit for bit, with any bands", "[render]") {
-    const vulkan::Device device;
-    std::vector<render::Request> requests{{.width = 1500, .height = 4000, .scale = 20, .lobes = stretched}};
-    for (const char* recipe : {"lattice", "lattice-2", "lattice-4", "one"}) // pictures of more than two bands
-        requests.push_back({.width = 2500,
-                            .height = 4000,
-                            .scale = 20,
-                            .recipe = noise::find_recipe(recipe),
-                            .lobes = {{3, 20}}});
-    for (const render::Request& request : requests) {
-        INFO(request.recipe.name << ", " << request.lobes.size() << " lobes");
-        const int width = request.width;
-        const std::vector<float> whole = rendered(device, request, {0, 0, width, 4000});
-        for (const image::Rect& region :
-             {image::Rect{0, 0, 1, 1}, image::Rect{width - 1, 3999, 1, 1},
-              image::Rect{1, 1700, width - 1, 333}, image::Rect{777, 13, 9, 3987}}) {
-            const std::vector<float> part = rendered(device, request, region);
-            bool same = part.size() == static_cast<std::size_t>(region.width * region.height);
-            for (int i = 0; same && i < region.width * region.height; ++i)
-                same = part[static_cast<std::size_t>(i)] ==
-                       whole[static_cast<std::size_t>((region.y + i / region.width) * width + region.x +
-                                                      i % region.width)];
-            CHECK(same);
-        }
-    }
-}
-
 TEST_CASE("an exception from the sink stops rendering", "[render]") {
     const vulkan::Device device;
     const render::Request request{.width = 4096, .height = 8192, .seed = 1};
@@ -445,19 +418,4 @@ TEST_CASE("a filtered spectrum is the sum of its filtered lobes", "[render]") {
         CHECK(error < 0.02);
         removed.check("removed variance");
     }
-}
-
-TEST_CASE("filtering a plane requires the lattice recipe, and a tile requires two of the widest kernel radii",
-          "[request]") {
-    render::Request request{.recipe = noise::find_recipe("one"), .filter = true};
-    CHECK_THROWS_WITH(render::check(request), Catch::Contains("lattice recipe"));
-    request.view = render::Slice();
-    CHECK_NOTHROW(render::check(request));
-    request = {.recipe = noise::find_recipe("one"), .lobes = stretched};
-    CHECK_THROWS_WITH(render::check(request), Catch::Contains("stretched kernels require a lattice recipe"));
-    render::Request tile{
-        .width = 54, .height = 54, .scale = 16, .lobes = several, .view = render::Plane{true}};
-    CHECK_THROWS_WITH(render::check(tile), Catch::Contains("widest lobe"));
-    tile.width = tile.height = 55; // twice 1.7 kernel radii are 54.4 pixels
-    CHECK_NOTHROW(render::check(tile));
 }

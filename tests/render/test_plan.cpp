@@ -126,72 +126,6 @@ TEST_CASE("every pass that a plan names exists") {
         }
 }
 
-TEST_CASE("each parameter of a request changes its plan") {
-    const std::vector<std::pair<std::string_view, Value>> changes{{"scale", 31.0},
-                                                                  {"recipe", std::string("lattice-4")},
-                                                                  {"frequency", 3.0},
-                                                                  {"orientation", 10.0},
-                                                                  {"frequency_spread", 0.2},
-                                                                  {"orientation_spread", 20.0},
-                                                                  {"seed", 9.0},
-                                                                  {"time", 0.25},
-                                                                  {"view", std::string("torus")},
-                                                                  {"material", std::string("wood")},
-                                                                  {"tileable", true},
-                                                                  {"depth", 0.5},
-                                                                  {"solid", true},
-                                                                  {"yaw", 20.0},
-                                                                  {"pitch", 40.0},
-                                                                  {"zoom", 2.0},
-                                                                  {"filter", true},
-                                                                  {"paint", std::string("painted.exr")},
-                                                                  {"quadrature", true},
-                                                                  {"gradient", true},
-                                                                  {"phasor", true},
-                                                                  {"values", 3.0}};
-    for (const char* view : {"flat", "horizon", "slice", "sphere"}) {
-        const Request before = request_of({{"view", view}});
-        for (const auto& [name, value] : changes) {
-            if (!parameter(name).get(before) || (name == "recipe" && in_space(before)))
-                continue;
-            Request after = before;
-            set(after, name, value);
-            INFO(view << ", " << name);
-            const Plan a = whole(before);
-            const Plan b = whole(after);
-            const bool same = std::ranges::equal(a.steps, b.steps, [](const Step& x, const Step& y) {
-                return x.shader == y.shader && x.constants == y.constants && x.push == y.push &&
-                       x.runs == y.runs;
-            });
-            CHECK_FALSE((same && a.tables == b.tables && a.channels == b.channels));
-        }
-    }
-}
-
-TEST_CASE("every parameter of terrain changes its plan") {
-    for (const std::string_view view : {"terrain", "landscape"}) {
-        Request before;
-        set(before, "view", std::string(view));
-        CHECK(whole(before).steps.front().shader == "terrain");
-        for (const Parameter& parameter : parameters()) {
-            if (!applies_to_material(before, parameter.name) || parameter.applies_to.empty())
-                continue;
-            INFO(view << ", " << parameter.name);
-            Request after = before;
-            const Value value = *parameter.get(before);
-            if (const auto* number = std::get_if<double>(&value))
-                set(after, parameter.name,
-                    *number == 0   ? 2.0
-                    : *number == 5 ? 3.0 // the number of octaves
-                                   : *number / 2);
-            else
-                set(after, parameter.name, true);
-            const Plan a = whole(before), b = whole(after);
-            CHECK((a.tables != b.tables || a.steps.front().push != b.steps.front().push));
-        }
-    }
-}
-
 TEST_CASE("a wide landscape is seen from as far away as a tall one") {
     const auto distance = [](const char* width, const char* height) {
         const Request request = request_of({{"view", "landscape"}, {"width", width}, {"height", height}});
@@ -199,20 +133,6 @@ TEST_CASE("a wide landscape is seen from as far away as a tall one") {
     };
     CHECK(distance("300", "200") == distance("200", "300"));
     CHECK(distance("300", "200") > distance("200", "200"));
-}
-
-TEST_CASE("the columns of a region are those of the whole picture") {
-    for (const char* tileable : {"false", "true"}) {
-        const Request request = request_of({{"scale", "13.7"}, {"tileable", tileable}});
-        const std::vector<passes::Line> all = columns(request, viewport_of(request, {0, 0, 150, 1}));
-        const std::vector<passes::Line> part = columns(request, viewport_of(request, {31, 0, 70, 1}));
-        REQUIRE(all.size() == 150);
-        REQUIRE(part.size() == 70);
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            CHECK(part[i].cell == all[i + 31].cell);
-            CHECK(part[i].local == all[i + 31].local);
-        }
-    }
 }
 
 TEST_CASE("the default camera reproduces the picture's position exactly") {

@@ -255,19 +255,3 @@ TEST_CASE("coverage is the covered share of a pixel, and uncovered pixels are 0"
     const double radius = 100 / 1.05;
     CHECK(area == Approx(3.14159265 * radius * radius).epsilon(1e-3));
 }
-
-TEST_CASE("regions of a solid picture match the whole", "[solid]") {
-    const vulkan::Device device;
-    for (const render::View& view :
-         {render::View(Slice()), render::View(Body()), render::View(Body{Shape::torus})}) {
-        const Request request{.width = 90, .height = 80, .view = view, .filter = true};
-        const auto all = rendered(device, request, whole(request));
-        const image::Rect region{13, 21, 60, 37};
-        const auto part = rendered(device, request, region);
-        REQUIRE(part.size() == std::size_t{60} * 37 * 2);
-        for (int y = 0; y < region.height; ++y)
-            for (int i = 0; i < 2 * region.width; ++i)
-                REQUIRE(part[static_cast<std::size_t>(y * 2 * region.width + i)] ==
-                        all[static_cast<std::size_t>((y + region.y) * 2 * request.width + 2 * region.x + i)]);
-    }
-}

@@ -3,9 +3,6 @@
 #include "../largest.hpp"
 #include "viewer/canvas.hpp"
 
-#include "statistics/gaussianity.hpp"
-#include "statistics/moments.hpp"
-
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -173,53 +170,4 @@ TEST_CASE("a coarse view filters its waves instead of aliasing them") {
     document.request.filter = true; // only the intensity fades
     document.output = Output::phasor;
     CHECK(coarsest(1) == 2);
-}
-
-TEST_CASE("on bodies, values are normal with variance 1 at every normal") {
-    const auto body = [](const render::View& view, double spread) {
-        Document document = document_of({.lobes = {{.frequency = 3, .orientation = 30}}, .seed = 2});
-        document.request.lobes[0].orientation_spread = spread;
-        document.request.view = view;
-        return document;
-    };
-    using render::Shape;
-    for (const auto& [name, document] :
-         {std::pair{"sphere", body(render::Body{Shape::sphere}, 0)},
-          std::pair{"sphere, isotropic", body(render::Body{Shape::sphere}, 90)},
-          std::pair{"torus", body(render::Body{Shape::torus}, 0)},
-          std::pair{"solid sphere", body(render::Body{Shape::sphere, true}, 0)},
-          std::pair{"slice", body(render::Slice{}, 0)}}) {
-        // Points too far apart to share a kernel, anywhere in a cell and, on bodies, at any normal.
-        Document there = document;
-        there.camera = {};
-        there.request.scale = 1 / (4 + std::numbers::phi);
-        render::Renderer renderer(device());
-        statistics::Moments moments;
-        statistics::Gaussianity gaussianity;
-        const std::uint64_t wanted = std::uint64_t{1} << 18;
-        for (std::uint32_t draw = 0; moments.count() < wanted; ++draw) {
-            REQUIRE(draw < 200);
-            there.request.seed = draw * 0x9e3779b1u;
-            const double share = std::fmod(draw * std::numbers::phi, 1.0);
-            if (auto* turned = std::get_if<render::Body>(&there.request.view)) {
-                turned->yaw = 360 * std::fmod(draw * std::numbers::sqrt2, 1.0);
-                turned->pitch = noise::degrees(std::asin(2 * share - 1));
-            } else {
-                there.request.view = render::Slice{share};
-            }
-            const std::vector<float> values = unbaked(renderer, there, {256, 256}, 1);
-            for (std::size_t i = 0; i < values.size(); i += 2)
-                if (values[i + 1] > 0) { // covered
-                    moments.add(values[i]);
-                    gaussianity.add(values[i]);
-                }
-        }
-        const statistics::Estimate cvm = gaussianity.index();
-        fmt::print("{}: variance {:.4f}, cvm {:.3f} [{:.3f}, {:.3f}] of {} values\n", name,
-                   moments.variance(), cvm.value, cvm.low, cvm.high, moments.count());
-        CHECK(moments.mean() == Approx(0).margin(4.5 / std::sqrt(wanted)));
-        CHECK(moments.variance() == Approx(1).margin(4.5 * std::sqrt(2.0 / wanted)));
-        // The noise's own cvm is below 0.05; the rest is chance.
-        CHECK(cvm.value < 0.05 + 0.6 * statistics::cvm_scale / static_cast<double>(moments.count()));
-    }
 }
