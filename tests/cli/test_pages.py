@@ -39,6 +39,23 @@ class Readme(ProgramTest):
 
 
 class Engines(ProgramTest):
+    def test_the_reference_of_the_engines_is_the_noise(self):
+        """The program has another reference, in tests/reference."""
+        side, degrees = reference.WIDTH, np.degrees(reference.ORIENTATION)
+        self.succeed("render", "-o", "noise.exr", f"--size={side}x{side}", "--scale=32", f"--frequency={reference.FREQUENCY}",
+                     f"--orientation={degrees}", f"--seed={reference.SEED}", "--recipe=one")
+        error, place = reference.largest_difference("one", Exr(self.folder / "noise.exr").pixels)
+        print(f"largest difference {error:.2g} at row and column {place}")
+        self.assertLess(error, 1e-5)
+
+    def test_the_reference_finds_a_wrong_value(self):
+        for scene in reference.SCENES:
+            drawn = reference.values(scene).copy()
+            drawn[256, 3] += 1e-4
+            error, place = reference.largest_difference(scene, drawn)
+            self.assertAlmostEqual(error, 1e-4)
+            self.assertEqual(place, (256, 3))
+
     def test_every_snippet_draws_the_readmes_picture(self):
         """Evaluates the noise at each snippet's places, in its engine's pixel order."""
         side = 96

@@ -245,7 +245,7 @@ class Laws(StatsTest):
 
     def test_undefined_numbers_are_null(self):
         self.render(size="1x1")
-        self.assertEqual((self.stats()["skewness"], self.stats()["excess_kurtosis"]), (None, None))
+        self.assertEqual({self.stats()[name] for name in ("skewness", "excess_kurtosis", "cvm", "spectrum")}, {None})
         text = self.succeed("stats", "in.exr")
         self.assertNotIn("nan", text)
         self.assertRegex(text, r"(?m)^  skewness +none  all pixels are equal$")
@@ -276,16 +276,6 @@ class Foreign(StatsTest):
             texts.append(self.succeed("stats", "in.exr") + self.succeed("stats", "in.exr", "--json=-"))
         self.assert_numbers(pathlib.Path(__file__).with_name("stats.txt"), texts)
 
-    def test_moments_far_from_zero(self):
-        pixels = (1e4 + self.normal()).astype("f4")
-        self.write(Y=pixels)
-        self.assert_moments(self.stats(), pixels)
-
-    def test_half(self):
-        pixels = self.normal().astype("f2")
-        self.write(Y=pixels)
-        self.assert_moments(self.stats(), pixels)
-
     def test_channels(self):
         red, green, blue = self.normal(), self.normal().astype("f2"), self.normal()
         self.write(R=red, G=green, B=blue, id=np.ones(red.shape, "u4"))
@@ -295,13 +285,6 @@ class Foreign(StatsTest):
             self.assert_moments(stats, pixels)
         self.write(Z=green, id=np.ones(red.shape, "u4"))
         self.assertEqual(self.stats()["channel"], "Z")
-
-    def test_normal_samples_pass_as_normal(self):
-        self.write(Y=self.normal(512, 512))
-        stats = self.stats()
-        self.assertEqual(stats["cvm_reference"], "measured")
-        self.assertLess(stats["cvm"]["low"], 0.5)
-        self.assertLess(stats["cvm"]["high"], 20)
 
     def test_uniform_samples_do_not_pass_as_normal(self):
         truth = 399.77 # 2^18 times the integral of (F - Phi)^2 dPhi, for the uniform distribution of mean 0 and variance 1
@@ -314,12 +297,6 @@ class Foreign(StatsTest):
         stats = self.stats()
         self.assertEqual((stats["mean"], stats["variance"], stats["minimum"], stats["maximum"]), (0.25, 0, 0.25, 0.25))
         self.assertEqual((stats["skewness"], stats["excess_kurtosis"]), (None, None))
-        self.succeed("stats", "in.exr")
-
-    def test_a_single_pixel(self):
-        self.write(Y=np.full((1, 1), 7, "f4"))
-        stats = self.stats()
-        self.assertEqual((stats["pixels"], stats["mean"], stats["cvm"], stats["spectrum"]), (1, 7, None, None))
         self.succeed("stats", "in.exr")
 
     def test_pixels_that_are_not_finite_are_counted_and_left_out(self):

@@ -77,6 +77,7 @@ class FarmTest(ProgramTest):
         self.assertEqual(run.wait(1800), 0, (self.folder / "run.log").read_text()[-5000:])
 
     def assert_as_on_one_machine(self):
+        (self.folder / "one").mkdir()
         options = OPTIONS.split()
         self.succeed("render", "--size=600x500", *options, "--compression=zip", "-o", "one/grain.exr")
         self.succeed("render", "--texture", "--half", "--size=128x128", "--scale=8", "--tileable", "-o", "one/bark.exr")
@@ -93,14 +94,17 @@ class FarmTest(ProgramTest):
             self.assertEqual(files[name.removeprefix("one/")], files[name], name)
         self.assertEqual([name for name in files if name.startswith("strips/")], [], "strips are left after the join")
 
+    def assert_grain_as_on_one_machine(self):
+        self.succeed("render", "--size=512x800", "--scale=8", "--seed=3", "-o", "one.exr")
+        files = self.files()
+        self.assertEqual(files["grain.exr"], files["one.exr"])
+        self.assertEqual([name for name in files if "strips." in name or name.startswith("grain.exr.")], [], "strips are left")
+
     def assert_nothing_done_twice(self, but=0):
         """Checks that no task ran twice, except at most `but` tasks of cancelled jobs, which may finish before they record it."""
         counts = collections.Counter(self.ended())
         self.assertLessEqual(sum(counts.values()) - len(counts), but, counts)
         self.assertEqual(len(set(self.begun())), TASKS)
-
-    def setUpFolders(self):
-        (self.folder / "one").mkdir()
 
 
 class Local(FarmTest):
@@ -112,7 +116,6 @@ class Local(FarmTest):
         os.killpg(run.pid, signal.SIGKILL)
         run.wait()
         self.finish(self.start("--cores", "2"))
-        self.setUpFolders()
         self.assert_as_on_one_machine()
         self.assert_nothing_done_twice()
         before = self.begun()
@@ -144,7 +147,6 @@ class Slurm(FarmTest):
         print(f"Slurm: {len(left)} jobs were left by the killed run; the rest took {time.monotonic() - began:.0f} s")
         self.assertEqual(slurm.jobs(), [])
         self.assertIn("cancelling", (self.folder / "run.log").read_text())
-        self.setUpFolders()
         self.assert_as_on_one_machine()
         self.assert_nothing_done_twice(but=1)
 
@@ -154,10 +156,7 @@ class Slurm(FarmTest):
                        env=os.environ | {"GABOR": str(self.gabor)}, timeout=900)
         print(f"Slurm: an array of 16 strips and the join took {time.monotonic() - began:.1f} s")
         self.assertEqual(len(self.ended()), 17)
-        self.succeed("render", "--size=512x800", "--scale=8", "--seed=3", "-o", "one.exr")
-        files = self.files()
-        self.assertEqual(files["grain.exr"], files["one.exr"])
-        self.assertEqual([name for name in files if "strips." in name], [])
+        self.assert_grain_as_on_one_machine()
 
     def test_a_plain_array_that_fails(self):
         failed = subprocess.run([CLUSTER / "array", "512x800", "2", "grain.exr", "--scale=1"], cwd=self.folder,
@@ -176,10 +175,7 @@ class OpenJobDescription(FarmTest):
                         "Options=--scale=8 --seed=3", "-p", "Strips=4", "-p", f"Gabor={self.gabor}", "-p",
                         f"Folder={self.folder}"], check=True, stdout=subprocess.DEVNULL, timeout=900)
         self.assertEqual(len(self.ended()), 5)
-        self.succeed("render", "--size=512x800", "--scale=8", "--seed=3", "-o", "one.exr")
-        files = self.files()
-        self.assertEqual(files["grain.exr"], files["one.exr"])
-        self.assertEqual([name for name in files if name.startswith("grain.exr.")], [])
+        self.assert_grain_as_on_one_machine()
 
 
 if __name__ == "__main__":

@@ -144,6 +144,7 @@ class FitTest(ProgramTest):
         self.assertEqual(len(fitted["colour"]["weights"]), len(fitted["lobes"]))
         drawn = self.render("--size", "1024x1024")
         self.assertEqual(list(drawn.channels), ["B", "G", "R"])
+        self.assertEqual(drawn.parameters["colour"], fitted["colour"])
         self.assertEqual(drawn.attributes["oiio:ColorSpace"][1], b"sRGB")
         values = rgb(drawn)
         flat = without_trend(exemplar)
@@ -155,6 +156,9 @@ class FitTest(ProgramTest):
         self.assertLess(np.abs(values.mean((0, 1)) - exemplar.mean((0, 1))).max(), 0.01)
         self.assertGreater(shares.min(), 0.85)
         self.assertLess(shares.max(), 1.15)
+        fitted["lobes"].pop()
+        (self.folder / "fit.json").write_text(json.dumps(fitted))
+        self.assert_refused(["colour requires weights for each lobe"], "render", "--preset", "fit.json", "-o", "fit.exr")
 
     def test_a_wide_photograph_and_a_tall_one_give_the_lobes_of_both(self):
         square = colour_noise(256)
@@ -355,6 +359,9 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.fit("noise.png")
         for words in ("edges or objects", "differs visibly", "repeats", "Large features"):
             self.assertNotIn(words, self.said)
+        written = self.fit("noise.png", "--glsl", "sea.glsl")
+        glsl = (self.folder / "sea.glsl").read_text()
+        self.assertLessEqual(glsl.count("\n"), 34 + len(written["lobes"]))  # at most fifty lines
         written = self.fit("noise.png", "--lobes", "1")
         self.assertNotIn("NaN", json.dumps(written))
 

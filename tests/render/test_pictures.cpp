@@ -1,7 +1,6 @@
 // Compares pictures of one or several lobes, drawn block by block and pixel by pixel, with the sum of the
 // lobes' noises, each the double-precision reference of its recipe.
 
-#include "error.hpp"
 #include "largest.hpp"
 #include "reference/reference.hpp"
 #include "reference/sum.hpp"

@@ -13,7 +13,9 @@ import time
 
 import numpy as np
 
-from viewer import ViewerTest
+from viewer import ViewerTest  # noqa: I001 (it finds the next two)
+from exr import Exr
+from png import read_colour_png
 
 DRIVEN_VIEWER = os.environ["GABOR_DRIVEN_VIEWER"]
 DROP_FILE = os.environ["GABOR_DROP_FILE"]
@@ -76,6 +78,27 @@ class EventsTest(ViewerTest):
                 getattr(self, name)(*(int(word) if word.isdigit() else word for word in words))
         self.command("quit")
         self.end()
+
+    def preset(self, name, **parameters):
+        """Writes a preset; returns its name."""
+        (self.folder / name).write_text(json.dumps(parameters))
+        return name
+
+    def compare_with_render(self, cases, more="", inside=False):
+        """Shows presets, given as parameters by name, and checks that gabor render draws the same; with `inside`, compares only
+        the body. `more` is another script for the same viewer. Returns the pictures by name."""
+        presets = [self.preset(f"{name}.json", **parameters) for name, parameters in cases.items()]
+        self.play("\n".join(f"open {name}.json\nscreenshot {name}.png" for name in cases) + more, presets[0], "--window", "480x320")
+        pictures = {}
+        for name in cases:
+            self.gabor("render", "--like", f"{name}.json", "--png", "expected.png", "-o", "expected.exr")
+            pictures[name], expected = (read_colour_png(self.folder / f"{file}.png") for file in (name, "expected"))
+            seen = Exr(self.folder / "expected.exr").channels["A"] == 1 if inside else np.ones(expected.shape[:2], bool)
+            off = np.abs(pictures[name] - expected).max(axis=2)[seen]
+            self.assertGreater(seen.mean(), 0.1)
+            self.assertLessEqual(np.quantile(off, 0.995), 1, f"{name}: {off.max()}")
+            self.assertGreater(pictures[name][seen].std(axis=0).max(), 10, name)
+        return pictures
 
     def xdotool(self, *words):
         subprocess.run(["xdotool", *map(str, words)], env=self.environment(), check=True, stdout=subprocess.PIPE)
@@ -141,6 +164,12 @@ class EventsTest(ViewerTest):
     def fine(self):
         self.frames(3)
         self.wait_for(lambda state: state["fine"])
+
+    def shown(self, x, y, width, height):
+        """The pixels of that part of the window once the final picture is on the display."""
+        self.wait_for(lambda state: state["fine"])
+        self.frames(3)
+        return self.screen(x, y, width, height)
 
     def fitted(self):
         self.frames(3)

@@ -17,6 +17,8 @@ NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "com
 COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea", "own")
 RAMP = [[0.1, "#203060"], [0.4, "#a04020"], [0.45, "#ffffff"], [1, "#c0ff40"]]
 LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
+TERRAIN = {"view": "terrain", "width": WIDTH, "height": HEIGHT, "scale": 40, "octaves": 4, "strength": 0.15, "seed": 3}
+LANDSCAPE = {**TERRAIN, "view": "landscape", "pitch": 30, "yaw": 20}
 # Two lobes, two components of colour.
 COLOURED = {
     "lobes": [{"frequency": 2, "orientation": 20, "radius": 1.5}, {"frequency": 3, "orientation": 100}],
@@ -39,9 +41,8 @@ class OutputsTest(EventsTest):
         script = []
         for number, (parameters, output, colours, contrast) in enumerate(cases.values()):
             shown = {"output": OUTPUTS[output], "colours": COLOURS[colours], "contrast": contrast, "ramp": RAMP}
-            (self.folder / f"{number}.json").write_text(
-                json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters,
-                            "viewer": {**shown, **parameters.get("viewer", {})}}))
+            self.preset(f"{number}.json", **{"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters,
+                                             "viewer": {**shown, **parameters.get("viewer", {})}})
             script += [f"open {number}.json", "keys ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png",
                        f"export {number}-out.exr", "exported"]
         self.play("\n".join(script), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)

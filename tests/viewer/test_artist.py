@@ -8,47 +8,42 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next one)
+from events import EventsTest  # noqa: I001 (it finds the next three)
 from exr import Exr
+from outputs import LANDSCAPE, TERRAIN
 from png import read_colour_png
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "fit"))
 from textures import colour_noise, write_png  # noqa: E402
 
 WINDOW = "--window", "640x480"
-MATERIALS = {
-    "flat": {"material": "carbon-fibre", "filter": True, "seed": 3},
-    "horizon": {"material": "carbon-fibre", "filter": True, "view": "horizon"},
-    "sphere": {"material": "brushed-metal", "view": "sphere", "yaw": 40},
-    "torus": {"material": "brushed-metal", "view": "torus", "pitch": 50, "brushed-metal.contrast": 0.2,
+SMALL = {"width": 160, "height": 120, "scale": 40}
+PICTURES = {
+    "flat": {**SMALL, "material": "carbon-fibre", "filter": True, "seed": 3},
+    "horizon": {**SMALL, "material": "carbon-fibre", "filter": True, "view": "horizon"},
+    "sphere": {**SMALL, "material": "brushed-metal", "view": "sphere", "yaw": 40},
+    "torus": {**SMALL, "material": "brushed-metal", "view": "torus", "pitch": 50, "brushed-metal.contrast": 0.2,
               "brushed-metal.colour": [0.6, 0.4, 0.2]},
+    "terrain": TERRAIN,
+    "landscape": LANDSCAPE,
 }
 
 
 class Artist(EventsTest):
-    def test_materials_look_as_gabor_render_draws_them(self):
-        for name, parameters in MATERIALS.items():
-            text = json.dumps({"width": 160, "height": 120, "scale": 40, **parameters})
-            (self.folder / f"{name}.json").write_text(text)
-        self.play("\n".join(f"open {name}.json\nscreenshot {name}.png" for name in MATERIALS) + """
+    def test_the_window_shows_what_gabor_render_draws(self):
+        pictures = self.compare_with_render(PICTURES, """
+            open torus.json
             set look 3
             screenshot normal.png
             set look 1
             screenshot colour.png
             keys ctrl+c
-            copy material.glsl""", "--window", "480x320")
-        for name in MATERIALS:
-            self.gabor("render", "--like", f"{name}.json", "--png", "expected.png", "-o", "expected.exr")
-            seen, expected = (read_colour_png(self.folder / f"{file}.png").astype(int) for file in (name, "expected"))
-            off = np.abs(seen - expected).max(axis=2)
-            self.assertLessEqual(np.quantile(off, 0.995), 1, f"{name}: {off.max()}")
-            self.assertGreater(seen.std(), 10, name)
-        normal, colour, lit = (read_colour_png(self.folder / f"{file}.png").astype(int)
-                               for file in ("normal", "colour", "torus"))
+            copy material.glsl""")
+        normal, colour = (read_colour_png(self.folder / f"{file}.png") for file in ("normal", "colour"))
         inside = (colour.min(axis=2) > 100)
         self.assertGreater(inside.mean(), 0.1)
         self.assertGreater(normal[inside][:, 2].mean(), 200) # towards the eye
-        self.assertGreater(np.abs(colour - lit)[inside].mean(), 10)
+        self.assertGreater(np.abs(colour - pictures["torus"])[inside].mean(), 10)
         copied = (self.folder / "material.glsl").read_text()
         for line in ("GaborBrushedMetal m = gabor_brushed_metal_default();", "m.contrast = 0.2", "m.colour = vec3(0.6, 0.4, 0.2",
                      "return gabor_brushed_metal_at(pixel, m, 0u);", "return srgb(m.colour);"):
@@ -96,27 +91,14 @@ class Artist(EventsTest):
     def test_bodies_have_the_colours_of_a_photograph(self):
         write_png(self.folder / "cloth.png", colour_noise(160))
         self.gabor("fit", "cloth.png", "-o", "cloth.json")
-        cloth = json.loads(self.read("cloth.json"))
-        views = "sphere", "torus", "slice"
-        for view in views:
-            text = json.dumps({**cloth, "width": 160, "height": 120, "view": view, "filter": True})
-            (self.folder / f"{view}.json").write_text(text)
-        self.play("\n".join(f"open {view}.json\nscreenshot {view}.png" for view in views),
-                  "--window", "480x320")
-        for view in views:
-            self.gabor("render", "--like", f"{view}.json", "--png", "expected.png", "-o", "expected.exr")
-            seen, expected = (read_colour_png(self.folder / f"{file}.png").astype(int) for file in (view, "expected"))
-            inside = Exr(self.folder / "expected.exr").channels["A"] == 1
-            self.assertGreater(inside.mean(), 0.1)
-            off = np.abs(seen - expected)[inside].max(axis=1)
-            self.assertLessEqual(np.quantile(off, 0.995), 1, f"{view}: {off.max()}")
-            self.assertGreater(seen[inside].std(axis=0).min(), 5, view)
+        cloth = {**json.loads(self.read("cloth.json")), "width": 160, "height": 120, "filter": True}
+        self.compare_with_render({view: {**cloth, "view": view} for view in ("sphere", "torus", "slice")}, inside=True)
 
     def test_the_pixel_under_the_pointer_is_read(self):
         # As large as the view beside the panel, so that screen pixels are picture pixels.
         for name, parameters in (("noise", {"frequency": 2, "scale": 60}),
                                  ("leather", {"material": "leather", "scale": 60, "filter": True})):
-            (self.folder / f"{name}.json").write_text(json.dumps({"width": 352, "height": 480, **parameters}))
+            self.preset(f"{name}.json", width=352, height=480, **parameters)
             self.gabor("render", "--like", f"{name}.json", "-o", "expected.exr")
             expected = Exr(self.folder / "expected.exr").channels
             self.open(*WINDOW, f"{name}.json")
@@ -158,20 +140,13 @@ class Artist(EventsTest):
         lit = self.screen(0, 100, 352, 300)
         self.keys("ctrl+z") # one step
         self.assertEqual((self.document["light_azimuth"], self.document["light_elevation"]), (-135, 38))
-        self.wait_for(lambda state: state["fine"])
-        self.frames(3)
-        self.assertGreater(np.abs(self.screen(0, 100, 352, 300) - lit).mean(), 3)
+        self.assertGreater(np.abs(self.shown(0, 100, 352, 300) - lit).mean(), 3)
         self.close()
 
     def test_the_surroundings_are_chosen_saved_and_exported(self):
-        def view():
-            self.wait_for(lambda state: state["fine"])
-            self.frames(3)
-            return self.screen(0, 100, 240, 300) # what no tooltip covers
-
+        view = lambda: self.shown(0, 100, 240, 300)  # what no tooltip covers
         for name, parameters, combo in (("leather", {"material": "leather"}, 311), ("relief", {"viewer": {"output": "lit"}}, 283)):
-            (self.folder / f"{name}.json").write_text(json.dumps({"width": 352, "height": 480, "scale": 60, **parameters}))
-            self.open(*WINDOW, f"{name}.json")
+            self.open(*WINDOW, self.preset(f"{name}.json", width=352, height=480, scale=60, **parameters))
             self.point(400, 300)
             room = view()
             self.xdotool("click", "--repeat", 30, "--delay", 1, 5) # to the end of the panel
@@ -191,12 +166,12 @@ class Artist(EventsTest):
                 self.command("open relief.json")
                 self.command("export relief.exr")
                 self.exported()
-            self.assertLess(np.abs(read_colour_png(self.folder / f"{name}.png")[100:400, :240].astype(int) - overcast).mean(), 1)
+            self.assertLess(np.abs(read_colour_png(self.folder / f"{name}.png")[100:400, :240] - overcast).mean(), 1)
             self.close()
 
     def test_files_are_chosen_in_a_dialog(self):
         (self.folder / "folder").mkdir()
-        (self.folder / "folder/mine.json").write_text('{"frequency": 3, "width": 64, "height": 64}')
+        self.preset("folder/mine.json", frequency=3, width=64, height=64)
         self.open(*WINDOW)
         self.keys("ctrl+o")
         self.type("folder")
@@ -238,7 +213,7 @@ class Artist(EventsTest):
         self.close()
 
     def test_the_desktop_asks_for_files_where_there_is_one(self):
-        (self.folder / "mine.json").write_text('{"frequency": 3, "width": 64, "height": 64}')
+        self.preset("mine.json", frequency=3, width=64, height=64)
         programs = self.folder / "bin"
         programs.mkdir()
         for name in ("zenity", "kdialog"):

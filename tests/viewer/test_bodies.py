@@ -8,16 +8,19 @@ import unittest
 import numpy as np
 
 from events import EventsTest  # noqa: I001 (it finds the next two)
-from outputs import COLOURED, GRADIENT, HEIGHT, INTENSITY, LOBES, NAMES, PHASE, VALUE, WIDTH, OutputsTest, padded
+from outputs import (COLOURED, GRADIENT, HEIGHT, INTENSITY, LANDSCAPE, LIT, LOBES, NAMES, PHASE, TERRAIN, VALUE, WIDTH, OutputsTest,
+                     padded)
 from png import read_colour_png
 from viewer import SHADERS
 
 BODIES = {
     "sphere": ({"view": "sphere", "filter": False, "orientation": 30, "frequency": 2, "yaw": 20}, GRADIENT, 0, 2),
     "torus": ({"view": "torus", "filter": False, "solid": True, "frequency": 1.5, "pitch": 60}, PHASE, 1, 2),
+    "lit sphere": ({"view": "sphere", "filter": False, "frequency": 2, "yaw": 20, "viewer": {"light": [30, 50]}}, LIT, 3, 2),
     "colours": ({**COLOURED, "view": "sphere", "filter": False}, VALUE, 0, 2),
     "slice": ({"view": "slice", "depth": 0.3, "orientation": 50, "lobes": LOBES}, INTENSITY, 0, 2),
 }
+COLOUR_OF_BODY = "colour_of_body(texelFetch(places, ivec2(at), 0).xyz, texelFetch(normals, ivec2(at), 0).xyz)"
 
 
 class Bodies(OutputsTest):
@@ -26,27 +29,27 @@ class Bodies(OutputsTest):
         self.check(BODIES, {"torus": (1e-2, 2)})
 
     def test_copied_code_includes_the_lighting(self):
-        # On bodies, copied code takes the slopes of stripes from the quad's derivatives, and the viewer from the next pixel.
         sphere = {"view": "sphere", "frequency": 2, "orientation": 30, "yaw": 20, "pitch": 40}
         metal = {"material": "brushed-metal", "seed": 3}
         cases = {
-            "sphere": ({**sphere, "lobes": LOBES, "filter": False, "viewer": {"output": "lit", "colours": "ember"}}, 1.5),
-            "solid torus": ({"view": "torus", "solid": True, "frequency": 1.5,
-                             "viewer": {"output": "lit", "light": [30, 60]}}, 1.5),
-            "slice": ({"view": "slice", "depth": 0.3, "viewer": {"output": "lit", "colours": "sea"}}, 1.5),
-            "stripes": ({**sphere, "frequency": 1, "filter": False, "viewer": {"output": "lit stripes", "colours": "ember"}}, 20),
-            "leather": ({"material": "leather", "view": "sphere", "filter": True, "yaw": 20, "leather.cells": 4}, 3),
-            "metal": ({**metal, "view": "torus", "light_azimuth": 40}, 3),
-            "metal's colour": ({**metal, "view": "torus", "viewer": {"look": "colour"}}, 1.5),
-            "a plane of metal": ({**metal, "filter": True, "light_elevation": 70}, 1.5),
-            "a tile of metal": ({**metal, "tileable": True, "viewer": {"look": "normal", "normals": "DirectX"}}, 1.5),
-            "leather's height": ({"material": "leather", "viewer": {"look": "height", "contrast": 3}}, 1.5),
-            "a horizon of wood": ({"material": "wood", "filter": True, "view": "horizon"}, 1.5),
-            "wood under the sky": ({"material": "wood", "filter": True, "view": "horizon", "environment": "overcast"}, 1.5),
-            "metal under the sky": ({**metal, "view": "torus", "environment": "overcast"}, 3),
-            "noise under the sky": ({"viewer": {"output": "lit", "environment": "overcast"}}, 1.5),
-            "a sphere under the sky": ({**sphere, "viewer": {"output": "lit", "environment": "overcast"}}, 1.5),
-            "leather in the dark": ({"material": "leather", "environment": "dark"}, 1.5),
+            "sphere": {**sphere, "lobes": LOBES, "filter": False, "viewer": {"output": "lit", "colours": "ember"}},
+            "solid torus": {"view": "torus", "solid": True, "frequency": 1.5, "viewer": {"output": "lit", "light": [30, 60]}},
+            "slice": {"view": "slice", "depth": 0.3, "viewer": {"output": "lit", "colours": "sea"}},
+            "stripes": {**sphere, "frequency": 1, "filter": False, "viewer": {"output": "lit stripes", "colours": "ember"}},
+            "leather": {"material": "leather", "view": "sphere", "filter": True, "yaw": 20, "leather.cells": 4},
+            "metal": {**metal, "view": "torus", "light_azimuth": 40},
+            "metal's colour": {**metal, "view": "torus", "viewer": {"look": "colour"}},
+            "a plane of metal": {**metal, "filter": True, "light_elevation": 70},
+            "a tile of metal": {**metal, "tileable": True, "viewer": {"look": "normal", "normals": "DirectX"}},
+            "leather's height": {"material": "leather", "viewer": {"look": "height", "contrast": 3}},
+            "a horizon of wood": {"material": "wood", "filter": True, "view": "horizon"},
+            "wood under the sky": {"material": "wood", "filter": True, "view": "horizon", "environment": "overcast"},
+            "metal under the sky": {**metal, "view": "torus", "environment": "overcast"},
+            "noise under the sky": {"viewer": {"output": "lit", "environment": "overcast"}},
+            "a sphere under the sky": {**sphere, "viewer": {"output": "lit", "environment": "overcast"}},
+            "leather in the dark": {"material": "leather", "environment": "dark"},
+            "terrain": TERRAIN,
+            "landscape": LANDSCAPE,
         }
         self.compare(cases)
 
@@ -56,48 +59,47 @@ class Bodies(OutputsTest):
         richest = {made["material"]: (made, name) for made, name in sorted(presets, key=lambda each: (len(each[0]), each[1]))
                    if "material" in made}
         self.assertEqual(len(richest), 12)
-        self.compare({name: ({**made, "width": WIDTH, "height": HEIGHT}, 1.5) for made, name in richest.values()})
+        self.compare({name: {**made, "width": WIDTH, "height": HEIGHT} for made, name in richest.values()})
 
     def compare(self, cases):
-        """Compares pictures of copied code with the window's. Each case has parameters and a tolerance in 255ths."""
+        """Compares pictures of copied code with the window's. Cases are parameters by name."""
         script = []
-        for number, (parameters, _) in enumerate(cases.values()):
+        for number, parameters in enumerate(cases.values()):
             shown = {"look": "lit", "contrast": 2, "normals": "OpenGL", "environment": "room", **parameters.get("viewer", {})}
-            text = json.dumps({"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters, "viewer": shown})
-            (self.folder / f"{number}.json").write_text(text)
+            self.preset(f"{number}.json", **{"width": WIDTH, "height": HEIGHT, "scale": 24, **parameters, "viewer": shown})
             script += [f"open {number}.json", "keys ctrl+c", f"copy {number}.glsl", f"screenshot {number}.png"]
         self.play("\n".join(script), "0.json", "--window", f"{WIDTH}x{HEIGHT}", timeout=900)
-        for number, (name, (parameters, tolerance)) in enumerate(cases.items()):
+        for number, (name, parameters) in enumerate(cases.items()):
             with self.subTest(name):
-                seen = read_colour_png(self.folder / f"{number}.png").astype(int)
+                seen = read_colour_png(self.folder / f"{number}.png")
                 code = (self.folder / f"{number}.glsl").read_text()
                 inside = np.ones((HEIGHT, WIDTH), bool)
-                if "view" in parameters and parameters["view"] != "horizon":
+                if parameters.get("view") in ("sphere", "torus", "slice"):
                     points, normals, found = places(parameters)
                     inside = found & (normals @ axes(parameters)[2] > 0.3) # away from the outline
-                    call = "colour_of_body(texelFetch(places, ivec2(at), 0).xyz, texelFetch(normals, ivec2(at), 0).xyz)"
-                    colours = self.run_code(code, f"pixels = vec4(0.0); colour = {call};", places=points, normals=normals)[1]
+                    colours = self.draw_colours(code, COLOUR_OF_BODY, places=points, normals=normals)[0]
                 else:
-                    colours = self.run_code(code, "pixels = vec4(0.0); colour = colour_of_view(at);")[1]
+                    colours = self.draw_colours(code, "colour_of_view(at)")[0]
                 self.assertGreater(inside.mean(), 0.1)
                 self.assertGreater(seen[inside].std(), 3)
                 off = np.abs(seen - 255 * colours).max(axis=2)[inside]
-                print(f"{name}: the copied code is off by {np.quantile(off, 0.98):.2f} of 255 in 98 %")
-                self.assertLess(np.quantile(off, 0.98), tolerance)
+                # On bodies, copied code takes the slopes of stripes from the quad's derivatives, and the viewer from the next pixel.
+                share, most = (0.98, 20) if name == "stripes" else (0.99, 1.5)
+                print(f"{name}: the copied code is off by {np.quantile(off, share):.2f} of 255 in {share:.0%}")
+                self.assertLess(np.quantile(off, share), most)
 
     def draw(self, parameters, snippet, output):
         points, normals, _ = places(parameters)
         if "colour" in parameters:
-            body = "colour_of_body(texelFetch(places, ivec2(at), 0).xyz, texelFetch(normals, ivec2(at), 0).xyz)"
-            return self.draw_colours(snippet, body, places=points, normals=normals)
-        value = padded(f"{NAMES[output]}_of_body(p, n)", 3 if output == GRADIENT else 2)
+            return self.draw_colours(snippet, COLOUR_OF_BODY, places=points, normals=normals)
+        value = padded(f"{NAMES[output]}_of_body(p, n)", {GRADIENT: 3, LIT: 4}.get(output, 2))
         main = (f"vec3 p = texelFetch(places, ivec2(at), 0).xyz, n = texelFetch(normals, ivec2(at), 0).xyz;"
                 f"pixels = {value}; colour = colour_of_body(p, n);")
         pixels, colours = self.run_code(snippet, main, places=points, normals=normals)
-        if output == GRADIENT: # in the plane of the picture
+        if output in (GRADIENT, LIT): # in the plane of the picture
             right, up = axes(parameters)[:2]
-            pixels = np.stack([pixels[..., :3] @ right, -pixels[..., :3] @ up], axis=-1)
-        return pixels[..., :2], colours
+            pixels = np.stack([pixels[..., :3] @ right, -pixels[..., :3] @ up, pixels[..., 3]], axis=-1)
+        return pixels[..., :3 if output == LIT else 2], colours
 
 
 # The unit is the sphere's radius; the camera looks at the body's centre from a distance of 4.
@@ -129,13 +131,12 @@ def places(parameters):
         return np.hypot(np.hypot(p[..., 0], p[..., 1]) - large, p[..., 2]) - small
 
     # Sphere tracing: no step passes the surface.
-    distance = np.full(x.shape, 2.9)
-    moving = np.ones(x.shape, bool)
+    distance, moving = np.full(x.size, 2.9), np.arange(x.size)
     for _ in range(400):
-        step = gap(4 * toward + distance[moving][:, None] * ray[moving])
+        step = gap(4 * toward + distance[moving, None] * ray.reshape(-1, 3)[moving])
         distance[moving] = np.minimum(distance[moving] + step, 6)
-        moving[moving] = (step > 1e-9) & (distance[moving] < 6)
-    p = 4 * toward + distance[..., None] * ray
+        moving = moving[(step > 1e-9) & (distance[moving] < 6)]
+    p = 4 * toward + distance.reshape(*x.shape, 1) * ray
     ring = np.zeros_like(p)
     if large:
         ring[..., :2] = large * p[..., :2] / np.linalg.norm(p[..., :2], axis=-1, keepdims=True)
@@ -146,11 +147,8 @@ def places(parameters):
 class Turning(EventsTest):
     def test_noise_keeps_its_contrast_while_a_body_turns(self):
         for view in ("sphere", "torus"):
-            (self.folder / f"{view}.json").write_text(json.dumps({"view": view, "filter": True}))
-            self.open("--window", "1280x800", f"{view}.json")
-            self.wait_for(lambda state: state["fine"])
-            self.frames(3)
-            still = self.screen(300, 450, 300, 200).std()
+            self.open("--window", "1280x800", self.preset(f"{view}.json", view=view, filter=True))
+            still = self.shown(300, 450, 300, 200).std()
             self.point(400, 300)
             self.xdotool("mousedown", 1)
             self.frames(2)

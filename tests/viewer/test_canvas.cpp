@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 using namespace gabor;
 using namespace gabor::viewer;

@@ -6,6 +6,7 @@ import signal
 import unittest
 
 from events import EventsTest
+from outputs import LANDSCAPE
 
 WINDOW = "--window", "640x480"
 
@@ -90,9 +91,7 @@ class Events(EventsTest):
 
     def test_an_export_is_not_lost_on_closing(self):
         for answer, size, complete in (("e", 16384, False), ("Return", 1500, True)):
-            (self.folder / "body.json").write_text(json.dumps({"width": size, "height": size, "view": "sphere",
-                                                               "frequency": 2}))
-            self.open(*WINDOW, "body.json")
+            self.open(*WINDOW, self.preset("body.json", width=size, height=size, view="sphere", frequency=2))
             self.keys("ctrl+e", "ctrl+q")
             self.assertTrue(complete or self.state["question"])
             self.keys(answer)
@@ -138,7 +137,7 @@ class Events(EventsTest):
 
     def test_after_undo_saving_writes_to_the_documents_own_file(self):
         for name, frequency in (("one.json", 3), ("two.json", 5)):
-            (self.folder / name).write_text(json.dumps({"frequency": frequency, "width": 64, "height": 64}))
+            self.preset(name, frequency=frequency, width=64, height=64)
         self.open(*WINDOW)
         for name in ("one.json", "two.json"):
             self.drop(name)
@@ -175,14 +174,41 @@ class Events(EventsTest):
             self.close()
 
     def test_the_next_view_keeps_the_material(self):
-        (self.folder / "wood.json").write_text(json.dumps({"material": "wood", "width": 64, "height": 64, "scale": 16}))
-        self.open(*WINDOW, "wood.json")
+        self.open(*WINDOW, self.preset("wood.json", material="wood", width=64, height=64, scale=16))
         views = []
         for _ in range(4):
             self.keys("v")
             self.assertEqual(self.document["material"], "wood")
             views.append(self.document["view"])
         self.assertEqual(views, ["horizon", "sphere", "torus", "flat"])
+        self.close()
+
+
+    def test_the_mouse_turns_and_zooms_a_landscape(self):
+        self.open("--window", "1000x700", self.preset("hills.json", **LANDSCAPE))
+        before = self.document
+        self.point(300, 300)
+        self.xdotool("mousedown", 1)
+        self.frames(2)
+        self.point(350, 280)
+        self.frames(2)
+        self.xdotool("mouseup", 1)
+        self.wait_for(lambda state: state["document"]["yaw"] != before["yaw"])
+        self.assertAlmostEqual(self.document["yaw"] - before["yaw"], 20, delta=3)
+        self.assertAlmostEqual(self.document["pitch"] - before["pitch"], -8, delta=3)
+        self.turn_wheel(4)
+        self.assertAlmostEqual(self.document["zoom"], 1.15, delta=0.01)
+        self.keys("Home")
+        self.assertEqual((self.document["yaw"], self.document["zoom"]), (215, 1))
+        self.wait_for(lambda state: state["fine"])
+        self.point(300, 600)
+        self.wait_for(lambda state: "height" in state["reading"])
+        self.point(300, 20) # the sky has no height
+        self.wait_for(lambda state: state["reading"] == "")
+        self.keys("n")
+        self.assertEqual(self.document["seed"], before["seed"] + 1)
+        self.keys("ctrl+z")
+        self.assertEqual(self.document["seed"], before["seed"])
         self.close()
 
 

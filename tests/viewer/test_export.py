@@ -1,6 +1,5 @@
 """A viewer killed while it exports leaves complete files or none."""
 
-import json
 import os
 import pathlib
 import random
@@ -11,7 +10,6 @@ import unittest
 from events import EventsTest  # noqa: I001 (first: it adds the folder of the next one to sys.path)
 from atomic import can_hide_files, check_files, prepare
 
-PRESET = {"width": 2200, "height": 2200} # two bands
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 4))
 
 
@@ -20,7 +18,7 @@ class Export(EventsTest):
         super().setUp()
         self.out = self.folder / "out"
         self.out.mkdir()
-        (self.folder / "preset.json").write_text(json.dumps(PRESET))
+        self.preset("preset.json", width=2200, height=2200)  # two bands
 
     def begin(self, older=False):
         """Opens a viewer whose export has just begun: it holds an unnamed file open in the folder."""
