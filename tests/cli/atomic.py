@@ -5,7 +5,7 @@ import re
 
 
 def can_hide_files(folder):
-    """Whether the file system supports unnamed files; without them a killed program leaves a hidden file."""
+    """Tells whether the file system supports unnamed files. Without them, a killed program leaves a hidden file."""
     try:
         os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY))
         return True
@@ -14,7 +14,7 @@ def can_hide_files(folder):
 
 
 def prepare(folder, names, older):
-    """Removes these files, or leaves older ones in their place."""
+    """Removes these files or, with `older`, replaces them with older ones."""
     for name in names:
         (folder / name).unlink(missing_ok=True)
         if older:
@@ -22,9 +22,10 @@ def prepare(folder, names, older):
 
 
 def check_files(test, folder, complete, older):
-    """complete: the bytes of each complete file, by name. Returns the names of the files that are complete.
+    """Checks that each file is complete, or as `prepare` left it. complete: the bytes of each complete file, by name.
+    Returns the names of the complete files.
 
-    While the program replaces an older file, the new one briefly has a hidden name; it is complete, and the next
+    A program that is killed while it replaces an older file may leave the new one, complete, under a hidden name; the next
     replacement removes it."""
     names = complete.keys()
     for path in list(folder.iterdir()):

@@ -106,8 +106,8 @@ def read_channel_types(data):
 
 
 def write_exr(path, channels, parameters=None, window=None):
-    """channels: name -> array of height x width, of a type in PIXEL_TYPES. parameters: the text of the
-    `gabor` attribute. window: another data window for the header, to write a damaged file."""
+    """Writes a file. channels: name -> array of height x width, of a type in PIXEL_TYPES. parameters: the text of the `gabor`
+    attribute. window: another data window for the header, to write a damaged file."""
     channels = {name: np.asarray(values) for name, values in sorted(channels.items())}
     height, width = next(iter(channels.values())).shape
     box = struct.pack("<4i", *(window or (0, 0, width - 1, height - 1)))

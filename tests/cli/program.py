@@ -18,8 +18,8 @@ LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None)
 
 
 def environment(**changes):
-    """This process's environment with these changes; None removes a variable. Validation is on unless GABOR_VALIDATION
-    says otherwise; any message from Vulkan's validation layers is then a failure."""
+    """Returns this process's environment with these changes; None removes a variable. Vulkan's validation layers are on unless
+    GABOR_VALIDATION says otherwise, and any message from them is a failure."""
     merged = {"GABOR_VALIDATION": "1", **os.environ, **changes}
     return {name: value for name, value in merged.items() if value is not None}
 
@@ -61,7 +61,7 @@ class ProgramTest(unittest.TestCase):
         self.assert_failed(status, words, gabor(*arguments, cwd=self.folder, **options), before)
 
     def assert_failed(self, status, words, result, before):
-        """Checks a result in the same way; `before` is the earlier contents of the folder."""
+        """Checks the result of a run in the same way. before: the contents of the folder before the run."""
         case = f"{NAME} {result.args[1:]}: {result.stderr!r}"
         self.assertEqual(result.returncode, status, case)
         self.assertRegex(result.stderr, rf"\A{NAME}: [^\n]+\n\Z", case)
@@ -74,14 +74,14 @@ class ProgramTest(unittest.TestCase):
         self.assert_fails(2, words, *arguments, **options)
 
     def assert_plausible(self, interval, truth, name):
-        """Checks that the true value lies within 1.5 times the 95 % interval. In two of 40 pictures it lay outside the
-        interval, at most at 1.18 times its half-width."""
+        """Checks that the true value lies within the 95 % interval, widened by half. In two of 40 pictures it lay
+        outside the interval, by at most 18 % of the half-width."""
         middle, half = (interval["low"] + interval["high"]) / 2, (interval["high"] - interval["low"]) / 2
         self.assertLess(abs(truth - middle), 1.5 * half, f"{name}: {truth}, {interval}")
 
     def assert_numbers(self, path, texts):
-        """Checks that the numbers in each text are those in its line of the file, within 0.1 %. With GABOR_GOLDEN=write,
-        writes the file and fails."""
+        """Checks that the numbers in each text equal those in the corresponding line of the file, within 0.1 %. With
+        GABOR_GOLDEN=write, writes the file and fails."""
         found = [re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text) for text in texts]
         if os.environ.get("GABOR_GOLDEN") == "write":
             path.write_text("".join(" ".join(f"{float(number):.6g}" for number in numbers) + "\n" for numbers in found))

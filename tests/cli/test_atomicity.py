@@ -30,7 +30,7 @@ class Atomicity(ProgramTest):
         self.complete = self.files()
 
     def moment(self):
-        """A random moment: half of the time anywhere, half of the time near the end, where the file appears."""
+        """Returns a random moment of the run, half of the time near its end, when the files appear."""
         return self.duration * self.random.choice([self.random.uniform(0, 1), self.random.uniform(0.7, 1.1)])
 
     def begin(self, older):

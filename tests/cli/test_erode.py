@@ -1,4 +1,5 @@
-"""`gabor erode` adds gullies to a heightmap of any format; regions match the whole, and tiles have no seams."""
+"""Checks that `gabor erode` adds gullies to heightmaps of every format, that regions match the whole, and that tiles have no
+seams."""
 
 import json
 import unittest
@@ -57,12 +58,12 @@ class Erode(ProgramTest):
                     np.testing.assert_array_equal(part[name], values[y:y + height, x:x + width], name)
 
     def test_tiles_have_no_seam(self):
-        """A tile's steps across its edges are no larger than those inside; without --tileable they are larger."""
+        """Checks that a tile's steps across its edges are no larger than those inside, and that without --tileable they are larger."""
         def edges(values):
             return np.abs(values[0] - values[-1]).mean() + np.abs(values[:, 0] - values[:, -1]).mean()
         inner = lambda values: np.abs(np.diff(values, axis=0)).mean() + np.abs(np.diff(values, axis=1)).mean()
         tile, patch = self.eroded("--seed=3", "--tileable")["height"], self.eroded("--seed=3")["height"]
-        # With seeds 1 to 12, the ratio is 0.90 to 1.05 for tiles and 1.26 to 1.90 for patches, on average 0.97 and 1.55.
+        # With seeds 1 to 12, the ratio of both is 0.90 to 1.05 for tiles and 1.26 to 1.90 for patches, on average 0.97 and 1.55.
         self.assertLess(edges(tile), 1.15 * inner(tile))
         self.assertGreater(edges(patch), 1.3 * inner(patch))
 
@@ -96,7 +97,7 @@ class Erode(ProgramTest):
         again = self.eroded("--elevation=-1,2", map="out.png") # the program reads what it writes
         self.assertEqual(again["height"].shape, (40, 30))
 
-    def test_presets_and_members_change_the_shape(self):
+    def test_presets_and_options_change_the_shape(self):
         seen = [self.eroded()["height"]] # of the preset alps
         np.testing.assert_array_equal(self.eroded("--preset=alps")["height"], seen[0])
         seen += [self.eroded(f"--preset={name}")["height"] for name in ("badlands", "canyon", "hills")]

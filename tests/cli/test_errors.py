@@ -14,7 +14,7 @@ from program import LAVAPIPE, PROGRAM, ProgramTest, gabor
 
 class ErrorTest(ProgramTest):
     def refuse_render(self, words, *options, **settings):
-        """Checks that an existing file stays as it was and that no other is made."""
+        """Checks that an existing file stays as it was and that no other is written."""
         (self.folder / "old.exr").write_text("older")
         self.assert_refused(words, "render", "-o", "old.exr", *options, **settings)
 
@@ -67,12 +67,12 @@ class Values(ErrorTest):
                      "9999999999,0,1,1"):
             self.refuse_render(["--region", text, "X,Y,WIDTH,HEIGHT"], "--size=64x64", f"--region={text}")
 
-    def test_twice(self):
+    def test_an_option_given_twice(self):
         self.refuse_render(["--scale"], "--scale=8", "--scale=9")
 
 
-class Words(ErrorTest):
-    def test_unknown_words(self):
+class Arguments(ErrorTest):
+    def test_unknown_arguments(self):
         self.assert_refused(["paint"], "paint")
         self.assert_refused(["--paint"], "--paint")
         self.refuse_render(["--paint"], "--paint")
@@ -101,7 +101,7 @@ class Words(ErrorTest):
         self.refuse_render(["plain.exr", "there is no channel 'frequency'; the file has Y"], "--paint=plain.exr")
         self.assert_refused(["there is no channel 'Z'; the file has Y"], "stats", "plain.exr", "--channel=Z")
 
-    def test_missing_words(self):
+    def test_missing_arguments(self):
         self.assertEqual(self.succeed(), self.succeed("--help"))
         self.assert_refused(["--output"], "render")
         self.assert_refused(["--output"], "render", "-o")
@@ -123,7 +123,7 @@ class Outputs(ErrorTest):
             self.assert_refused(["cannot write", output], "render", "-o", "out.exr", "--png", output)
         self.assert_refused(["cannot write"], "render", "-o", "x" * 256 + ".exr")
 
-    def test_extensions_decide(self):
+    def test_the_extension_decides_the_format(self):
         for output in ("out.jpg", "out.exr.4", "-"):
             self.assert_refused([f"-o '{output}'", ".exr or .png"], "render", "-o", output)
         for output in ([], ["-o", "out.exr"]):
@@ -223,7 +223,7 @@ class Disk(ErrorTest):
 
     def test_a_file_that_grows_too_large(self):
         (self.folder / "old.exr").write_text("older")
-        limited = ["sh", "-c", "ulimit -f 1024; exec \"$0\" \"$@\"", PROGRAM] # half a MiB or one MiB
+        limited = ["sh", "-c", "ulimit -f 1024; exec \"$0\" \"$@\"", PROGRAM] # blocks of 512 or 1024 bytes
         for output in ("old.exr", "new.exr"):
             self.assert_fails(1, [output, "File too large"], "render", "-o", output, "--size=1024x1024",
                               command=limited)

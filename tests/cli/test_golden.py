@@ -78,7 +78,7 @@ def line(name, values):
 
 
 def sums(name, values):
-    """The sum of each row, with a different weight per column; for phases, their sines are summed."""
+    """Returns the sum of each row, with a different weight for each column. Of phases, sums the sines."""
     values = np.sin(2 * np.pi * values.astype(float)) if name.endswith("phase") else values.astype(float)
     return values @ np.resize([1, -0.9, 0.8, -0.7, 0.6, -0.5, 0.4, -0.3], values.shape[1])
 

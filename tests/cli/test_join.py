@@ -32,7 +32,7 @@ class JoinTest(ProgramTest):
 
 class Joined(JoinTest):
     def test_every_tiling_in_every_compression(self):
-        # Strips cut at block boundaries, strips cut elsewhere, and tiles in mixed order.
+        # Strips cut between compressed blocks, strips cut inside them, and tiles in mixed order.
         tilings = {"none": (STRIPS, UNEVEN, TILES, ["0,0,96,75"]), "zip": (STRIPS, UNEVEN, TILES), "rle": (UNEVEN,),
                    "zips": (UNEVEN,), "piz": (STRIPS, UNEVEN)}
         for compression, all_windows in tilings.items():
@@ -50,7 +50,7 @@ class Joined(JoinTest):
             self.succeed("join", *self.regions(windows, *more), "-o", "joined.exr")
             self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"), windows)
 
-    def test_strips_that_end_around_a_band(self):
+    def test_strips_that_end_at_or_near_the_end_of_a_band(self):
         for rows in (63, 64, 65):  # at this width 64 rows fill a band
             wide = [f"--size=65536x{rows}", "--scale=8"]
             self.render("whole.exr", *wide)

@@ -17,7 +17,7 @@ DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "s
             "material": "none"}
 LOBES = [{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5}, {"frequency": 5, "orientation": -70, "radius": 0.6},
          {"frequency": 1, "orientation_spread": 90, "power": 0.5, "radius": 1.7, "stretch": 0.7}]
-# Parameters that only some views have, and lists of lobes.
+# Members that only some requests have.
 OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1, "light_azimuth": -135,
            "light_elevation": 38, "environment": "room"}
 
@@ -81,7 +81,7 @@ class Files(RenderTest):
 
 class Regions(RenderTest):
     def test_a_region_has_the_pixels_of_the_whole(self):
-        """Compares every channel, for one band of pixels and for several: a band is 16 MiB."""
+        """Compares every channel, also of pictures with several bands of 16 MiB."""
         (self.folder / "lobes.json").write_text(json.dumps(LOBES))
         some, many = [(21, 13, 33, 17)], [(0, 0, 1, 1), (2499, 3999, 1, 1), (1, 1700, 2499, 333), (777, 13, 9, 3987)]
         wave = {"scale": 20, "frequency": 3, "orientation": 20}
@@ -122,7 +122,7 @@ class Like(RenderTest):
             self.assertEqual(again.attributes, made.attributes)
 
     def test_it_takes_every_parameter(self):
-        """Sets all parameters that can be combined to values other than the defaults."""
+        """Between them, the requests set every parameter to a value other than its default."""
         write_exr(self.folder / "paint.exr", {"frequency": np.full((2, 2), 3, "<f4"),
                                               "orientation": np.full((2, 2), 40, "<f4")})
         every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
@@ -172,7 +172,7 @@ class Flags(RenderTest):
         self.assertEqual(files["again.exr"], files["plain.exr"])
         self.assert_fails(2, ["tileable"], "render", "-o", "out.exr", "--tileable=3")
 
-    def test_an_angle_has_a_unit(self):
+    def test_angles_have_units(self):
         for text, degrees in (("45", 45), ("-45.5deg", -45.5), ("0.7853981633974483rad", 45)):
             self.assertAlmostEqual(self.render(size="8x8", orientation=text).parameters["orientation"], degrees, delta=1e-12)
 

@@ -70,9 +70,9 @@ class Spectra(SpectraTest):
                     self.assertGreater(sign * alike, 0.3, (options, azimuth))
         self.assert_refused(["light_azimuth", "a material or terrain"], "render", "-o", "out.exr", "--light-azimuth=30")
 
-    def test_an_overcast_sky_lights_as_its_integral_says(self):
-        """Compares the sky's light with a sum over the hemisphere above each pixel's normal. The dark picture has only the lamp's
-        light."""
+    def test_the_light_of_an_overcast_sky_equals_its_integral(self):
+        """Compares the sky's light with a sum over the hemisphere above each pixel's normal. In the dark environment,
+        only the lamp shines."""
         rough = {"material": "fabric", "fabric.roughness": 1, "size": "24x24", "scale": 24}
         sky, dark = (self.render(environment=each, **rough).channels for each in ("overcast", "dark"))
         cosine, turn = np.meshgrid((np.arange(400) + 0.5) / 400, 2 * np.pi * (np.arange(200) + 0.5) / 200)
@@ -82,7 +82,7 @@ class Spectra(SpectraTest):
             normal /= np.linalg.norm(normal)
             up = cosine * normal[2] + sine * np.cos(turn) * np.hypot(*normal[:2])
             mean = 2 * (cosine * np.where(up > 0, (1 + 2 * up) / 3, 0.2 * 7 / 9)).mean()
-            share = 0.0113 # of the light, which a rough surface reflects without its colour
+            share = 0.0113 # share of the light that a rough surface reflects without its colour
             colour = (1 - share) * sky["G"][y, x] + share
             self.assertAlmostEqual(sky["lit.G"][y, x] - dark["lit.G"][y, x], 0.6 * mean * colour, delta=0.015 * mean)
         self.assertEqual(self.render("--like=out.exr", output="again.exr").parameters["environment"], "dark")
@@ -131,7 +131,7 @@ class Spectra(SpectraTest):
 
 class Filter(SpectraTest):
     def test_it_works_with_time_and_tiles(self):
-        # With pixels this small the filter changes the noise by at most 2 %, so time and tile must match.
+        # The filter changes the noise of such small pixels by at most 2 %; a larger difference means that it ignores time or tiles.
         options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5}
         for more in ([], ["--time=0.3"], ["--tileable"], ["--tileable", "--time=0.3"]):
             with self.subTest(more):
@@ -203,11 +203,11 @@ class Space(SpectraTest):
         """A sum of lobes equals the sum of the lobes rendered alone, each with its own kernel radius."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 3, "orientation": 110, "power": 1}]
         for view, ratio in ((["--view=slice", "--depth=1.3"], 3), (["--view=sphere"], 1), (["--view=torus", "--solid"], 2)):
-            # A lobe alone has a different seed than in a sum, so the other lobe stays, with almost no power.
+            # Alone, a lobe would have another seed than in the sum, so the other lobe stays, with almost no power.
             second, both, first = (self.render(*view, "--gradient", size="120x100", scale=12, lobes=self.write_lobes(
                 [{**lobes[0], "power": of_first}, lobes[1]])).pixels for of_first in (0, ratio, 1e9))
             share = ratio / (ratio + 1)
-            # With six seeds, the largest difference is 0.7e-4 to 1.24e-4 per picture.
+            # With six seeds, each picture's largest difference is 0.7e-4 to 1.24e-4.
             np.testing.assert_allclose(both, np.sqrt(share) * first + np.sqrt(1 - share) * second, atol=1.5e-4)
             self.assertGreater(np.ptp(second), 1)
             self.assertGreater(np.abs(second - first).max(), 1)

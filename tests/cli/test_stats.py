@@ -105,7 +105,7 @@ class Rendered(StatsTest):
             self.assertEqual(self.stats("packed.exr"), plain, compression)
 
     def test_the_peak_is_where_requested(self):
-        # Angles turn from right to down; with the other sense, 20, 120 and -60 degrees would be 160, 60 and 60.
+        # Angles turn from right to down. Turning the other way, 20, 120 and -60 degrees would be measured as 160, 60 and 60.
         for frequency, scale, orientation in [(4, 16, 0), (4, 16, 20), (4, 16, 45), (4, 16, 90), (4, 16, 120),
                                               (4, 16, -60), (3, 32, 200), (6, 13, 150)]:
             with self.subTest(frequency=frequency, scale=scale, orientation=orientation):
@@ -144,8 +144,9 @@ class Rendered(StatsTest):
         self.assertEqual(json.loads(self.succeed("stats", "in.exr", "--json", "-")), self.stats())
 
 
-class Laws(StatsTest):
-    """The distribution that a channel is compared with: from the header if theory gives it, otherwise measured."""
+class Distributions(StatsTest):
+    """Tests which normal distribution a channel is compared with: that of theory if the header gives it, otherwise the measured
+    one."""
 
     def render(self, *options, size="512x512", scale=16):
         self.succeed("render", "-o", "in.exr", f"--size={size}", f"--scale={scale}", *options)
@@ -162,8 +163,8 @@ class Laws(StatsTest):
             self.assertIn(f"compared with a normal distribution of analytic mean 0 and variance {stats['reference_variance']:.6g}", text)
 
     def test_gradients(self):
-        """The slope's variance is the wave's contribution plus the windows': the energy of a window's derivative divided by
-        the window's energy, each summed on a grid."""
+        """A slope's variance is the wave's contribution plus the window's, which is the energy of the window's derivative divided
+        by the window's energy, both summed on a grid."""
         x = (np.arange(4000) + 0.5) / 4000
         blend = np.hypot(1 - (s := x**2 * (3 - 2 * x)), s)
         for recipe, window in (("lattice", (1 + np.cos(np.pi * x)) / 2), ("lattice-2", (1 - s) / blend)):
@@ -175,8 +176,8 @@ class Laws(StatsTest):
         self.assert_known(1, "Y")
 
     def test_filtered(self):
-        """The variance is the energy of the blurred windowed wave, or of its derivative, along each axis, relative to the
-        window's energy."""
+        """The variance is the product over both axes of the energy of the blurred windowed wave, or of its derivative, divided
+        by the window's energy."""
         x = np.arange(-8, 8, 1 / 512)
         window = np.where(np.abs(x) < 1, (1 + np.cos(np.pi * x)) / 2, 0)
         def left(frequency, scale):
@@ -218,7 +219,7 @@ class Laws(StatsTest):
         left = np.exp(-(2 * np.pi * 2 * 0.5 / 8) ** 2)
         self.assertAlmostEqual(self.stats()["reference_variance"] / left, 1, delta=0.002)
 
-    def test_unknown_laws_are_measured(self):
+    def test_unknown_distributions_are_measured(self):
         for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),
                                  ("Y", ["--filter", "--view=horizon"]), ("Y", ["--filter", "--view=sphere"]),
                                  ("quadrature", ["--quadrature", "--recipe=paper"]),
@@ -264,8 +265,8 @@ class Foreign(StatsTest):
         return self.random.normal(3, 2, (height, width)).astype("f4")
 
     def test_reports_are_those_of_this_version(self):
-        """Tests pixels that correlate over 2, which give 16 x 16 blocks, and over 10, which give 8 x 8 and have a known
-        distribution."""
+        """Tests pixels that correlate over a distance of 2, which give 16 x 16 blocks, and over 10, which give 8 x 8 blocks and
+        have a known distribution."""
         white = self.random.normal(size=(200, 240))
         wave = np.sin(np.arange(240) * 0.9 + np.arange(200)[:, None] * 0.4)
         radius = np.hypot(np.fft.fftfreq(240), np.fft.fftfreq(200)[:, None])

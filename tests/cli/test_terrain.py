@@ -1,4 +1,4 @@
-"""Tests `gabor render --terrain`: eroded mountains in any unit, with the same pixels in regions as in the whole."""
+"""Tests `gabor render --terrain`, which draws eroded mountains."""
 
 import json
 import unittest
@@ -43,7 +43,7 @@ class Terrain(ProgramTest):
         for name, factor in (("height", 1000), ("erosion", 1000), ("slope.x", 1), ("ridge", 1)):
             np.testing.assert_allclose(large[name], factor * small[name], atol=2e-4 * factor)
 
-    def test_heightmaps_have_a_range_that_no_region_changes(self):
+    def test_regions_of_a_heightmap_have_the_range_of_the_whole(self):
         self.succeed(*GROUND, "--heightmap", "whole.png", "-o", "whole.exr", "--png", "view.png")
         self.succeed(*GROUND, "--heightmap", "part.r16", "--region=10,20,40,30")
         scales = [json.loads((self.folder / f"{name}.json").read_text()) for name in ("whole.png", "part.r16")]

@@ -1,4 +1,4 @@
-"""`gabor render --texture`: each level of the tiled file is the filtered flat picture of its size."""
+"""Checks that each level of `gabor render --texture` is the filtered flat picture of its size."""
 
 import struct
 import unittest
@@ -48,7 +48,7 @@ class Levels(TextureTest):
         for channel, values in last.items():
             self.assertEqual(values[0, 0], (before[channel][0, 0] + before[channel][0, 1]) / 2, channel)
 
-    def test_levels_lose_the_variance_in_the_channel_removed(self):
+    def test_levels_lose_the_variance_that_the_channel_removed_states(self):
         texture = self.texture(512, 512, scale=8)
         kept = [(level["Y"].astype(float)**2).mean() for level in texture.levels]
         said = [1 - level["removed"].mean() for level in texture.levels]

@@ -51,7 +51,7 @@ CALLS = {  # each call's function, a column of the matrix in docs/engines.md
     "20.0 * gabor_eroded_filtered(p, vec2(0.02, 0.01), vec2(0.0, 0.03), gabor_terrain(p, 7u), gabor_erosion(), 7u).height": "erosion",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",
 }
-NEEDED = {"solid": 4, "surface": 4, "erosion": 5, "materials": 6, "fitted": 7}  # how many of the files; others need 3
+NEEDED = {"solid": 4, "surface": 4, "erosion": 5, "materials": 6, "fitted": 7}  # the number of FILES that a call needs; others need 3
 MAP = "#define GABOR_DIRECTION(p) (0.3f * (p))\n"
 SIX = """
 GaborLobes six()
@@ -326,8 +326,8 @@ class Translations(unittest.TestCase):
         self.compare(lambda call: drawn[call])
 
     def test_cpp_vectors(self):
-        """The compiler vectorizes a loop over points; values equal the shader's within 1e-6, and words are equal.
-        If the frequency is a constant, the shader compiler reorders products, so + unknown hides it."""
+        """Checks that the compiler vectorizes a loop over points, that values equal the shader's within 1e-6, and that words are
+        equal. With a constant frequency, the shader compiler would reorder products, so + unknown hides it."""
         values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
                                 *["-fopt-info-vec"] * GCC)
         if GCC:

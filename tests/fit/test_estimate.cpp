@@ -1,4 +1,4 @@
-// Tests the estimate on spectra and values with known answers.
+// Tests the parts of a fit on spectra and values with known answers.
 
 #include "../largest.hpp"
 #include "fit/atoms.hpp"
@@ -133,7 +133,7 @@ TEST_CASE("atoms of averaged samples equal their expected windowed spectra") {
     // are sums by brute force over every pair of pixels that contribute to two samples of a window.
     const std::vector<Scale> scales = scales_of(2400, 2400);
     REQUIRE(scales.size() == 3);
-    for (const Scale& each : scales) // the measures add up to the scale's whole grid, in cells of the first
+    for (const Scale& each : scales) // its measures add up to its whole grid, in cells of the first scale
         CHECK(measures({each}).sum() == Approx(std::pow(2.0 * window_side / each.spacing, 2)));
     const Scale& scale = scales.back();
     REQUIRE(scale.spacing == 4);
@@ -233,7 +233,22 @@ TEST_CASE("phases between channels are found from cross-spectra") {
     CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("the estimate of white noise is flat and has its variance") {
+TEST_CASE("spectra under a linear map are those of the mapped channels") {
+    using namespace std::complex_literals;
+    const std::vector<Wave> waves{{{0.12, 0.05}, {10, 10}, weights({0.7, 0.5i, -0.3 + 0.4i})}};
+    Eigen::Matrix3d map;
+    map << 1, 2, -1, 0.5, -3, 0.25, 2, 0, 1;
+    std::vector<Wave> mapped = waves;
+    mapped.front().weight = map * mapped.front().weight;
+    const Spectra direct = model(mapped, 3);
+    const Spectra through = model(waves, 3).mapped(map);
+    CHECK((direct.real - through.real).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK((direct.imaginary - through.imaginary).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK((direct.covariance() - map * model(waves, 3).covariance() * map.transpose()).cwiseAbs().maxCoeff() <
+          1e-9);
+}
+
+TEST_CASE("the spectrum estimated from white noise is flat and has the noise's variance") {
     constexpr int side = 784; // the smallest side with a scale of averaged samples
     std::mt19937 generator(5);
     std::normal_distribution<float> normal;
@@ -260,14 +275,14 @@ TEST_CASE("the estimate of white noise is flat and has its variance") {
         INFO("windows of " << scale.length() << " pixels: mean " << power.mean() << ", from "
                            << power.minCoeff() << " to " << power.maxCoeff());
         CHECK(power.mean() == Approx(1).epsilon(0.1));
-        if (scale.begin == 0) { // few windows are as large as those of other scales
+        if (scale.begin == 0) { // other scales average fewer windows
             CHECK(power.maxCoeff() < 1.6);
             CHECK(power.minCoeff() > 0.5);
         }
     }
 }
 
-TEST_CASE("a histogram's polynomial has its law, rises, and has mean 0 and variance 1") {
+TEST_CASE("a histogram's polynomial reproduces its distribution, rises, and has mean 0 and variance 1") {
     const auto check = [](const std::array<double, 6>& c, double tolerance, auto law) {
         const auto value = [&](double z) {
             double sum = 0;
@@ -373,7 +388,7 @@ TEST_CASE("structure tells edges and ridges from waves and from normal noise") {
     CHECK(structure([&](int x, int y) { return edge(y, x); }) > Structure::limit);
     CHECK(structure(edge, 4) > Structure::limit); // the fewest rows with derivatives
     CHECK(structure(edge, 3) == 0);
-    // Four waves, and their creases, which kurtosis cannot tell apart.
+    // Kurtosis cannot tell four waves from their absolute value, which has creases.
     const auto waves = [](int x, int y) {
         const double w = 2 * pi / 24;
         return std::sin(w * x) + std::sin(w * (0.6 * x + 0.8 * y)) + std::sin(w * (0.8 * y - 0.6 * x)) +

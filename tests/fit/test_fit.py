@@ -14,13 +14,14 @@ import PIL.Image
 import PIL.ImageDraw
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "cli"))
+sys.path[:0] = [str(HERE.parent / "cli"), str(HERE.parent / "engines" / "moderngl")]
 from exr import Exr, write_exr
 from png import read_grey_png
 from program import ProgramTest
 from textures import colour_noise, photograph, welch, without_trend, write_png
 
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
+DROP_INS = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_lattice", "gabor_spectrum"))
 DIALECTS = ("450", "330 core", "300 es")
 
 
@@ -70,7 +71,7 @@ class FitTest(ProgramTest):
             self.assertLess(abs(power - 1), 0.1)
 
     def test_a_fit_is_that_of_this_version(self):
-        """Every number of two presets, their GLSL and their reports."""
+        """Compares every number of two presets, of their GLSL and of their reports."""
         colour = np.exp(3 * (colour_noise(300)[:224] - 1))  # one component is weak, and a part transparent
         colour[..., 2] = 0.5 * colour[..., 0] + 0.4 * colour[..., 1] + 0.1 * colour[..., 2]
         alpha = np.hypot(*np.ogrid[-60:164, -200:100]) > 30
@@ -174,22 +175,15 @@ class FitTest(ProgramTest):
         np.testing.assert_allclose(lobes["wide"], mirrored, atol=0.06)
 
     def drawn(self, main, width, height):
-        """The picture drawn by a main function that follows the drop-ins and sea.glsl."""
-        import moderngl
-        text = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_lattice", "gabor_spectrum"))
-        context = moderngl.create_context(standalone=True, backend="egl", libgl="libGL.so.1", libegl="libEGL.so.1")
-        program = context.program(vertex_shader="#version 330\nin vec2 corner;\nvoid main() { gl_Position = vec4(corner, 0.0, 1.0); }",
-                                  fragment_shader="#version 330 core\n" + text + (self.folder / "sea.glsl").read_text() + main)
-        target = context.framebuffer([context.texture((width, height), 4, dtype="f4")])
-        target.use()
-        context.vertex_array(program, context.buffer(np.array([-1, -1, 3, -1, -1, 3], "f4")), "corner").render(vertices=3)
-        return np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(height, width, 4)
+        """Returns the picture that a main function draws after the drop-ins and sea.glsl."""
+        import draw
+        values, _ = draw.drawn("#version 330 core\n", DROP_INS + (self.folder / "sea.glsl").read_text() + main, (width, height), 4)
+        return np.frombuffer(values, "f4").reshape(height, width, 4)
 
     def test_glsl_draws_the_preset(self):
         write_png(self.folder / "colour.png", colour_noise(256))
         self.fit("colour.png", "--lobes", "4", "--glsl", "sea.glsl")
         glsl = (self.folder / "sea.glsl").read_text()
-        drop_ins = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_lattice", "gabor_spectrum"))
         main = """
 out vec4 value;
 void main()
@@ -199,7 +193,7 @@ void main()
 }
 """
         for dialect in DIALECTS:
-            text = f"#version {dialect}\n" + "precision highp float;\n" * dialect.endswith("es") + drop_ins + glsl + main
+            text = f"#version {dialect}\n" + "precision highp float;\n" * dialect.endswith("es") + DROP_INS + glsl + main
             path = self.folder / "shader.frag"
             path.write_text(text if dialect != "450" else text.replace("\nout vec4", "\nlayout(location = 0) out vec4"))
             subprocess.run([os.environ["GLSLANG_VALIDATOR"], "--quiet", path], check=True)

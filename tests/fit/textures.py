@@ -33,7 +33,7 @@ ADAM7 = (0, 0, 8, 8), (0, 4, 8, 8), (4, 0, 8, 4), (0, 2, 4, 4), (2, 0, 4, 2), (0
 
 
 def write_png(path, values, bits=8, alpha=False, interlaced=False):
-    """Grey of height x width, or colour of height x width x 3, from 0 to 1."""
+    """Writes grey values, height x width, or colours, height x width x 3, from 0 to 1."""
     values = values[..., None] if values.ndim == 2 else values
     if alpha:
         values = np.concatenate([values, np.ones_like(values[..., :1])], -1)
@@ -52,7 +52,7 @@ def write_png(path, values, bits=8, alpha=False, interlaced=False):
 
 
 def colour_noise(side, seed=1):
-    """Two lobes of normal noise with different phases in red, green and blue, from white noise through a filter."""
+    """Returns two lobes of normal noise, filtered from white noise, with different phases in red, green and blue."""
     generator = np.random.default_rng(seed)
     fx = np.fft.fftfreq(side)[None, :]
     fy = np.fft.fftfreq(side)[:, None]
@@ -67,7 +67,7 @@ def colour_noise(side, seed=1):
 
 
 def welch(channels, side=64, hop=32):
-    """Cross-spectra of channels, height x width x count, under Hann windows: side x side x count x count."""
+    """Returns the cross-spectra of channels, height x width x count, under Hann windows: side x side x count x count."""
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(side) / side)
     window = np.outer(window, window)
     window /= np.sqrt((window**2).sum())
@@ -81,7 +81,7 @@ def welch(channels, side=64, hop=32):
 
 
 def without_trend(channels):
-    """Each channel minus its best-fitting quadratic polynomial."""
+    """Returns each channel minus its best-fitting quadratic polynomial."""
     height, width, count = channels.shape
     y, x = np.meshgrid(np.linspace(-1, 1, height), np.linspace(-1, 1, width), indexing="ij")
     polynomials = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], -1).reshape(-1, 6)

@@ -1,4 +1,4 @@
-"""Installs the packages that tools/package builds in a clean place, and uses them there: test_packages.py [-v]
+"""Installs the packages of tools/package in a clean place, and uses them there: test_packages.py [-v]
 npm|pypi|unity|godot|blender|vcpkg|openupm|release"""
 
 import importlib.util
@@ -23,6 +23,7 @@ sys.path.insert(0, str(ROOT / "tests" / "engines"))
 import reference  # noqa: E402
 
 VERSION = json.loads((ROOT / "package.json").read_text())["version"]
+DROP_INS = sorted(path for folder in ("", "translations") for path in (ROOT / "shaders" / folder).glob("gabor_*"))
 LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
 
 
@@ -103,10 +104,8 @@ const texts = process.argv.slice(2).map(name =>
     readFileSync(fileURLToPath(import.meta.resolve(`gabor-noise/shaders/${name}`)), "utf8"));
 console.log(JSON.stringify(texts));
 """)
-        shaders = [*(ROOT / "shaders").glob("gabor_*.glsl"), *(ROOT / "shaders" / "translations").glob("gabor_*")]
-        shaders = sorted(path for path in shaders if path.stem != "gabor_ingredients")
-        texts = json.loads(run("node", "sources.mjs", *(path.relative_to(ROOT / "shaders") for path in shaders), cwd=project))
-        self.assertEqual(texts, [path.read_text() for path in shaders])
+        texts = json.loads(run("node", "sources.mjs", *(path.relative_to(ROOT / "shaders") for path in DROP_INS), cwd=project))
+        self.assertEqual(texts, [path.read_text() for path in DROP_INS])
 
         (project / "noise.mjs").write_text("""
 import * as gabor from "gabor-noise/shaders/nodes/three/gabor_lattice.tsl.js";
@@ -174,10 +173,8 @@ print(gabor_noise.__version__)
         wheel, = (path for path in self.archives if path.suffix == ".whl")
         run(ROOT / "build" / "package-venv" / "bin" / "python", "-m", "pip", "--python", python, "install", "-q",
             "--disable-pip-version-check", wheel)
-        shaders = [*(ROOT / "shaders").glob("gabor_*.glsl"), *(ROOT / "shaders" / "translations").glob("gabor_*")]
-        shaders = sorted(path for path in shaders if path.stem != "gabor_ingredients")
-        said = run(python, "-I", "-c", self.USE, *(path.name for path in shaders), cwd=self.folder)
-        self.assertEqual(said, "".join(path.read_text() for path in shaders) + f"{VERSION}\n")
+        said = run(python, "-I", "-c", self.USE, *(path.name for path in DROP_INS), cwd=self.folder)
+        self.assertEqual(said, "".join(path.read_text() for path in DROP_INS) + f"{VERSION}\n")
         with np.load(self.folder / "pictures.npz") as pictures:
             for function, values in pictures.items():
                 with self.subTest(function):

@@ -1,6 +1,6 @@
-// The functions of golden/functions.glsl on the device: thousands of values, which must be those of the C++
-// that tests/functions compares with the reference, and tests/golden with this version. After an intended
-// change of pixels, rewrite the files and review the diff:
+// Tests the functions of golden/functions.glsl on the device. Thousands of values must equal those of the
+// translation to C++, which tests/functions compares with the reference, and tests/golden with this version.
+// After an intended change of pixels, rewrite the files and review the diff:
 //
 //     GABOR_GOLDEN=write ctest --preset dev -R '^golden_'
 
@@ -78,19 +78,19 @@ std::vector<float> translated(const Set& set, std::size_t calls) {
     const std::string command =
         fmt::format(GABOR_FUNCTIONS_FOLDER "/golden_{} {} {}", set.name, compared, points - compared);
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-    std::vector<float> values(calls * (points - compared) + 1); // one more, to notice too many
+    std::vector<float> values(calls * (points - compared) + 1); // one more than expected, to notice a surplus
     values.resize(std::fread(values.data(), sizeof(float), values.size(), pipe.get()));
     REQUIRE(values.size() == calls * (points - compared));
     return values;
 }
 
-// How much more sensitive than others a result is to the rounding of its arguments.
+// Returns how much more sensitive than others a result is to the rounding of its arguments.
 double sensitivity(const std::string& call, std::size_t point) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
     if ((has("filtered") || has(".w") || call == "removed") &&
         point % 16 == 15) // pixels a thousand times as long as wide
         return 1000;
-    if (has("gabor_er") && point / 4 % 4 == 3) // far away, places in its octaves are rounded
+    if (has("gabor_er") && point / 4 % 4 == 3) // far away, positions in its octaves are rounded
         return 400;
     // the phase of small numbers, and sums of many waves
     return has("phasor") || has("SPREAD") ? 4 : 1;

@@ -196,7 +196,7 @@ TEST_CASE("cords of filtered fabric equal their mean over a pixel", "[material]"
     compare(materials[1], numbers_of(request));
 }
 
-// The first wave of the profile 1 - cos(pi x)^4 is half as high as the cords.
+// The fundamental wave of the profile 1 - cos(pi x)^4 is half as high as the cords.
 TEST_CASE("corduroy has five cords per unit", "[material]") {
     constexpr int side = 256;
     constexpr int units = 4;
@@ -308,7 +308,7 @@ TEST_CASE("every material repeats after its period without a seam", "[material]"
         }
 }
 
-TEST_CASE("a picture of a material is its function at each pixel", "[material]") {
+TEST_CASE("each pixel of a material's picture equals the material's function", "[material]") {
     const vulkan::Device device;
     constexpr int side = 48;
     std::mt19937 random(3);

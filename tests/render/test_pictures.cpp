@@ -63,7 +63,7 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
     return terms;
 }
 
-// The position of a pixel in the nodes or cells of a noise whose kernel radii are `radius`.
+// Returns the position of a pixel in the nodes or cells of a noise with these kernel radii.
 noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixel,
                          const noise::Vector<2>& radius) {
     noise::Place<2> place;
@@ -82,7 +82,7 @@ noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixe
     return place;
 }
 
-// The noise at a pixel, or another of the independent noises that `--values` draws.
+// Returns the noise at a pixel, or another of the independent noises that `--values` draws.
 noise::Field<2> expected(const render::Request& request, const std::vector<noise::SpectrumLobe>& terms, int x,
                          int y, int other = 0) {
     double power = 0;
@@ -165,7 +165,7 @@ const std::vector<noise::Lobe> stretched{
 
 } // namespace
 
-TEST_CASE("each pixel is the reference at its centre, at any scale", "[render]") {
+TEST_CASE("each pixel equals the reference at its centre, at any scale", "[render]") {
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
         test::Largest largest;
@@ -290,7 +290,7 @@ TEST_CASE("a picture in colour mixes polynomials of its lobes' weighted noises",
     }
 }
 
-TEST_CASE("colour pictures of space mix the values of grey ones", "[render]") {
+TEST_CASE("colour pictures of noise in space mix the values of grey ones", "[render]") {
     const vulkan::Device device;
     const image::Rect region{0, 0, 90, 60};
     const double share = std::sqrt(2 / 3.0); // weight of the first lobe, which has two thirds of the variance
@@ -341,7 +341,7 @@ TEST_CASE("colour pictures of space mix the values of grey ones", "[render]") {
     }
 }
 
-TEST_CASE("filtered colours of space keep their mean", "[render]") {
+TEST_CASE("filtered colours of noise in space keep their mean", "[render]") {
     const vulkan::Device device;
     render::Request request{
         .width = 96, .height = 96, .scale = 2, .seed = 77, .view = render::Slice{2.7}, .filter = true};
@@ -395,7 +395,7 @@ TEST_CASE("a filtered spectrum is the sum of its filtered lobes", "[render]") {
         for (int y = horizon ? 20 : 1; y < 40; y += 6) {
             for (int x = 2; x < 40; x += 13) {
                 noise::Vector<2> at{(x + 0.5) / 5, (y + 0.5) / 5}, dx{0.2, 0}, dy{0, 0.2};
-                if (horizon) { // 20 x 20 pixels, with the horizon in row 10
+                if (horizon) { // the horizon is in row 10
                     const double rows = y + 0.5 - 10;
                     const double near = (40 - 0.5 - 10) / 5.0 / rows;
                     at = {near * (x + 0.5 - 20), -near * 40};

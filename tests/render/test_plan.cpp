@@ -148,7 +148,7 @@ TEST_CASE("the default camera reproduces the picture's position exactly") {
 
 TEST_CASE("a camera is as precise far away as nearby") {
     Camera camera;
-    // Moves far away and, there, in steps that a single double could not represent.
+    // Far away, the camera moves in steps that a single double could not represent.
     camera = camera.moved(2e9, -2e9);
     for (int i = 0; i < 1000; ++i)
         camera = camera.moved(1e-7, -1e-7);
@@ -157,7 +157,7 @@ TEST_CASE("a camera is as precise far away as nearby") {
     CHECK(static_cast<double>(camera.y.whole) + camera.y.part == Approx(-1e-4).margin(1e-12));
 }
 
-TEST_CASE("a place belongs to the cell given by the sum of its whole and fractional parts") {
+TEST_CASE("the cell of a position follows from the sum of its whole and fractional parts") {
     const auto [cell, local] = cell_at({3, 0.9}, 1.5);
     CHECK(cell == 5);
     CHECK(local == Approx(0.85));
@@ -194,7 +194,7 @@ TEST_CASE("columns continue where cells wrap around") {
     }
 }
 
-TEST_CASE("zooming in brings sample places closer together, and a coarse view spreads them") {
+TEST_CASE("zooming in brings sample positions closer together, and a coarse view spreads them") {
     const Request request;
     Viewport viewport = viewport_of(request, {0, 0, 64, 1});
     const std::vector<passes::Line> before = columns(request, viewport);

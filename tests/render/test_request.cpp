@@ -159,6 +159,9 @@ TEST_CASE("out-of-range values are refused, however they are set", "[request]") 
                     CHECK_THROWS_AS(render::check(request), RequestError);
                 ++refused;
             }
+            if (parameter.kind == Parameter::Kind::integer)
+                CHECK_THROWS_AS(render::set(request, parameter.name, parameter.range.low + 0.5),
+                                RequestError);
             for (const double end : {parameter.range.low, parameter.range.high}) {
                 render::set(request, parameter.name, end);
                 CHECK(std::get<double>(*parameter.get(request)) == end);

@@ -94,7 +94,8 @@ struct Camera {
         return noise::unit(Vector{p[0] * (1 - inside), p[1] * (1 - inside), p[2]});
     }
 
-    // Finds the first zero along a ray by small steps, which miss only the thinnest grazes, and bisection.
+    // Finds the first zero along a ray by bisection after small steps, which miss only rays that barely graze
+    // the body.
     std::optional<Seen> seen(double x, double y) const {
         if (const Slice* slice = std::get_if<Slice>(&request.view))
             return Seen{{x / request.scale, y / request.scale, slice->depth},

@@ -162,7 +162,7 @@ class Dialects(unittest.TestCase):
                     output = "layout(location = 0) out" if version == "450" else "out"
                     self.compile(f"#version {version}\n{text}\n{output} vec4 c;\nvoid main()\n{{\n    {use}\n}}\n", "frag", [])
 
-    def test_including_both_is_an_error(self):
+    def test_including_two_base_drop_ins_is_an_error(self):
         for both in (("gabor_noise", "gabor_lattice"), ("gabor_lattice", "gabor_noise")):
             with self.assertRaisesRegex(AssertionError, "not both"):
                 self.compile("#version 450\n" + "".join(map(SOURCES.get, both)) + "void main() {}\n", "frag", [])

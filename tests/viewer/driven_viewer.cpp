@@ -42,7 +42,7 @@ struct Seen {
     std::array<bool, IM_ARRAYSIZE(ImGuiIO::KeysDown)> down{};
     bool button = false;
 
-    // At this point Dear ImGui has this frame's events.
+    // Call this once Dear ImGui has received the frame's events.
     void add(const ImGuiIO& io) {
         ++frames;
         wheel += double{io.MouseWheel};
@@ -142,7 +142,8 @@ bool obey(App& app, const std::string& name, const std::string& rest) {
     return true;
 }
 
-/// Obeys a command if there is one; the sender waits for each before it sends the next.
+/// Obeys a command if one has arrived, and returns whether to continue. The sender waits for each command's
+/// report before it sends the next.
 bool listen(App& app, Seen& seen) {
     pollfd input{0, POLLIN, 0};
     std::string line;
@@ -158,7 +159,7 @@ bool listen(App& app, Seen& seen) {
 int main(int argc, char** argv) {
     Seen seen;
     return run_viewer(argc, argv, [&](App& app) {
-        if (seen.frames > 0) // the result of the last one
+        if (seen.frames > 0) // reports the frame before
             tell(app, seen);
         seen.add(ImGui::GetIO());
         return listen(app, seen);

@@ -1,5 +1,5 @@
-"""Drives a viewer as a user would: pointer, keys and dropped files, sent as display events. After each event it
-waits for what the viewer says, never for a fixed time. Commands set, open and save what needs no events."""
+"""Drives a viewer as a user would, with display events for pointer, keys and dropped files. After each event it waits for the
+viewer's report, never for a fixed time. Commands do what needs no events."""
 
 import contextlib
 import json
@@ -20,7 +20,7 @@ from png import read_colour_png
 DRIVEN_VIEWER = os.environ["GABOR_DRIVEN_VIEWER"]
 DROP_FILE = os.environ["GABOR_DROP_FILE"]
 COMMANDS = "set", "open", "save", "copy", "export", "screenshot", "window", "quit" # of driven_viewer.cpp
-PATIENCE = 120 # seconds: longer means a failure, even on a slow machine
+PATIENCE = 120 # seconds; a longer wait is a failure, even on a slow machine
 
 
 class EventsTest(ViewerTest):
@@ -59,7 +59,7 @@ class EventsTest(ViewerTest):
                     self.fail(f"waited in vain; the viewer says {self.state}")
 
     def command(self, line, timeout=PATIENCE):
-        """Waits until the viewer has obeyed."""
+        """Sends a command and waits until the viewer has obeyed it."""
         done = self.state["commands"]
         self.process.stdin.write(line + "\n")
         self.process.stdin.flush()
@@ -85,8 +85,8 @@ class EventsTest(ViewerTest):
         return name
 
     def compare_with_render(self, cases, more="", inside=False):
-        """Shows presets, given as parameters by name, and checks that gabor render draws the same; with `inside`, compares only
-        the body. `more` is another script for the same viewer. Returns the pictures by name."""
+        """Opens presets in one viewer and checks that it shows what gabor render draws; with `inside`, compares only the body.
+        cases: the parameters of each preset, by name. more: the rest of the viewer's script. Returns the pictures by name."""
         presets = [self.preset(f"{name}.json", **parameters) for name, parameters in cases.items()]
         self.play("\n".join(f"open {name}.json\nscreenshot {name}.png" for name in cases) + more, presets[0], "--window", "480x320")
         pictures = {}
@@ -130,7 +130,7 @@ class EventsTest(ViewerTest):
         os.waitid(os.P_PID, self.process.pid, os.WSTOPPED | os.WNOWAIT)
         yield
         self.process.send_signal(signal.SIGCONT)
-        self.frames(12) # the frames that follow may each handle a part of them
+        self.frames(12) # each of the next frames may handle only some of them
 
     def click(self, x, y):
         self.point(x, y)
@@ -187,10 +187,10 @@ class EventsTest(ViewerTest):
         """Types into the dialog once its text field has the focus."""
         self.frames(2)
         self.wait_for(lambda state: state["dialog"] and state["dialog"]["typed"])
-        for end in range(1, len(name) + 1): # one by one: a press before the last release may be missed
+        for end in range(1, len(name) + 1): # one by one, because a press before the last release may be missed
             self.xdotool("type", name[end - 1])
             self.wait_for(lambda state, typed=name[:end]: state["dialog"]["name"] == typed)
-        self.frames(3) # the last press may arrive after its letter
+        self.frames(3) # the key press may arrive after its letter
 
     def screen(self, x, y, width, height):
         """The RGB pixels that the display shows in that part of the window."""

@@ -1,4 +1,4 @@
-"""Copied code and exported files show what the window shows, for every output."""
+"""Compares copied code and exported files with the window, for every output."""
 
 import json
 
@@ -19,7 +19,7 @@ RAMP = [[0.1, "#203060"], [0.4, "#a04020"], [0.45, "#ffffff"], [1, "#c0ff40"]]
 LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
 TERRAIN = {"view": "terrain", "width": WIDTH, "height": HEIGHT, "scale": 40, "octaves": 4, "strength": 0.15, "seed": 3}
 LANDSCAPE = {**TERRAIN, "view": "landscape", "pitch": 30, "yaw": 20}
-# Two lobes, two components of colour.
+# A noise of two lobes, coloured by two components.
 COLOURED = {
     "lobes": [{"frequency": 2, "orientation": 20, "radius": 1.5}, {"frequency": 3, "orientation": 100}],
     "colour": {"weights": [[[0.6, 0.6], [0, 0.5], [0, 0]], [[0, 0.52915], [0.5, -0.7], [0, 0]]],
@@ -28,7 +28,7 @@ COLOURED = {
 
 
 class OutputsTest(EventsTest):
-    """Each case has parameters, an output, a colour map and a contrast."""
+    """A test of cases, each with parameters, an output, a colour map and a contrast."""
 
     @classmethod
     def setUpClass(cls):
@@ -93,7 +93,7 @@ class OutputsTest(EventsTest):
         vertex = "#version 330 core\nin vec2 corner;\nvoid main() { gl_Position = vec4(corner, 0.0, 1.0); }\n"
         program = self.context.program(vertex_shader=vertex, fragment_shader=fragment)
         for unit, (name, texels) in enumerate(textures.items()):
-            if name in program: # so that it is not optimized away
+            if name in program: # otherwise it was optimized away
                 texture = self.context.texture((WIDTH, HEIGHT), 3, texels.astype("f4").tobytes(), dtype="f4")
                 texture.use(unit)
                 program[name] = unit

@@ -1,4 +1,4 @@
-"""What artists use most: materials, photographs and the file dialog."""
+"""Tests what artists use most: materials, photographs and the file dialog."""
 
 import json
 import os
@@ -95,7 +95,7 @@ class Artist(EventsTest):
         self.compare_with_render({view: {**cloth, "view": view} for view in ("sphere", "torus", "slice")}, inside=True)
 
     def test_the_pixel_under_the_pointer_is_read(self):
-        # As large as the view beside the panel, so that screen pixels are picture pixels.
+        # Pictures are as large as the view beside the panel, so each screen pixel shows one picture pixel.
         for name, parameters in (("noise", {"frequency": 2, "scale": 60}),
                                  ("leather", {"material": "leather", "scale": 60, "filter": True})):
             self.preset(f"{name}.json", width=352, height=480, **parameters)
@@ -138,13 +138,13 @@ class Artist(EventsTest):
         self.xdotool("mouseup", 3)
         self.frames(3)
         lit = self.screen(0, 100, 352, 300)
-        self.keys("ctrl+z") # one step
+        self.keys("ctrl+z") # undoes the whole drag
         self.assertEqual((self.document["light_azimuth"], self.document["light_elevation"]), (-135, 38))
         self.assertGreater(np.abs(self.shown(0, 100, 352, 300) - lit).mean(), 3)
         self.close()
 
     def test_the_surroundings_are_chosen_saved_and_exported(self):
-        view = lambda: self.shown(0, 100, 240, 300)  # what no tooltip covers
+        view = lambda: self.shown(0, 100, 240, 300)  # the part that no tooltip covers
         for name, parameters, combo in (("leather", {"material": "leather"}, 311), ("relief", {"viewer": {"output": "lit"}}, 283)):
             self.open(*WINDOW, self.preset(f"{name}.json", width=352, height=480, scale=60, **parameters))
             self.point(400, 300)
@@ -175,7 +175,7 @@ class Artist(EventsTest):
         self.open(*WINDOW)
         self.keys("ctrl+o")
         self.type("folder")
-        self.keys("Return") # it is entered
+        self.keys("Return") # opens the folder
         self.assertEqual(self.state["dialog"]["folder"], str(self.folder / "folder"))
         self.type("n") # part of the name, not a shortcut
         self.keys("BackSpace")
@@ -192,7 +192,7 @@ class Artist(EventsTest):
         self.close()
 
     def test_names_in_any_script_are_drawn(self):
-        # No font of the panel has the last one's characters, but other installed fonts do.
+        # No font of the panel has the last script's characters, but other installed fonts do.
         scripts = {"latin": "ab", "cyrillic": "жщ", "greek": "ψω", "arabic": "شق", "symbols": "⌶⌷"}
         seen = {}
         self.open(*WINDOW)
@@ -212,7 +212,7 @@ class Artist(EventsTest):
                 self.assertGreater((np.abs(seen[first] - seen[second]).max(axis=2) > 100).sum(), 20)
         self.close()
 
-    def test_the_desktop_asks_for_files_where_there_is_one(self):
+    def test_a_desktop_shows_its_own_file_dialog(self):
         self.preset("mine.json", frequency=3, width=64, height=64)
         programs = self.folder / "bin"
         programs.mkdir()
@@ -246,7 +246,7 @@ class Artist(EventsTest):
             self.frames(2)
             self.assertIsNone(self.state["dialog"])
             self.assertEqual(self.document["seed"], 1)
-            answers(255) # it failed
+            answers(255) # the desktop's dialog failed
             self.keys("ctrl+o")
             self.wait_for(lambda state: state["dialog"])
             self.keys("Escape")

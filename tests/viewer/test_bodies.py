@@ -1,5 +1,5 @@
-"""Noise in space: copied code and exported files reproduce what the window shows, which keeps its contrast while it
-turns."""
+"""Compares copied code and exported files with the window, for bodies, materials and terrain. Checks that noise on bodies keeps
+its contrast while they turn."""
 
 import json
 import math
@@ -55,14 +55,14 @@ class Bodies(OutputsTest):
 
     def test_copied_code_draws_presets_of_all_materials(self):
         presets = [(json.loads(path.read_text()), path.stem) for path in (SHADERS.parent / "host/render/presets").glob("*.json")]
-        # For each material, the preset that sets the most parameters: corduroy for fabric.
+        # For each material, the preset that sets the most parameters, such as corduroy for fabric.
         richest = {made["material"]: (made, name) for made, name in sorted(presets, key=lambda each: (len(each[0]), each[1]))
                    if "material" in made}
         self.assertEqual(len(richest), 12)
         self.compare({name: {**made, "width": WIDTH, "height": HEIGHT} for made, name in richest.values()})
 
     def compare(self, cases):
-        """Compares pictures of copied code with the window's. Cases are parameters by name."""
+        """Compares the pictures that copied code draws with the window's. cases: parameters by name."""
         script = []
         for number, parameters in enumerate(cases.values()):
             shown = {"look": "lit", "contrast": 2, "normals": "OpenGL", "environment": "room", **parameters.get("viewer", {})}
@@ -114,7 +114,7 @@ def axes(parameters):
 
 
 def places(parameters):
-    """Each pixel's hit point in kernel radii, the normal there, and whether the ray hits."""
+    """Returns for each pixel where its ray hits the body, in kernel radii, the normal there, and whether it hits."""
     scale = parameters.get("scale", 24)
     y, x = np.mgrid[:HEIGHT, :WIDTH] + 0.5
     if parameters["view"] == "slice":

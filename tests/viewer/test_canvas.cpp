@@ -1,4 +1,4 @@
-// The values that the window shows, computed on the device.
+// Tests the values that the window shows, as the device computes them.
 
 #include "../largest.hpp"
 #include "viewer/canvas.hpp"
@@ -19,7 +19,7 @@ const vulkan::Device& device() {
     return device;
 }
 
-// All values of a view, in full resolution or coarser.
+// Returns all values of a view, in full resolution or coarser.
 std::vector<float> values_of(Canvas& canvas, const Document& document, Extent extent, int stride = 1) {
     canvas.draw(drawing_of(document), document.camera, extent, stride);
     const std::span<const float> values = canvas.pixels();
@@ -129,7 +129,7 @@ TEST_CASE("a coarse view filters its waves instead of aliasing them") {
             const std::vector<float> wanted = expected(fine, stride, document.request.filter ? 1 : 0);
             double off = 0;
             const int count = side / stride;
-            const int margin = 24 / stride + 1; // where the fine view ends
+            const int margin = 24 / stride + 1; // where the filter reaches beyond the fine view
             for (int j = margin; j < count - margin; ++j)
                 for (int i = margin; i < count - margin; ++i) {
                     const auto at = static_cast<std::size_t>(j * count + i);

@@ -1,4 +1,4 @@
-"""Pointer, keys and dropped files; no change is ever lost."""
+"""Tests the pointer, keys and dropped files, and checks that no change is ever lost."""
 
 import json
 import pathlib
@@ -25,13 +25,13 @@ class Events(EventsTest):
         self.xdotool("mouseup", 1)
         self.frames(2)
         self.assertNotEqual(self.document["viewer"]["camera"], first)
-        self.turn_wheel(4, 4, 4, 5, 4) # the view, not the picture
+        self.turn_wheel(4, 4, 4, 5, 4) # zooms the view, not the picture
         self.assertAlmostEqual(self.document["viewer"]["camera"]["zoom"], 1.15**3)
         self.assertEqual(self.document["scale"], 32)
         self.keys("Home")
         self.assertEqual(self.document["viewer"]["camera"], first)
         before = self.state["keys"]
-        # Faster than frames. GLFW merges two presses within a millisecond, and reads two in a row as a held key.
+        # Keys arrive faster than frames. GLFW merges two presses of a key within a millisecond, and takes two in a row for a held key.
         for chord in ("n", "ctrl+z", "n", "f", "n", "ctrl+s"):
             self.xdotool("key", "--delay", 0, chord)
         self.wait_for(lambda state: state["keys"] == before + 6)
@@ -150,7 +150,7 @@ class Events(EventsTest):
         self.assertEqual((one["frequency"], one["seed"]), (3, 2))
         self.assertEqual(self.read("two.json"), two)
         self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s") # before any file was opened
-        self.assertEqual(json.loads(self.read("noise.json"))["material"], "sand") # of the first start
+        self.assertEqual(json.loads(self.read("noise.json"))["material"], "sand") # the material shown on first start
         self.close()
 
     def test_a_session_that_was_killed_is_offered_again(self):
@@ -166,7 +166,7 @@ class Events(EventsTest):
             self.open(*WINDOW, *(["mine.json"] if how == signal.SIGTERM else []))
             self.assertIn("ended before", self.state["question"])
             self.keys("Return")
-            self.assertEqual((self.document["seed"], self.document["material"]), (2 + number, "sand")) # of the first start
+            self.assertEqual((self.document["seed"], self.document["material"]), (2 + number, "sand")) # the material shown on first start
             self.keys("ctrl+q", "d") # the changes are still unsaved, so it asks
             self.end()
             self.open(*WINDOW)

@@ -1,4 +1,4 @@
-"""A viewer killed while it exports leaves complete files or none."""
+"""Checks that a viewer killed while it exports leaves complete files or none."""
 
 import os
 import pathlib
@@ -21,7 +21,7 @@ class Export(EventsTest):
         self.preset("preset.json", width=2200, height=2200)  # two bands
 
     def begin(self, older=False):
-        """Opens a viewer whose export has just begun: it holds an unnamed file open in the folder."""
+        """Opens a viewer and waits until its export begins, when it holds an unnamed file open in the folder."""
         self.open("--preset", "preset.json", "--window", "480x320")
         self.process.stdin.write("export out/noise.exr\n")
         self.process.stdin.flush()

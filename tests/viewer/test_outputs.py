@@ -1,4 +1,4 @@
-"""Copied code and exported files reproduce what the window shows, for noise in the plane."""
+"""Compares copied code and exported files with the window, for noise in the plane."""
 
 import unittest
 
@@ -56,7 +56,7 @@ class Planes(OutputsTest):
         components = 1 if single else 4 if output == LIT else 2
         value = padded(f"{NAMES[output]}_of_view(at)", components)
         pixels, colours = self.run_code(snippet, f"pixels = {value}; colour = colour_of_view(at);")
-        found = (0,) if single else (0, 1, 3) if output == LIT else (0, 1) # a relief has no z slope
+        found = (0,) if single else (0, 1, 3) if output == LIT else (0, 1) # in the plane, a relief has no slope along z
         return pixels[..., found].squeeze(), colours
 
 

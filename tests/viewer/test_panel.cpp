@@ -1,4 +1,4 @@
-// What the panel says, without a window.
+// Tests the panel's text, without a window.
 
 #include "viewer/document_json.hpp"
 #include "viewer/panels.hpp"
@@ -28,7 +28,7 @@ struct NoWindow {
     ~NoWindow() { ImGui::DestroyContext(); }
 };
 
-// All text of the panel, with every section open but the laboratory.
+// Returns all text of the panel, with every section open except the laboratory.
 std::string panel_text(Session& session) {
     const NoWindow none;
     std::string text;
@@ -82,7 +82,8 @@ TEST_CASE("the panel speaks an artist's language outside the laboratory") {
         }
 }
 
-TEST_CASE("the rows of a lobe do not move when it is the last one, and angles lie on their sliders") {
+TEST_CASE("a lobe's rows stay the same when another lobe is added, and angles outside a slider's range are "
+          "shown inside it") {
     Document document = document_of({});
     const auto rows = [&] {
         const std::string text = panel_text(document);

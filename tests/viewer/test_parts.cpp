@@ -17,7 +17,7 @@
 using namespace gabor;
 using namespace gabor::viewer;
 
-// Every member differs from its default, and from its neighbours.
+// Returns a document whose members differ from their defaults and from each other.
 Document unlike_any() {
     Document document = document_of({.width = 320, .height = 200, .scale = 24, .seed = 9});
     document.camera = document.camera.moved(-1e9 + 0.25, 3.5);
@@ -142,14 +142,14 @@ TEST_CASE("every control that is shown has an effect") {
 
 TEST_CASE("every preset has its picture") {
     const PresetPictures& pictures = preset_pictures();
-    CHECK(std::ranges::is_sorted(render::preset_names())); // as tools/gallery draws them
+    CHECK(std::ranges::is_sorted(render::preset_names())); // the order in which tools/gallery draws them
     const auto presets = static_cast<int>(render::presets().size());
     const int columns = PresetPictures::columns;
     CHECK(pictures.extent ==
           Extent{columns * PresetPictures::cell, (presets + columns - 1) / columns * PresetPictures::cell});
     CHECK(pictures.colours.size() == std::size_t{3} * static_cast<std::size_t>(pictures.extent.width) *
                                          static_cast<std::size_t>(pictures.extent.height));
-    for (int index = 0; index < presets; ++index) { // the last preset's cell is not empty
+    for (int index = 0; index < presets; ++index) { // no preset's cell is empty
         const int row = index / columns * PresetPictures::cell + PresetPictures::cell / 2;
         const int column = index % columns * PresetPictures::cell + PresetPictures::cell / 4;
         const auto first = pictures.colours.begin() + 3 * (row * pictures.extent.width + column);

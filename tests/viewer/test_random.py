@@ -1,4 +1,4 @@
-"""After ten minutes of random input, the viewer has printed nothing and leaked no memory."""
+"""Checks that ten minutes of random input make the viewer print nothing and leak no memory."""
 
 import os
 import pathlib
@@ -23,7 +23,7 @@ KEYS = *"cezynrvf12345", "Tab", "space", *(f"ctrl+{key}" for key in "ceznyrvf123
 
 class Random(EventsTest):
     def event(self, draw):
-        """Words of xdotool that move, click, drag, scroll, resize, or press any key except the one that quits."""
+        """Returns words for xdotool that move, click, drag, scroll, resize, or press any key except the one that quits."""
         width, height = self.state["size"]
         to = "mousemove", "--window", self.window, draw.randrange(int(width)), draw.randrange(int(height))
         press = "mousedown", 1, "mousemove_relative", "--", draw.randint(-200, 200), draw.randint(-200, 200), "mouseup", 1

@@ -1,4 +1,4 @@
-"""The viewer's window: what works and what it refuses."""
+"""Tests what the viewer's window shows, does and refuses."""
 
 import json
 import unittest
@@ -38,7 +38,7 @@ class Window(EventsTest):
                      for name in ("before", "after", "undone", "redone")]
         self.assertEqual(materials, ["none", "fabric", "none", "fabric"])
 
-    def test_a_name_of_another_document_asks(self):
+    def test_saving_over_another_document_asks(self):
         self.play("""
             save one.json
             keys n
@@ -130,8 +130,7 @@ class Window(EventsTest):
         self.assertEqual(files["normals"], files["coloured"])
         self.assertFalse(json.loads((self.folder / "after.json").read_text())["filter"])
 
-    def test_a_place_far_away_is_as_sharp_as_near_by(self):
-        # Drags away and back: the picture must be the same.
+    def test_dragging_away_and_back_shows_the_same_picture(self):
         self.play("""
             set scale 8
             point 1200 700
@@ -142,7 +141,7 @@ class Window(EventsTest):
             point 1200 700
             fine
             window back.png""", "plain.json", "--window", "1280x800")
-        # Only the part above the window's message about the opened file is compared.
+        # Compares only the part above the message about the opened file.
         here, back = (read_colour_png(self.folder / f"{name}.png")[:720, :900] for name in ("here", "back"))
         self.assertLessEqual(np.abs(here - back).max(), 1)
         self.assertGreater(here.std(), 30)

@@ -1,4 +1,4 @@
-"""Presets as pictures, tiles two by two, frames, textures and maps."""
+"""Tests presets shown as pictures, tiles shown two by two, and exports of frames, textures and maps."""
 
 import json
 import shutil
@@ -34,11 +34,11 @@ class Workshop(EventsTest):
         self.exported()
 
     def test_presets_are_pictures(self):
-        self.open("--window", "1400x840", self.preset("plain.json", width=64)) # a window in which pictures have their own size
+        self.open("--window", "1400x840", self.preset("plain.json", width=64)) # pictures have their own size in this window
         self.keys("p")
         self.frames(3)
-        # The fourth of seven presets in a row, in cells of 136 pixels in the middle of the view. The preset's name is at
-        # the lower edge of its picture.
+        # Bark is the fourth of seven presets in a row, whose cells of 136 pixels are in the middle of the view. A preset's name
+        # covers the lower edge of its picture.
         left, top = 14 + (1008 - 7 * 136 + 8) // 2 + 3 * 136, 12
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
@@ -61,12 +61,12 @@ class Workshop(EventsTest):
         self.assertEqual(self.document["material"], "zebra")
         self.close()
 
-    def test_tiles_show_their_seams(self):
+    def test_tiles_are_shown_two_by_two_without_seams(self):
         preset = self.preset("tile.json", width=120, height=120, scale=24, frequency=2, orientation=30, tileable=True)
         self.open(*WINDOW, preset)
 
         def seam():
-            """Steps across the seam relative to those within a tile, across and down."""
+            """Returns the steps across seams relative to those within a tile, the larger ratio of both axes."""
             self.wait_for(lambda state: state["tiles"] == [120, 120] and state["fine"])
             self.frames(3)
             copies = self.screen(VIEW // 2 - 120, 230, 240, 240)
@@ -131,13 +131,13 @@ class Workshop(EventsTest):
         self.keys("ctrl+e")
         self.exported()
         steel = self.read("steel/base_color.png")
-        time.sleep(6) # the message waits for the next action
+        time.sleep(6) # the message stays until the next action
         self.frames(2)
         self.assertLess(self.screen(20, 670, 100, 4).mean(), 60)
         for name in ("hill", "valley"):
             self.rest()
             self.click(1000, 671) # Export to...
-            self.type(name) # replaces the name in the field, also for the second time
+            self.type(name) # replaces the name in the field, also the second time
             self.keys("Escape")
         self.command("open steel.json") # scrolls the panel to its top
         self.frames(3)

@@ -1,4 +1,4 @@
-"""Runs gabor-viewer under Xvfb with the validation layers; any message of theirs is a failure."""
+"""Runs gabor-viewer under Xvfb with the validation layers; any message from them is a failure."""
 
 import os
 import pathlib
@@ -15,7 +15,7 @@ SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 
 
 class ViewerTest(unittest.TestCase):
-    """A display, and an empty folder in which the programs run."""
+    """A test with a display of its own and an empty folder in which programs run."""
 
     screen_size = "1600x1000"
 

@@ -42,7 +42,7 @@ def lit_by(tree, colour):
 
 
 def plane(size, location):
-    """Makes a horizontal square; returns it and its material's empty node tree."""
+    """Makes a horizontal square; returns its material's empty node tree."""
     bpy.ops.mesh.primitive_plane_add(size=size, location=location)
     material = bpy.data.materials.new("material")
     material.use_nodes = True

@@ -1,6 +1,6 @@
 extends Node
-## Shows the noise with a canvas shader; or draws it into a viewport, with a canvas shader or the addon's node, or with a
-## compute shader, and writes the values: godot --path . [-- VALUES.raw canvas|node|compute]
+## Shows the noise with a canvas shader. With arguments, draws it into a viewport with a canvas shader or the addon's node, or
+## into a buffer with a compute shader, and writes the values: godot --path . [-- VALUES.raw canvas|node|compute]
 
 func _ready() -> void:
 	var arguments := OS.get_cmdline_user_args()
@@ -9,7 +9,7 @@ func _ready() -> void:
 		return
 	var node := arguments[1] == "node"
 	var values := compute() if arguments[1] == "compute" else await canvas(visual(true) if node else load("res://noise.gdshader"))
-	if node: # it has no gabor_noise_at; its default place UV * 8 is the same here
+	if node: # the node has no gabor_noise_at; its default position, UV * 8, is the same here
 		values.resize(256 * 256)
 		var unconnected := await canvas(visual(false))
 		for i in values.size():
@@ -31,8 +31,8 @@ func rectangle(shader: Shader, shown: bool) -> ColorRect:
 	result.material.set_shader_parameter("shown", shown)
 	return result
 
-## Makes a visual shader: the addon's node, a node for its place if that is connected, and one that writes the noise's 32 bits as
-## four bytes.
+## Makes a visual shader with the addon's node, a node for its position, which may stay unconnected, and a node that writes the
+## noise's 32 bits as four bytes.
 func visual(connected: bool) -> VisualShader:
 	var shader := VisualShader.new()
 	shader.set_mode(Shader.MODE_CANVAS_ITEM)
