@@ -18,9 +18,12 @@ vec3 sun_of(Ground ground) {
 GaborTerrain hills_at(Ground ground, vec2 p, float pixel) {
     return gabor_terrain_at(GaborGround(ground.cell, p, ground.period), vec2(pixel, 0.0), vec2(0.0, pixel), ground.seed);
 }
+GaborTerrain ground_on(Ground ground, vec2 p, float pixel, GaborTerrain hills) {
+    return gabor_eroded_at(GaborGround(ground.cell, p, ground.period), vec2(pixel, 0.0), vec2(0.0, pixel), hills,
+                           ground.erosion, ground.seed);
+}
 GaborTerrain ground_at(Ground ground, vec2 p, float pixel) {
-    return gabor_eroded_at(GaborGround(ground.cell, p, ground.period), vec2(pixel, 0.0), vec2(0.0, pixel),
-                           hills_at(ground, p, pixel), ground.erosion, ground.seed);
+    return ground_on(ground, p, pixel, hills_at(ground, p, pixel));
 }
 
 // Grass and dry ground, with rock where it is steep and snow where it is high.
@@ -44,16 +47,27 @@ vec3 sky_along(vec3 sun, vec3 ray) {
     return mix(vec3(0.1, 0.23, 0.5), vec3(0.5, 0.6, 0.7), exp(-5.0 * max(ray.y, 0.0))) + vec3(1.0, 0.75, 0.5) * glow;
 }
 
-// The distance along the ray to the ground, or -1. Steps grow with the height above the ground and with the distance; the
-// hills, which are cheap, tell where the ray is too high for any erosion to reach. `wide` is the width of a pixel at distance
-// 1.
+// The height of a point above the ground. Far up, where it is more than `margin` above anything that erosion could add to the
+// hills, it is the height above that, because hills are cheap. No ray meets the ground within the distance `stride`, unless
+// the ground is extremely steep.
+float height_above(Ground ground, vec3 at, float pixel, float margin, out float stride) {
+    GaborTerrain hills = hills_at(ground, at.xz, pixel);
+    float above = at.y - hills.height - ground.reach;
+    stride = 0.45 * above;
+    if (above > margin) return above;
+    above = at.y - ground_on(ground, at.xz, pixel, hills).height;
+    stride = 0.16 * above;
+    return above;
+}
+
+// The distance along the ray to the ground, or -1. Far above the ground, details too small to reach the ray are left out.
+// `wide` is the width of a pixel at distance 1.
 float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float far) {
-    float t = 0.0, before = 0.0;
-    for (int i = 0; i < 200 && t < far; ++i) {
+    float t = 0.0, before = 0.0, above = 0.0, stride;
+    for (int i = 0; i < 400 && t < far; ++i) {
         vec3 at = eye + t * ray;
         if (at.y > 1.0 + ground.reach && ray.y > 0.0) break;
-        float above = at.y - hills_at(ground, at.xz, wide * t).height;
-        above = above > 1.5 * ground.reach ? above - ground.reach : at.y - ground_at(ground, at.xz, wide * t).height;
+        above = height_above(ground, at, max(wide * t, 0.3 * above), 0.5 * ground.reach, stride);
         if (above < 0.0) { // the ground is between the last two steps
             for (int j = 0; j < 6; ++j) {
                 float middle = 0.5 * (before + t);
@@ -63,20 +77,20 @@ float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float fa
             return t;
         }
         before = t;
-        t += max(0.45 * above, wide * t);
+        t += max(stride, wide * t);
     }
     return -1.0;
 }
 
-// How much of the sun is visible, with one or two octaves of erosion on the ground in between.
-float sunlight_at(Ground ground, vec3 at) {
+// How much of the sun is visible from a point of the ground under a pixel that is `pixel` wide. The ground in between has one or
+// two octaves of erosion.
+float sunlight_at(Ground ground, vec3 at, float pixel) {
     vec3 sun = sun_of(ground);
-    float light = 1.0, t = 0.04;
-    for (int i = 0; i < 12 && light > 0.0; ++i) {
-        vec3 there = at + t * sun;
-        float above = there.y - ground_at(ground, there.xz, 0.15).height;
+    float light = 1.0, t = 0.04, stride;
+    for (int i = 0; i < 250 && light > 0.0 && at.y + t * sun.y < 1.0 + ground.reach; ++i) {
+        float above = height_above(ground, at + t * sun, 0.15, t / 12.0, stride);
         light = min(light, 0.5 + 12.0 * above / t);
-        t += clamp(0.8 * above, 0.04, 0.5);
+        t += max(stride, max(2.0 * pixel, 0.005)); // longer steps would jump over ridges and make shadows ragged
     }
     return smoothstep(0.0, 1.0, clamp(light, 0.0, 1.0));
 }
@@ -92,8 +106,9 @@ struct Sight {
 // The ground from above, under a pixel that is `pixel` wide.
 Sight seen_from_above(Ground ground, vec2 p, float pixel) {
     Sight sight;
-    sight.ground = ground_at(ground, p, pixel);
-    sight.added = sight.ground.height - hills_at(ground, p, pixel).height;
+    GaborTerrain hills = hills_at(ground, p, pixel);
+    sight.ground = ground_on(ground, p, pixel, hills);
+    sight.added = sight.ground.height - hills.height;
     vec3 normal = normalize(vec3(-sight.ground.slope.x, 1.0, -sight.ground.slope.y));
     sight.colour = ground_colour(sight.ground, normal);
     sight.light = sunlit(sun_of(ground), sight.ground, normal, sight.colour, 1.0);
@@ -102,8 +117,9 @@ Sight seen_from_above(Ground ground, vec2 p, float pixel) {
 
 // The ground from an eye that is at least a little above it. `clear` is the distance at which air begins to hide the ground.
 Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
+    vec3 sun = sun_of(ground);
     eye.y = max(eye.y, hills_at(ground, eye.xz, 0.0).height + ground.reach + 0.02);
-    Sight sight = Sight(GaborTerrain(0.0, vec2(0.0), 0.0), 0.0, vec3(0.0), sky_along(sun_of(ground), ray));
+    Sight sight = Sight(GaborTerrain(0.0, vec2(0.0), 0.0), 0.0, vec3(0.0), sky_along(sun, ray));
     float t = distance_to_ground(ground, eye, ray, wide, 6.0 * clear);
     if (t < 0.0) return sight;
     vec3 at = eye + t * ray;
@@ -113,8 +129,9 @@ Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     float z = ground_at(ground, at.xz + vec2(0.0, w), wide * t).height;
     vec3 normal = normalize(vec3(sight.ground.height - x, w, sight.ground.height - z));
     sight.colour = ground_colour(sight.ground, normal);
-    sight.light = sunlit(sun_of(ground), sight.ground, normal, sight.colour, sunlight_at(ground, at + 0.004 * normal));
-    vec3 air = sky_along(sun_of(ground), normalize(vec3(ray.x, max(ray.y, 0.02), ray.z)));
+    float sunlight = dot(normal, sun) > 0.0 ? sunlight_at(ground, at + 0.004 * normal, wide * t) : 0.0;
+    sight.light = sunlit(sun, sight.ground, normal, sight.colour, sunlight);
+    vec3 air = sky_along(sun, normalize(vec3(ray.x, max(ray.y, 0.02), ray.z)));
     sight.light = mix(air, sight.light, exp(-0.25 * t * t / (clear * clear)));
     return sight;
 }
