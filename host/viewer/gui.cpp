@@ -160,6 +160,18 @@ void build_fonts(float pixels, const std::set<ImWchar>& characters) {
     atlas.Build();
 }
 
+// Closes colour pickers and lists of choices that a press at `at` is outside of. Otherwise the press would
+// only close them. But a press on the row that opened one does only close it, so that its own control closes
+// it too.
+void close_popups(ImVec2 at) {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    const auto& open = context.OpenPopupStack;
+    if (open.empty() || ImGui::GetTopMostPopupModal() ||
+        std::abs(at.y - open.front().OpenMousePos.y) < ImGui::GetFrameHeight() / 2)
+        return;
+    ImGui::ClosePopupsOverWindow(context.HoveredWindow, true);
+}
+
 vk::raii::DescriptorPool make_descriptors(const vulkan::Device& device) {
     const vk::DescriptorPoolSize size(vk::DescriptorType::eCombinedImageSampler, 1);
     return {device.state().device,
@@ -278,9 +290,11 @@ void Gui::take_press() {
     }
     const auto button = static_cast<std::size_t>(next.button);
     buttons_.at(button) = next.down;
-    if (next.down)
-        io.MouseDoubleClickTime =
-            next.time - std::exchange(pressed_at_.at(button), next.time) < double{double_click} ? FLT_MAX : 0;
+    if (!next.down)
+        return;
+    io.MouseDoubleClickTime =
+        next.time - std::exchange(pressed_at_.at(button), next.time) < double{double_click} ? FLT_MAX : 0;
+    close_popups(next.at);
 }
 
 void Gui::end() {

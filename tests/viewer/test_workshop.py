@@ -160,6 +160,19 @@ class Workshop(EventsTest):
         self.keys("Escape")
         self.close()
 
+    def test_a_press_beside_the_colour_picker_closes_it_and_acts(self):
+        self.open(*WINDOW, self.preset("steel.json", material="brushed-metal", width=64, height=48))
+        for x, y, opens in ((944, 135, True), (944, 137, False), (944, 135, True)): # the colour
+            self.rest()
+            self.click(x, y)
+            self.frames(2)
+            self.assertEqual(self.state["popup"], opens)
+        azimuth = self.document["light_azimuth"]
+        self.drag(782, 539, 880, 539) # its slider
+        self.assertFalse(self.state["popup"])
+        self.assertGreater(self.document["light_azimuth"], azimuth + 30)
+        self.close()
+
     def test_the_noise_of_a_photograph_has_a_map(self):
         preset = self.preset("cloth.json", width=96, height=64, scale=32, seed=2, **COLOURED, viewer={"output": "value"})
         self.open(*WINDOW, preset)
