@@ -71,7 +71,7 @@ void exchange_lobes(const TargetSpectra& target, const Search& search, std::vect
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         refine(target, others, FreeParameters::all, 4);
         add_lobe(target, search, others);
-        if (residual(target, others).cost() < 0.999 * residual(target, waves).cost())
+        if (residual(target, others).squaredNorm() < 0.999 * residual(target, waves).squaredNorm())
             waves = std::move(others);
         advance(1 - 0.5 * static_cast<double>(i) / static_cast<double>(count));
     }

@@ -20,10 +20,10 @@ struct SpectrumRows {
     // Sums squares over all entries of the matrices. Entries off the diagonal are stored once but occur
     // twice.
     double squares(const Spectra& spectra) const {
-        double result = 2 * sum(spectra.imaginary.rowwise().squaredNorm().array());
+        double result = 0;
         Eigen::Index column = 0;
-        for (const auto& [c, d] : real_pairs(spectra.channels))
-            result += (c == d ? 1 : 2) * sum(spectra.real.col(column++).array().square());
+        for (const auto& [c, d, imaginary] : entries(spectra.channels))
+            result += (c == d ? 1 : 2) * sum(spectra.values.col(column++).array().square());
         return result;
     }
 };
@@ -77,10 +77,10 @@ FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     const Spectra found =
         model(waves, exemplar.spectra.channels, exemplar.spectra.scales).mapped(exemplar.components);
     Spectra difference = found;
-    difference.real -= estimate.real;
-    difference.imaginary -= estimate.imaginary;
-    const Eigen::ArrayXd power = total(estimate.real, estimate.channels);
-    const Eigen::ArrayXd apart = total(difference.real, difference.channels).abs();
+    difference.values -= estimate.values;
+    const Eigen::VectorXd all = Eigen::VectorXd::Ones(estimate.channels);
+    const Eigen::ArrayXd power = total(estimate.values, all);
+    const Eigen::ArrayXd apart = total(difference.values, all).abs();
     const std::vector<Scale>& scales = *estimate.scales;
     const SpectrumRows first{0, measures({scales.front()})};
     FitError error;

@@ -54,11 +54,12 @@ std::vector<double> radii(double from, double to) {
 }
 
 // The frequencies of a scale at which a single wave would reduce the residual most, in cycles per pixel.
-std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Residual& left, const Scale& scale) {
+std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Eigen::MatrixXd& left,
+                                   const Scale& scale) {
     constexpr std::size_t most = 8;
     constexpr int apart = 3;
-    const Eigen::ArrayXd power =
-        total(left.real.middleRows(scale.begin, std::ssize(scale.frequencies)), target.channels);
+    const Eigen::ArrayXd power = total(left.middleRows(scale.begin, std::ssize(scale.frequencies)),
+                                       Eigen::VectorXd::Ones(target.channels));
     std::vector<Index> order(scale.frequencies.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::sort(order, std::greater(), [&](Index i) { return power[i]; });
@@ -122,26 +123,18 @@ Search::Search(const TargetSpectra& target)
                        y_.mirrored * weight * x_.mirrored.transpose());
 }
 
-Wave Search::best(const TargetSpectra& target, const Residual& left) const {
+Wave Search::best(const TargetSpectra& target, const Eigen::MatrixXd& left) const {
     const Scale& first = target.scales->front();
     const Index rows = std::ssize(first.frequencies);
     const Eigen::ArrayXd factor = target.weight.head(rows) / measures({first});
-    const auto products = [&](const Eigen::MatrixXd& columns, const std::vector<Pair>& pairs,
-                              float opposite) {
-        std::vector<Eigen::MatrixXf> result;
-        for (Index i = 0; i < columns.cols(); ++i) {
-            const auto& [c, d] = pairs[static_cast<std::size_t>(i)];
-            const double single = c == d ? 0.5 : 0.5 / std::numbers::sqrt2;
-            const Eigen::MatrixXf plane =
-                whole_plane(first, single * columns.col(i).head(rows).array() * factor, opposite);
-            result.push_back(y_.atoms * plane * x_.atoms.transpose());
-        }
-        return result;
-    };
-    const std::vector<Pair> real = real_pairs(target.channels);
-    const std::vector<Pair> imaginary = imaginary_pairs(target.channels);
-    const std::vector<Eigen::MatrixXf> re = products(left.real, real, 1);
-    const std::vector<Eigen::MatrixXf> im = products(left.imaginary, imaginary, -1);
+    const std::vector<Entry> stored = entries(target.channels);
+    std::vector<Eigen::MatrixXf> products;
+    for (const auto& [c, d, imaginary] : stored) {
+        const double single = c == d ? 0.5 : 0.5 / std::numbers::sqrt2;
+        const auto half = left.col(std::ssize(products)).head(rows).array();
+        const Eigen::MatrixXf plane = whole_plane(first, single * half * factor, imaginary ? -1 : 1);
+        products.push_back(y_.atoms * plane * x_.atoms.transpose());
+    }
     Wave wave{{0, 0}, {smallest_radius, smallest_radius}, Eigen::VectorXcd::Zero(target.channels)};
     double gained = 0;
     Eigen::Matrix3cf at = Eigen::Matrix3cf::Zero();
@@ -151,11 +144,13 @@ Wave Search::best(const TargetSpectra& target, const Residual& left) const {
             const double ry = y_.radius[static_cast<std::size_t>(y)];
             if ((rx < 2) != (ry < 2))
                 continue;
-            for (std::size_t i = 0; i < real.size(); ++i)
-                at(real[i].c, real[i].d) = re[i](y, x);
-            for (std::size_t i = 0; i < imaginary.size(); ++i) {
-                at(imaginary[i].c, imaginary[i].d).imag(im[i](y, x));
-                at(imaginary[i].d, imaginary[i].c) = std::conj(at(imaginary[i].c, imaginary[i].d));
+            for (std::size_t i = 0; i < stored.size(); ++i) {
+                const auto& [c, d, imaginary] = stored[i];
+                if (imaginary)
+                    at(c, d).imag(products[i](y, x));
+                else
+                    at(c, d) = products[i](y, x);
+                at(d, c) = std::conj(at(c, d));
             }
             const double value = largest_eigenvalue(at, target.channels);
             const double gain = value > 0 ? value * value / static_cast<double>(square_(y, x)) : 0;

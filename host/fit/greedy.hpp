@@ -14,7 +14,7 @@ class Search {
     /// Returns that wave, with the weights that fit best while other waves stay unchanged. Tries all
     /// frequencies of the first scale with the radii that its windows can resolve, and the highest peaks of
     /// the other scales with larger radii. Radii double from step to step along each axis.
-    Wave best(const TargetSpectra& target, const Residual& left) const;
+    Wave best(const TargetSpectra& target, const Eigen::MatrixXd& left) const;
 
   private:
     // The atoms of all frequencies and radii along an axis: one row for each.

@@ -68,23 +68,29 @@ Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_d
     return parts;
 }
 
-// The stored entries of a Hermitian matrix. Entries off the diagonal are multiplied by the root of 2, so that
-// the sum of the squares is that of the whole matrix.
-struct Entries {
-    Eigen::RowVectorXd real;
-    Eigen::RowVectorXd imaginary;
-};
+// The factor of an entry, with which the sum of the entries' squares is that of the whole matrix.
+double factor(const Entry& entry) {
+    return entry.c == entry.d ? 1 : root_2;
+}
 
-Entries entries(const Eigen::MatrixXcd& matrix) {
-    const auto channels = static_cast<int>(matrix.rows());
-    Entries result{Eigen::RowVectorXd(std::ssize(real_pairs(channels))),
-                   Eigen::RowVectorXd(std::ssize(imaginary_pairs(channels)))};
+// Returns the stored entries of a Hermitian matrix, multiplied by their factors.
+Eigen::RowVectorXd stored(const Eigen::MatrixXcd& matrix) {
+    Eigen::RowVectorXd result(matrix.size());
     Index at = 0;
-    for (const auto& [c, d] : real_pairs(channels))
-        result.real[at++] = (c == d ? 1 : root_2) * matrix(c, d).real();
-    at = 0;
-    for (const auto& [c, d] : imaginary_pairs(channels))
-        result.imaginary[at++] = root_2 * matrix(c, d).imag();
+    for (const Entry& entry : entries(static_cast<int>(matrix.rows()))) {
+        const Complex value = factor(entry) * matrix(entry.c, entry.d);
+        result[at++] = entry.imaginary ? value.imag() : value.real();
+    }
+    return result;
+}
+
+// The products of all columns of the parts with the residual: one row for each, one column for each entry.
+Eigen::MatrixXd products(const Parts& parts, const Eigen::MatrixXd& left, int channels) {
+    const Index reals = real_entries(channels);
+    const Index others = left.cols() - reals;
+    Eigen::MatrixXd result(parts.sum.cols(), left.cols());
+    result.leftCols(reals).noalias() = parts.sum.transpose() * left.leftCols(reals);
+    result.rightCols(others).noalias() = parts.difference.transpose() * left.rightCols(others);
     return result;
 }
 
@@ -92,7 +98,7 @@ Entries entries(const Eigen::MatrixXcd& matrix) {
 struct Parameter {
     Index wave;
     Index function;
-    Entries change;
+    Eigen::RowVectorXd change;
 };
 
 // Changes of weights are relative to the length of the wave's weight vector. A single weight is real.
@@ -106,11 +112,11 @@ std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, FreeParamet
                     continue;
                 Eigen::VectorXcd change = Eigen::VectorXcd::Zero(w.size());
                 change[c] = w.norm() * unit;
-                parameters.push_back({j, 0, entries(change * w.adjoint() + w * change.adjoint())});
+                parameters.push_back({j, 0, stored(change * w.adjoint() + w * change.adjoint())});
             }
         if (free == FreeParameters::all)
             for (Index f = 1; f < functions; ++f)
-                parameters.push_back({j, f, entries(w * w.adjoint())});
+                parameters.push_back({j, f, stored(w * w.adjoint())});
     }
     return parameters;
 }
@@ -122,33 +128,31 @@ struct Normal {
 };
 
 Normal normal_equations(const std::vector<Parameter>& parameters, const Parts& parts, Index each,
-                        const Residual& left) {
+                        const Eigen::MatrixXd& left, int channels) {
     const auto gram = [](const Eigen::MatrixXd& m) {
         Eigen::MatrixXd product = Eigen::MatrixXd::Zero(m.cols(), m.cols());
         product.selfadjointView<Eigen::Lower>().rankUpdate(m.transpose());
         return Eigen::MatrixXd(product.selfadjointView<Eigen::Lower>());
     };
-    const bool several = left.imaginary.cols() > 0;
+    const bool several = channels > 1;
+    const Index reals = real_entries(channels);
+    const Index others = left.cols() - reals;
     const Eigen::MatrixXd sums = gram(parts.sum);
-    const Eigen::MatrixXd sum_products = parts.sum.transpose() * left.real;
     const Eigen::MatrixXd differences = several ? gram(parts.difference) : Eigen::MatrixXd();
-    const Eigen::MatrixXd difference_products =
-        several ? Eigen::MatrixXd(parts.difference.transpose() * left.imaginary) : Eigen::MatrixXd();
+    const Eigen::MatrixXd residuals = products(parts, left, channels);
 
     const Index count = std::ssize(parameters);
     Normal normal{Eigen::MatrixXd(count, count), Eigen::VectorXd(count)};
     for (Index i = 0; i < count; ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
         const Index row = p.wave * each + p.function;
-        normal.slope[i] = sum_products.row(row).dot(p.change.real);
-        if (several)
-            normal.slope[i] += difference_products.row(row).dot(p.change.imaginary);
+        normal.slope[i] = residuals.row(row).dot(p.change);
         for (Index k = 0; k <= i; ++k) {
             const Parameter& q = parameters[static_cast<std::size_t>(k)];
             const Index column = q.wave * each + q.function;
-            double entry = sums(row, column) * p.change.real.dot(q.change.real);
+            double entry = sums(row, column) * p.change.head(reals).dot(q.change.head(reals));
             if (several)
-                entry += differences(row, column) * p.change.imaginary.dot(q.change.imaginary);
+                entry += differences(row, column) * p.change.tail(others).dot(q.change.tail(others));
             normal.matrix(i, k) = normal.matrix(k, i) = entry;
         }
     }
@@ -223,38 +227,35 @@ std::vector<Wave> moved(std::vector<Wave> waves, const Eigen::VectorXd& step, Fr
     return waves;
 }
 
-Residual subtract(const TargetSpectra& target, const std::vector<Wave>& waves, const Parts& parts,
-                  Index each) {
-    Residual left{target.real, target.imaginary};
+// Adds the waves, times `sign`, to spectra whose entries are multiplied by their factors.
+void add(Eigen::MatrixXd& spectra, const std::vector<Wave>& waves, const Parts& parts, Index each,
+         double sign) {
     for (Index j = 0; j < std::ssize(waves); ++j) {
         const Eigen::VectorXcd& w = waves[static_cast<std::size_t>(j)].weight;
-        const Entries of = entries(w * w.adjoint());
-        left.real.noalias() -= parts.sum.col(each * j) * of.real;
-        left.imaginary.noalias() -= parts.difference.col(each * j) * of.imaginary;
+        const Index reals = real_entries(static_cast<int>(w.size()));
+        const Index others = spectra.cols() - reals;
+        const Eigen::RowVectorXd of = sign * stored(w * w.adjoint());
+        spectra.leftCols(reals).noalias() += parts.sum.col(each * j) * of.head(reals);
+        spectra.rightCols(others).noalias() += parts.difference.col(each * j) * of.tail(others);
     }
-    return left;
 }
 
 } // namespace
 
 TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
-    : channels(spectra.channels), scales(spectra.scales), real(spectra.real), imaginary(spectra.imaginary),
+    : channels(spectra.channels), scales(spectra.scales), values(spectra.values),
       importance(measures(*scales)), largest_radius(radius) {
     for (const Scale& scale : *scales)
         importance.segment(scale.begin, std::ssize(scale.frequencies)) *= scale.confidence;
-    weight = (importance / (total(spectra.real, channels) + 0.01 * spectra.covariance().trace())).sqrt();
-    real.array().colwise() *= weight;
-    imaginary.array().colwise() *= weight;
-    imaginary *= root_2;
+    const Eigen::ArrayXd power = total(values, Eigen::VectorXd::Ones(channels));
+    weight = (importance / (power + 0.01 * spectra.covariance().trace())).sqrt();
     Index column = 0;
-    for (const auto& [c, d] : real_pairs(channels))
-        real.col(column++) *= c == d ? 1 : root_2;
+    for (const Entry& entry : entries(channels))
+        values.col(column++).array() *= factor(entry) * weight;
 }
 
 TargetSpectra TargetSpectra::reweighed(const std::vector<Wave>& waves) const {
-    const Residual left = residual(*this, waves);
-    Eigen::ArrayXd error =
-        (left.real.rowwise().squaredNorm() + left.imaginary.rowwise().squaredNorm()).array().sqrt() / weight;
+    Eigen::ArrayXd error = residual(*this, waves).rowwise().norm().array() / weight;
     error += 0.1 * (importance * error).sum() / importance.sum();
     for (const Scale& scale : *scales) {
         const auto rows = Eigen::seqN(scale.begin, std::ssize(scale.frequencies));
@@ -264,33 +265,30 @@ TargetSpectra TargetSpectra::reweighed(const std::vector<Wave>& waves) const {
     }
     TargetSpectra result = *this;
     const Eigen::ArrayXd change = (importance / error).sqrt() / weight;
-    result.real.array().colwise() *= change;
-    result.imaginary.array().colwise() *= change;
+    result.values.array().colwise() *= change;
     result.weight *= change;
     return result;
 }
 
-Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves) {
-    return subtract(target, waves, parts_of(waves, target.scales, false, target.weight), 1);
+Eigen::MatrixXd residual(const TargetSpectra& target, const std::vector<Wave>& waves) {
+    Eigen::MatrixXd left = target.values;
+    add(left, waves, parts_of(waves, target.scales, false, target.weight), 1, -1);
+    return left;
 }
 
 // With C the matrix of products of the residual and the new wave, the weights that gain most are C's
 // eigenvector with the largest eigenvalue.
-Gain gain(const TargetSpectra& target, const Residual& left, const Eigen::Vector2d& frequency,
+Gain gain(const TargetSpectra& target, const Eigen::MatrixXd& left, const Eigen::Vector2d& frequency,
           const Eigen::Vector2d& radius) {
     const Parts parts = parts_of({{frequency, radius, {}}}, target.scales, false, target.weight);
-    const Eigen::RowVectorXd real = parts.sum.transpose() * left.real;
-    const Eigen::RowVectorXd imaginary = parts.difference.transpose() * left.imaginary;
-    Eigen::MatrixXcd products(target.channels, target.channels);
+    const Eigen::RowVectorXd found = products(parts, left, target.channels);
+    Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(target.channels, target.channels);
     Index at = 0;
-    for (const auto& [c, d] : real_pairs(target.channels))
-        products(c, d) = real[at++] * (c == d ? 1 : 1 / root_2);
-    at = 0;
-    for (const auto& [c, d] : imaginary_pairs(target.channels)) {
-        products(c, d) += Complex(0, imaginary[at++] / root_2);
-        products(d, c) = std::conj(products(c, d));
+    for (const Entry& entry : entries(target.channels)) {
+        const double value = found[at++] / factor(entry);
+        matrix(entry.d, entry.c) += entry.imaginary ? Complex(0, -value) : Complex(value); // the lower half
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(products);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(matrix);
     const double value = solver.eigenvalues()[target.channels - 1];
     const double square = parts.sum.squaredNorm();
     if (!(value > 0) || !(square > 0))
@@ -301,16 +299,11 @@ Gain gain(const TargetSpectra& target, const Residual& left, const Eigen::Vector
 
 Spectra model(const std::vector<Wave>& waves, int channels, const Scales& scales) {
     Spectra result(channels, scales);
-    const Parts parts = parts_of(waves, scales, false, Eigen::ArrayXd::Ones(result.real.rows()));
-    for (Index j = 0; j < std::ssize(waves); ++j) {
-        const Eigen::VectorXcd& w = waves[static_cast<std::size_t>(j)].weight;
-        Index column = 0;
-        for (const auto& [c, d] : real_pairs(channels))
-            result.real.col(column++) += (w[c] * std::conj(w[d])).real() * parts.sum.col(j);
-        column = 0;
-        for (const auto& [c, d] : imaginary_pairs(channels))
-            result.imaginary.col(column++) += (w[c] * std::conj(w[d])).imag() * parts.difference.col(j);
-    }
+    const Parts parts = parts_of(waves, scales, false, Eigen::ArrayXd::Ones(result.values.rows()));
+    add(result.values, waves, parts, 1, 1);
+    Index column = 0;
+    for (const Entry& entry : entries(channels))
+        result.values.col(column++) /= factor(entry);
     return result;
 }
 
@@ -320,10 +313,11 @@ void refine(const TargetSpectra& target, std::vector<Wave>& waves, FreeParameter
     double lambda = 0.01;
     for (int s = 0; s < steps; ++s) {
         const Parts parts = parts_of(waves, target.scales, free == FreeParameters::all, target.weight);
-        const Residual left = subtract(target, waves, parts, each);
-        const double cost = left.cost();
+        Eigen::MatrixXd left = target.values;
+        add(left, waves, parts, each, -1);
+        const double cost = left.squaredNorm();
         const std::vector<Parameter> parameters = parameters_of(waves, free);
-        Normal normal = normal_equations(parameters, parts, each, left);
+        Normal normal = normal_equations(parameters, parts, each, left, target.channels);
         const Eigen::VectorXd diagonal = damping(parameters, waves, normal);
         freeze_bounded(parameters, waves, target.largest_radius, normal);
 
@@ -334,7 +328,7 @@ void refine(const TargetSpectra& target, std::vector<Wave>& waves, FreeParameter
             damped.diagonal() += lambda * diagonal;
             std::vector<Wave> next =
                 moved(waves, damped.ldlt().solve(normal.slope), free, target.largest_radius);
-            gain = cost - residual(target, next).cost();
+            gain = cost - residual(target, next).squaredNorm();
             better = gain > 0;
             if (better)
                 waves = std::move(next);

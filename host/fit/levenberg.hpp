@@ -24,8 +24,7 @@ struct Wave {
 struct TargetSpectra {
     int channels;
     Scales scales;
-    Eigen::MatrixXd real; ///< a column for each pair, times `weight` and, off the diagonal, the root of 2
-    Eigen::MatrixXd imaginary;
+    Eigen::MatrixXd values;    ///< as in Spectra, times `weight` and, off the diagonal, the root of 2
     Eigen::ArrayXd importance; ///< of each frequency: its share of the plane times the scale's confidence
     Eigen::ArrayXd weight;     ///< root of the weight of each frequency in the sum of squares
     double largest_radius;     ///< allowed for waves
@@ -37,21 +36,15 @@ struct TargetSpectra {
     TargetSpectra reweighed(const std::vector<Wave>& waves) const;
 };
 
-/// The residual: the target minus the waves.
-struct Residual {
-    Eigen::MatrixXd real;
-    Eigen::MatrixXd imaginary;
-
-    double cost() const { return real.squaredNorm() + imaginary.squaredNorm(); }
-};
-Residual residual(const TargetSpectra& target, const std::vector<Wave>& waves);
+/// Returns the residual: the target's values minus those of the waves. Its squared norm is the cost of a fit.
+Eigen::MatrixXd residual(const TargetSpectra& target, const std::vector<Wave>& waves);
 
 /// How much an additional wave with the best weights reduces the residual, and these weights.
 struct Gain {
     double cost = 0;
     Eigen::VectorXcd weight;
 };
-Gain gain(const TargetSpectra& target, const Residual& left, const Eigen::Vector2d& frequency,
+Gain gain(const TargetSpectra& target, const Eigen::MatrixXd& left, const Eigen::Vector2d& frequency,
           const Eigen::Vector2d& radius);
 
 /// The expected estimate of the waves' spectra.

@@ -77,8 +77,8 @@ Scale make_scale(int spacing, int window, int grid) {
 class Power {
   public:
     Power() = default;
-    Power(const Scale& scale, const Eigen::MatrixXd& real, int channels)
-        : grid_(scale.grid), values_(total(real, channels)) {}
+    Power(const Scale& scale, const Eigen::MatrixXd& values, int channels)
+        : grid_(scale.grid), values_(total(values, Eigen::VectorXd::Ones(channels))) {}
 
     double at(int x, int y) const {
         x = (x + grid_) % grid_;
@@ -172,18 +172,13 @@ std::vector<Scale> scales_of(int width, int height) {
     return scales;
 }
 
-std::vector<Pair> real_pairs(int channels) {
-    std::vector<Pair> pairs;
-    for (int c = 0; c < channels; ++c)
-        for (int d = c; d < channels; ++d)
-            pairs.push_back({c, d});
-    return pairs;
-}
-
-std::vector<Pair> imaginary_pairs(int channels) {
-    std::vector<Pair> pairs = real_pairs(channels);
-    std::erase_if(pairs, [](const Pair& pair) { return pair.c == pair.d; });
-    return pairs;
+std::vector<Entry> entries(int channels) {
+    std::vector<Entry> result;
+    for (const bool imaginary : {false, true})
+        for (int c = 0; c < channels; ++c)
+            for (int d = imaginary ? c + 1 : c; d < channels; ++d)
+                result.push_back({c, d, imaginary});
+    return result;
 }
 
 Eigen::ArrayXd measures(const std::vector<Scale>& scales) {
@@ -196,50 +191,44 @@ Eigen::ArrayXd measures(const std::vector<Scale>& scales) {
 
 Spectra::Spectra(int count, const Scales& of) : channels(count), scales(of) {
     const Eigen::Index rows = scales->back().begin + std::ssize(scales->back().frequencies);
-    real = Eigen::MatrixXd::Zero(rows, std::ssize(real_pairs(count)));
-    imaginary = Eigen::MatrixXd::Zero(rows, std::ssize(imaginary_pairs(count)));
+    values = Eigen::MatrixXd::Zero(rows, count * count);
 }
 
-Eigen::ArrayXd total(const Eigen::MatrixXd& real, int channels) {
-    Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(real.rows());
+Eigen::ArrayXd total(const Eigen::MatrixXd& values, const Eigen::VectorXd& weights) {
+    Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(values.rows());
     Eigen::Index column = 0;
-    for (const auto& [c, d] : real_pairs(channels)) {
-        if (c == d)
-            sum += real.col(column).array();
-        ++column;
-    }
+    for (Eigen::Index c = 0; c < weights.size(); column += weights.size() - c++) // the diagonal
+        sum += weights[c] * values.col(column).array();
     return sum;
 }
 
 Eigen::MatrixXd Spectra::covariance() const {
     const std::vector<Scale> first{scales->front()};
     const Eigen::VectorXd weight = measures(first) / (first.front().grid * first.front().grid);
-    const Eigen::VectorXd integral = real.topRows(weight.size()).transpose() * weight;
+    const Eigen::VectorXd integral = values.topRows(weight.size()).transpose() * weight;
     Eigen::MatrixXd result(channels, channels);
     Eigen::Index at = 0;
-    for (const auto& [c, d] : real_pairs(channels))
-        result(c, d) = result(d, c) = integral[at++];
+    for (int c = 0; c < channels; ++c)
+        for (int d = c; d < channels; ++d)
+            result(c, d) = result(d, c) = integral[at++];
     return result;
 }
 
 Spectra Spectra::mapped(const Eigen::MatrixXd& map) const {
-    const auto apply = [&](const Eigen::MatrixXd& from, const std::vector<Pair>& pairs,
-                           const std::vector<Pair>& to, double mirrored) {
-        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(std::ssize(pairs), std::ssize(to));
-        for (std::size_t i = 0; i < to.size(); ++i)
-            for (std::size_t j = 0; j < pairs.size(); ++j) {
-                const auto& [c, d] = to[i];
-                const auto& [a, b] = pairs[j];
-                double& entry = matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i));
-                entry = map(c, a) * map(d, b);
-                if (a != b)
-                    entry += mirrored * map(c, b) * map(d, a);
-            }
-        return Eigen::MatrixXd(from * matrix);
-    };
     Spectra result(static_cast<int>(map.rows()), scales);
-    result.real = apply(real, real_pairs(channels), real_pairs(result.channels), 1);
-    result.imaginary = apply(imaginary, imaginary_pairs(channels), imaginary_pairs(result.channels), -1);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(values.cols(), result.values.cols());
+    Eigen::Index column = 0;
+    for (const auto& [c, d, imaginary] : entries(result.channels)) {
+        Eigen::Index row = 0;
+        for (const auto& [a, b, of_imaginary] : entries(channels)) {
+            const double mirrored = a == b ? 0 : (imaginary ? -1 : 1) * map(c, b) * map(d, a);
+            if (imaginary == of_imaginary)
+                matrix(row, column) = map(c, a) * map(d, b) + mirrored;
+            ++row;
+        }
+        ++column;
+    }
+    result.values = values * matrix;
     return result;
 }
 
@@ -254,9 +243,7 @@ class SpectraEstimate::Welch {
           padded_(static_cast<std::size_t>((width + scale.window) * (channels + 1))), rows_left_(height),
           window_(static_cast<std::size_t>(scale.grid) * static_cast<std::size_t>(scale.grid)),
           transform_(scale.grid), transformed_(static_cast<std::size_t>(channels)),
-          real_(Eigen::MatrixXd::Zero(std::ssize(scale.frequencies), std::ssize(real_pairs(channels)))),
-          imaginary_(
-              Eigen::MatrixXd::Zero(std::ssize(scale.frequencies), std::ssize(imaginary_pairs(channels)))) {
+          sums_(Eigen::MatrixXd::Zero(std::ssize(scale.frequencies), channels * channels)) {
         scale.lag_window = {seen_window(segments_.columns(), width), seen_window(segments_.lines(), height)};
         weight_ = {seen_weights(segments_.columns(), width), seen_weights(segments_.lines(), height)};
         for (int y = 0; y < margin_; ++y)
@@ -275,21 +262,8 @@ class SpectraEstimate::Welch {
     }
 
     int windows() const { return windows_; }
-    /// The factor that turns sums over windows into cross-spectra.
-    double unit() const { return scale_->spacing * scale_->spacing / power_; }
-    /// The weighted sum of the channels' power in a row, summed over all windows.
-    double power(Eigen::Index row, const Eigen::VectorXd& weights) const {
-        double sum = 0;
-        Eigen::Index column = 0;
-        for (const auto& [c, d] : real_pairs(static_cast<int>(weights.size()))) {
-            if (c == d)
-                sum += weights[c] * real_(row, column);
-            ++column;
-        }
-        return sum;
-    }
-    const Eigen::MatrixXd& real() const { return real_; }
-    const Eigen::MatrixXd& imaginary() const { return imaginary_; }
+    /// The mean of the windows' cross-spectra.
+    Eigen::MatrixXd mean() const { return sums_ * (scale_->spacing * scale_->spacing / power_); }
 
   private:
     /// For windows that begin at `begins` along an axis of `length` samples, returns the sum and the sum of
@@ -342,16 +316,15 @@ class SpectraEstimate::Welch {
             transformed_[static_cast<std::size_t>(c)] =
                 Eigen::Map<const Eigen::ArrayXcf>(values.data(), std::ssize(values));
         }
-        const auto product = [&](const Pair& pair) {
-            return transformed_[static_cast<std::size_t>(pair.c)] *
-                   transformed_[static_cast<std::size_t>(pair.d)].conjugate();
-        };
         Eigen::Index column = 0;
-        for (const Pair& pair : real_pairs(channels))
-            real_.col(column++).array() += product(pair).real().cast<double>();
-        column = 0;
-        for (const Pair& pair : imaginary_pairs(channels))
-            imaginary_.col(column++).array() += product(pair).imag().cast<double>();
+        for (const auto& [c, d, imaginary] : entries(channels)) {
+            const auto product = transformed_[static_cast<std::size_t>(c)] *
+                                 transformed_[static_cast<std::size_t>(d)].conjugate();
+            if (imaginary)
+                sums_.col(column++).array() += product.imag().cast<double>();
+            else
+                sums_.col(column++).array() += product.real().cast<double>();
+        }
     }
 
     const Scale* scale_;
@@ -366,8 +339,7 @@ class SpectraEstimate::Welch {
     std::vector<float> window_; ///< the rest of the grid stays 0
     statistics::Transform transform_;
     std::vector<Eigen::ArrayXcf> transformed_; ///< transform of each channel
-    Eigen::MatrixXd real_;
-    Eigen::MatrixXd imaginary_;
+    Eigen::MatrixXd sums_;                     ///< sum of the windows' cross-spectra
     int windows_ = 0;
 };
 
@@ -446,8 +418,7 @@ void SpectraEstimate::add_row(std::span<const float> row, std::span<const float>
 
 Spectra SpectraEstimate::spectra() const {
     std::vector<Scale> kept;
-    std::vector<Eigen::MatrixXd> real;
-    std::vector<Eigen::MatrixXd> imaginary;
+    std::vector<Eigen::MatrixXd> values;
     Power coarse;
     for (std::size_t i = 0; i < scales_.size(); ++i) {
         const Welch& estimate = estimates_[i];
@@ -456,9 +427,8 @@ Spectra SpectraEstimate::spectra() const {
         if (i > 0 && kept.empty())
             break;
         Scale scale = scales_[i];
-        Eigen::MatrixXd re = estimate.real() * estimate.unit();
-        Eigen::MatrixXd im = estimate.imaginary() * estimate.unit();
-        const Power fine(scale, re, channels_);
+        Eigen::MatrixXd mean = estimate.mean();
+        const Power fine(scale, mean, channels_);
         if (i > 0) {
             const std::vector<Eigen::Index> rows = unresolved(scale, fine, kept.back(), coarse);
             std::vector<Scale::Frequency> frequencies;
@@ -466,22 +436,18 @@ Spectra SpectraEstimate::spectra() const {
                 frequencies.push_back(scale.frequencies[static_cast<std::size_t>(row)]);
             scale.frequencies = std::move(frequencies);
             scale.begin = kept.back().begin + std::ssize(kept.back().frequencies);
-            re = Eigen::MatrixXd(re(rows, Eigen::all));
-            im = Eigen::MatrixXd(im(rows, Eigen::all));
+            mean = Eigen::MatrixXd(mean(rows, Eigen::all));
         }
         coarse = fine;
         kept.push_back(std::move(scale));
-        real.push_back(std::move(re));
-        imaginary.push_back(std::move(im));
+        values.push_back(std::move(mean));
     }
     if (kept.empty())
         throw RequestError(
             fmt::format("the picture has no {0} x {0} opaque pixels in one place", window_side));
     Spectra result(channels_, std::make_shared<const std::vector<Scale>>(kept));
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        result.real.middleRows(kept[i].begin, real[i].rows()) = real[i];
-        result.imaginary.middleRows(kept[i].begin, imaginary[i].rows()) = imaginary[i];
-    }
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        result.values.middleRows(kept[i].begin, values[i].rows()) = values[i];
     return result;
 }
 
@@ -492,10 +458,11 @@ std::vector<Autocovariance> SpectraEstimate::autocovariances(const Eigen::Vector
         const Scale& scale = scales_[i];
         const Eigen::Index columns = scale.grid / 2 + 1;
         Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> power(scale.grid, columns);
+        const Eigen::ArrayXd mean = total(estimates_[i].mean(), weights);
         Eigen::Index row = 0;
         for (const Scale::Frequency& k : scale.frequencies)
-            power(k.y, k.x) = k.multiplicity * estimates_[i].power(row++, weights);
-        power *= estimates_[i].unit() / std::pow(scale.grid * scale.spacing, 2);
+            power(k.y, k.x) = k.multiplicity * mean[row++];
+        power /= std::pow(scale.grid * scale.spacing, 2);
         const Eigen::MatrixXd cosines = scale.cosine.leftCols(scale.lags()).transpose() * power *
                                         scale.cosine.topLeftCorner(columns, scale.lags());
         const Eigen::MatrixXd sines = scale.sine.leftCols(scale.lags()).transpose() * power *

@@ -57,21 +57,25 @@ const Scales& first_scale();
 /// largest windows are half as long as the picture's shorter side.
 std::vector<Scale> scales_of(int width, int height);
 
-/// The stored entries of a Hermitian matrix of channels: Re(c, d) for c <= d, and Im(c, d) for c < d.
-struct Pair {
+/// A stored entry of a Hermitian matrix of channels: the real part of (c, d) for c <= d, or the imaginary
+/// part for c < d.
+struct Entry {
     int c;
     int d;
+    bool imaginary;
 };
-std::vector<Pair> real_pairs(int channels);
-std::vector<Pair> imaginary_pairs(int channels);
+/// All stored entries, the real parts first.
+std::vector<Entry> entries(int channels);
+constexpr Eigen::Index real_entries(int channels) {
+    return channels * (channels + 1) / 2;
+}
 
 /// The matrix of the channels' cross-spectra at each frequency of each scale, P(c, d) = E[X_c X_d*], per
-/// cycle per pixel along each axis: one column for each pair. Opposite frequencies have conjugate matrices.
+/// cycle per pixel along each axis: one column for each entry. Opposite frequencies have conjugate matrices.
 struct Spectra {
     int channels = 0;
     Scales scales;
-    Eigen::MatrixXd real;
-    Eigen::MatrixXd imaginary;
+    Eigen::MatrixXd values;
 
     /// Sets all spectra to 0.
     explicit Spectra(int channels, const Scales& scales = first_scale());
@@ -81,8 +85,8 @@ struct Spectra {
     Spectra mapped(const Eigen::MatrixXd& map) const;
 };
 
-/// The sum of the channels' power spectra, from the real parts of Spectra.
-Eigen::ArrayXd total(const Eigen::MatrixXd& real, int channels);
+/// The sum of the channels' power spectra, each times its weight, from the columns of Spectra.
+Eigen::ArrayXd total(const Eigen::MatrixXd& values, const Eigen::VectorXd& weights);
 
 /// The autocovariance summed over channels, as the windows of a scale see it, with their weight at each lag.
 struct Autocovariance {

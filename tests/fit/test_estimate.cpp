@@ -242,8 +242,7 @@ TEST_CASE("spectra under a linear map are those of the mapped channels") {
     mapped.front().weight = map * mapped.front().weight;
     const Spectra direct = model(mapped, 3);
     const Spectra through = model(waves, 3).mapped(map);
-    CHECK((direct.real - through.real).cwiseAbs().maxCoeff() < 1e-9);
-    CHECK((direct.imaginary - through.imaginary).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK((direct.values - through.values).cwiseAbs().maxCoeff() < 1e-9);
     CHECK((direct.covariance() - map * model(waves, 3).covariance() * map.transpose()).cwiseAbs().maxCoeff() <
           1e-9);
 }
@@ -271,7 +270,7 @@ TEST_CASE("the spectrum estimated from white noise is flat and has the noise's v
     CHECK((covariance - expected).cwiseAbs().maxCoeff() < 0.01);
     REQUIRE(spectra.scales->size() == 3);
     for (const Scale& scale : *spectra.scales) {
-        const Eigen::VectorXd power = spectra.real.col(0).segment(scale.begin, std::ssize(scale.frequencies));
+        const Eigen::VectorXd power = spectra.values.col(0).segment(scale.begin, std::ssize(scale.frequencies));
         INFO("windows of " << scale.length() << " pixels: mean " << power.mean() << ", from "
                            << power.minCoeff() << " to " << power.maxCoeff());
         CHECK(power.mean() == Approx(1).epsilon(0.1));
