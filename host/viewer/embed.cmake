@@ -1,9 +1,25 @@
-# Writes OUTPUT, a C++ source with the text of every one of FILES, which are relative to FOLDER.
-set(text "#include \"viewer/embedded_shaders.hpp\"\n\nnamespace gabor::viewer {\n\n")
-string(APPEND text "std::span<const EmbeddedShader> embedded_shaders() {\n    static constexpr EmbeddedShader all[] = {\n")
+# Writes OUTPUT, a C++ source that defines the function of viewer/embedded.hpp for FILES.
 foreach(file ${FILES})
-    file(READ ${FOLDER}/${file} content)
-    string(APPEND text "{\"${file}\", R\"glsl(${content})glsl\"},\n")
+    cmake_path(GET file FILENAME name)
+    string(MAKE_C_IDENTIFIER embedded_${name} array)
+    file(READ ${file} bytes HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+    string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
+    string(APPEND arrays "constexpr unsigned char ${array}[]{\n${bytes}};\n")
+    string(APPEND branches "    if (name == \"${name}\")\n        return ${array};\n")
 endforeach()
-string(APPEND text "    };\n    return all;\n}\n\n} // namespace gabor::viewer\n")
-file(WRITE ${OUTPUT} "${text}")
+file(WRITE ${OUTPUT} "#include \"viewer/embedded.hpp\"
+
+namespace gabor::viewer {
+
+namespace {
+
+${arrays}
+} // namespace
+
+std::span<const unsigned char> embedded(std::string_view name) {
+${branches}    return {};
+}
+
+} // namespace gabor::viewer
+")

@@ -3,8 +3,9 @@
 #include "render/file.hpp"
 #include "viewer/background.hpp"
 #include "viewer/document.hpp"
-#include "viewer/file_stamp.hpp"
 
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -12,6 +13,19 @@
 #include <vector>
 
 namespace gabor::viewer {
+
+/// Tells whether a file has changed since it was read or written.
+struct FileStamp {
+    std::filesystem::file_time_type time;
+    std::uintmax_t size = 0;
+    bool operator==(const FileStamp&) const = default;
+};
+
+/// Returns a file's stamp. Missing files have one too.
+inline FileStamp file_stamp(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return {std::filesystem::last_write_time(path, ignored), std::filesystem::file_size(path, ignored)};
+}
 
 /// The form of an export: a picture, the frames of an animation, a mip-mapped texture, or maps for other
 /// programs. The maps are those of a material or, for noise in the plane, colour, normals and height.

@@ -1,5 +1,7 @@
 #include "viewer/preset_pictures.hpp"
 
+#include "viewer/embedded.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <span>
@@ -15,11 +17,9 @@
 
 namespace gabor::viewer {
 
-std::span<const unsigned char> embedded_presets(); // defined by embed_bytes.cmake
-
 const PresetPictures& preset_pictures() {
     static const PresetPictures pictures = [] {
-        const std::span<const unsigned char> jpeg = embedded_presets();
+        const std::span<const unsigned char> jpeg = embedded("presets.jpg");
         PresetPictures all;
         int channels = 0;
         const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> bytes(

@@ -3,7 +3,7 @@
 #include "fit/glsl.hpp"
 #include "noise/glsl_literal.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/embedded_shaders.hpp"
+#include "viewer/embedded.hpp"
 #include "viewer/show.hpp"
 
 #include "passes/material_interface.h"
@@ -352,13 +352,13 @@ std::string own_colours(const std::vector<ColourStop>& ramp) {
     return text + "    return colour;\n}\n";
 }
 
-std::string_view embedded(std::string_view path) {
-    return std::ranges::find(embedded_shaders(), path, &EmbeddedShader::path)->text;
+std::string_view shader(std::string_view name) {
+    const std::span<const unsigned char> bytes = embedded(name);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 std::string lighting(const render::Request& request) {
-    return fmt::format("const int environment = {};\n\n{}\n", request.environment,
-                       embedded("passes/light.glsl"));
+    return fmt::format("const int environment = {};\n\n{}\n", request.environment, shader("light.glsl"));
 }
 
 // The GLSL functions for the colours that the window shows.
@@ -378,7 +378,7 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
         return fmt::format("viewer_stripes({}, {}, {})", value, document.profile,
                            literal(stripe_turns(request) / document.camera.zoom));
     };
-    std::string text = fmt::format("\n{}\n", embedded("viewer/colours.glsl"));
+    std::string text = fmt::format("\n{}\n", shader("colours.glsl"));
     if (own)
         text += own_colours(document.ramp) + "\n";
     if (lit)
@@ -522,7 +522,7 @@ std::string material_snippet(const Document& document, Extent extent) {
 {}{}
 {}
 )",
-        material_function(request), embedded("passes/relief.glsl"), lighting(request));
+        material_function(request), shader("relief.glsl"), lighting(request));
     const double wide = double{push.size.x};
     const std::string pixel = literal(double{push.pixel});
     const std::string corner = vec2(double{push.corner.x}, double{push.corner.y});
@@ -617,7 +617,7 @@ vec3 colour_of_view(vec2 pixel)
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
 }}
 )",
-                       embedded("passes/landscape.glsl"), extent.width, extent.height, members, push.cell.x,
+                       shader("landscape.glsl"), extent.width, extent.height, members, push.cell.x,
                        push.cell.y, pair(push.period), push.seed, literal(double{push.reach}), pair(push.sun),
                        seen);
 }
