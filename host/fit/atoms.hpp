@@ -26,8 +26,8 @@ struct AxisAtom {
 };
 AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius, bool with_derivatives);
 
-/// The expected inverse transform of that estimate: the complex autocovariance of samples along an axis, at
-/// lags 0 ... scale.lags() - 1.
+/// Returns the complex autocovariance of samples along an axis, as a scale's estimate sees it on average, at
+/// lags 0 ... scale.lags() - 1: the inverse transform of `AxisAtom::value`.
 Eigen::ArrayXcd axis_autocovariance(const Scale& scale, int axis, double frequency, double radius);
 
 } // namespace gabor::fit

@@ -56,7 +56,7 @@ Autocovariance autocovariance(const Scale& scale, const std::vector<Wave>& waves
     return result;
 }
 
-// Windows overlap by at most half their side.
+// Compares lags of at most half a window's side.
 double largest_difference(const Scale& scale, const Autocovariance& a, const Autocovariance& b) {
     double largest = 0;
     for (Eigen::Index y = 0; y < scale.lags(); ++y)

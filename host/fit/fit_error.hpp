@@ -11,10 +11,9 @@ struct FitError {
                     ///< relative to the estimate
     double l2 = 0;  ///< root of the sum of squared differences of all cross-spectra, relative to the estimate
     double low = 0; ///< l1 for waves longer than 64 pixels, in the largest windows; 0 without such windows
-    int furthest_lag = 0;       ///< pixels: a quarter of the exemplar
-    double autocorrelation = 0; ///< largest difference up to that lag
-    /// The standard deviation that chance alone gives an autocorrelation, in an exemplar of this size.
-    double chance = 0;
+    int furthest_lag = 0;       ///< largest lag compared, in pixels: a quarter of the exemplar
+    double autocorrelation = 0; ///< largest difference between autocorrelations up to that lag
+    double chance = 0; ///< standard deviation of an autocorrelation by chance, in an exemplar of this size
 };
 
 /// Compares waves, given in the exemplar's components, with the exemplar.

@@ -39,8 +39,8 @@ std::string vector(Of of) {
     return vector(of(std::size_t{0}), of(std::size_t{1}), of(std::size_t{2}));
 }
 
-// The shares of a component's variance in the parts of its polynomial with degrees 1 to 5: n! a_n^2 for a sum
-// a_n He_n.
+// Splits the variance of a component with this polynomial, a sum of a_n He_n, by degree: n! a_n^2 for n from
+// 1 to 5.
 std::array<double, 6> degree_shares(const std::array<double, 6>& c) {
     return {0,
             std::pow(c[1] + 3 * c[3] + 15 * c[5], 2),
@@ -118,8 +118,7 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
         lobes += (i % in_line == 0 ? "\n    " : " ") +
                  lobe_call(name, i, fitted.waves[i], colour.weights[i], complex);
 
-    // Computes how much variance is left from the parts of the polynomials: a part of degree n keeps (1 -
-    // removed)^n.
+    // For the variance that a filter leaves: the part of degree n keeps (1 - removed)^n of its variance.
     double variance = 0;
     std::array<double, 3> variances{};
     for (std::size_t c = 0; c < 3; ++c)
@@ -133,7 +132,7 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
     };
     return fmt::format(
         R"(// {name}.glsl: Gabor noise after {image}, by gabor fit. Paste it after gabor_lattice.glsl and gabor_spectrum.glsl.
-//     vec3 {name}(vec2 p): colour at p, in pixels of the photograph, {width} x {height}. Costs about {count} gabor_noise.
+//     vec3 {name}(vec2 p): colour at p, in pixels of the photograph, {width} x {height}. Costs about {count} times gabor_noise.
 //     vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy): its mean over a screen pixel, dx = dFdx(p), dy = dFdy(p); w: removed variance.
 #ifndef GABOR_SPECTRUM_GLSL
 #error Include gabor_lattice.glsl and gabor_spectrum.glsl before {name}.glsl
@@ -144,7 +143,7 @@ const uint {name}_seed = 0u; // another seed gives another piece of the same tex
 void {name}_lobe(inout vec3 z, inout vec3 removed, vec2 p, vec4 d, bool filtered, int i, vec4 k, {parameters}) {{
     {type} n;
     float share = 0.0;
-#if GABOR_TAPS == 3 // the others have no filter
+#if GABOR_TAPS == 3 // other recipes have no filter
     if (filtered)
         n = gabor_field_filtered(gabor_place(ivec2(0), p / k.xy * GABOR_RADIUS), gabor_kernel_wave(k.zw), gabor_footprint(d.xy / k.xy, d.zw / k.xy), gabor_lobe_seed({name}_seed, i), share).value{part};
     else

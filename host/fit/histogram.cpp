@@ -22,7 +22,8 @@ Coefficients hermite(double z) {
     return he;
 }
 
-// He_n(z) phi(z), 0 at the ends: the integral of He_(n + 1) phi is -He_n phi.
+// He_n(z) phi(z) at the quantile z of p, for integrals: that of He_(n + 1) phi is -He_n phi. It is 0 at p = 0
+// and 1.
 Coefficients ends(double p) {
     Coefficients values{};
     if (p <= 0 || p >= 1)

@@ -31,8 +31,8 @@ struct TargetSpectra {
 
     TargetSpectra(const Spectra& spectra, double largest_radius);
 
-    /// Weighs each frequency by the inverse of the error that `waves` leave there plus the error that chance
-    /// makes, so that the next squares are nearly absolute values: iteratively reweighted least squares.
+    /// Weighs each frequency by the inverse of an error: what `waves` leave there plus what chance adds. The
+    /// squares of the next fit are then close to absolute values: iteratively reweighted least squares.
     TargetSpectra reweighed(const std::vector<Wave>& waves) const;
 };
 

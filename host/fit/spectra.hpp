@@ -98,8 +98,8 @@ struct Autocovariance {
 Eigen::ArrayXd measures(const std::vector<Scale>& scales);
 
 /// Estimates the spectra of a picture, row by row, by Welch's method [Welch 1967] on every scale. Windows
-/// extend beyond the picture's edges by half their side, so that all pixels count equally. Keeps only as many
-/// rows as a window has.
+/// extend beyond the picture's edges by half their side, so that all pixels count equally. Keeps only one
+/// window's rows in memory.
 class SpectraEstimate {
   public:
     /// Width and height must be at least `window_side` pixels.

@@ -27,7 +27,7 @@ std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& f
     if (exemplar.structure > Structure::limit)
         lines.push_back(fmt::format(
             "The photograph has edges or objects, which no sum of waves can have: the noise keeps its "
-            "colours and scales, and loses the objects (derivatives are {:.1f} from normal). To keep them, "
+            "colours and scales, and loses the objects (its distance from normal is {:.1f}). To keep them, "
             "blend pieces of the photograph and preserve its histogram: Heitz and Neyret 2018, Deliot and "
             "Heitz 2019.",
             exemplar.structure));
@@ -37,8 +37,8 @@ std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& f
             fitted.waves.size(), error.l1));
     if (error.low > low_limit)
         lines.push_back(
-            fmt::format("Large features may be too weak or too strong: waves longer than {} pixels "
-                        "are off by {:.2f} (L1).",
+            fmt::format("Large features may be too weak or too strong: the spectrum of waves longer "
+                        "than {} pixels is off by {:.2f} (L1).",
                         window_side, error.low));
     if (error.autocorrelation > std::max(autocorrelation_limit, 4 * error.chance))
         lines.push_back(

@@ -34,8 +34,8 @@ struct Tiling {
     bool operator==(const Tiling&) const = default;
 };
 
-/// Makes the copies as large as fits the view in whole pixels, but no larger than the picture. Pictures whose
-/// sides have no common divisor keep their size. The copies move with the document's camera.
+/// Makes the copies as large as the view allows, in whole pixels, but no larger than the picture. Pictures
+/// whose sides have no common divisor keep their size. The copies move with the document's camera.
 Tiling tiling_of(const Document& document, Extent view);
 
 } // namespace gabor::viewer

@@ -74,9 +74,8 @@ void set_style(float density) {
     ImVec4* colour = style.Colors;
     const ImVec4 accent{0.91f, 0.68f, 0.36f, 1};
     const ImVec4 dim{accent.x, accent.y, accent.z, 0.55f};
-    const auto grab = [&](float alpha) {
-        return ImVec4(accent.x, accent.y, accent.z, alpha);
-    }; // below numbers
+    // Translucent, because a slider's number is drawn over its grab.
+    const auto grab = [&](float alpha) { return ImVec4(accent.x, accent.y, accent.z, alpha); };
     colour[ImGuiCol_WindowBg] = {0.085f, 0.088f, 0.095f, 1};
     colour[ImGuiCol_PopupBg] = {0.11f, 0.115f, 0.125f, 0.98f};
     colour[ImGuiCol_Text] = {0.86f, 0.86f, 0.85f, 1};

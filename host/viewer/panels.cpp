@@ -147,7 +147,7 @@ void resettable(const char* label, float& value, float low, float high, const ch
         value = by_default;
 }
 
-// A field for a path. Draws the end of a path that is too long over its beginning, unless it is being edited.
+// A field for a path. While it is not being edited, it shows the end of a path that is too long.
 void path_field(const char* label, std::string& path, std::string shown) {
     if (ImGui::InputText(label, &shown))
         path = shown;
@@ -169,7 +169,7 @@ void path_field(const char* label, std::string& path, std::string shown) {
 constexpr std::string_view exports[]{"a picture", "an animation", "a texture", "a set of maps"};
 constexpr const char* export_tips[]{
     "An EXR of 32-bit floats with its parameters in the header",
-    "NAME.0001.exr and so on: the frames of one period, which loops",
+    "NAME.0001.exr and so on: the frames of one period, to play in a loop",
     "A tiled EXR for renderers, with filtered mip-map levels. Its sides must be powers of two.",
     "A folder of images for other programs: base colour, normal and height; for a material, also roughness, "
     "metalness, occlusion, an EXR with all of them, a MaterialX document and a glTF scene; for a "
@@ -210,7 +210,7 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, f
 
 namespace {
 
-// Paint stands in for the lobes.
+// The lobes or, instead of them, the paint.
 void waves_panel(Session& session) {
     if (has_effect(session.document(), "lobes"))
         spectrum_panel(session);
@@ -245,7 +245,7 @@ void animation_panel(Session& session) {
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX());
     control(session, "time");
     resettable("period", session.period, 1, 60, "%.1f s", Session::default_period);
-    tooltip("Length of one period, which loops");
+    tooltip("Seconds in which time goes from 0 to 1");
 }
 
 void view_panel(Session& session) {
@@ -344,7 +344,7 @@ void export_panel(Session& session) {
         tooltip("Also write normal_directx.png, whose green points down");
     } else if (as != ExportAs::maps) {
         choose("compression", target.compression, image::compression_names());
-        tooltip("Compression of the EXR, without loss; smaller files take longer");
+        tooltip("Lossless compression of the EXR; smaller files take longer to write");
     }
     if (as == ExportAs::texture)
         ImGui::Checkbox("16-bit floats", &target.half);
@@ -374,7 +374,7 @@ void export_panel(Session& session) {
     }
 }
 
-// What is done most, at the top.
+// Buttons for the most frequent actions.
 void start_buttons(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float room = width - 2 * ImGui::GetStyle().ItemSpacing.x;

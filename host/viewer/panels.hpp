@@ -36,7 +36,7 @@ void progress_bar(double done, float width);
 /// the slider. Returns whether the value was changed.
 bool number_slider(const char* label, double& value, const render::Range& range, const render::Range& usual,
                    double by_default);
-/// Whether to reset the last slider, whose label this is: true from a double click until the button is
+/// Whether to reset the last slider, which has this label: true from a double click until the button is
 /// released.
 bool reset_asked(const char* label);
 

@@ -31,8 +31,8 @@ std::filesystem::path json_path(std::filesystem::path path) {
     return extension == ".json" ? path : path += ".json";
 }
 
-// Calls `write`, but asks first if that would overwrite files that this session did not write, or any files
-// if these do not `belong` to the document.
+// Calls `write`, but asks first if that would overwrite a file that this session did not write or, unless the
+// files `belong` to the document, any file.
 void overwrite(Session& session, const std::vector<std::filesystem::path>& paths, bool belong,
                std::function<void()> write) {
     std::vector<std::string> foreign;
@@ -50,8 +50,8 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
         foreign.resize(most_named - 1);
         foreign.push_back(fmt::format("{} more", count - foreign.size()));
     }
-    session.question = {fmt::format("Overwrite {}? This document's exports and saves did not create it.",
-                                    fmt::join(foreign, " and ")),
+    session.question = {fmt::format("Overwrite {}? This document did not write {}.",
+                                    fmt::join(foreign, " and "), foreign.size() > 1 ? "them" : "it"),
                         {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
 }
 

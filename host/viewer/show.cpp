@@ -1,6 +1,5 @@
 #include "viewer/show.hpp"
 
-#include "error.hpp"
 #include "noise/spectrum.hpp"
 #include "render/file.hpp"
 #include "render/renderer.hpp"

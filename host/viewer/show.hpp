@@ -45,8 +45,7 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
 /// Colours the pixels of a file as the window does, with shaders/viewer/show.comp.
 class FileColours {
   public:
-    /// `channels` are those of the file's pixels. `unlit` is as for show_constants. Throws RequestError for
-    /// outputs that only the window can show.
+    /// `channels` are those of the file's pixels. `unlit` is as for show_constants.
     FileColours(const vulkan::Device& device, const Document& document, std::span<const std::string> channels,
                 bool unlit = false);
 

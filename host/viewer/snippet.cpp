@@ -264,7 +264,7 @@ std::string of_space(const render::Request& request, const Quantity& of) {
         settings += fmt::format("    place.animated = true;\n    place.time = {};\n", literal(time));
     std::string text = fmt::format(R"(
 // {}
-// p: a point on or in the body, in kernel radii. normal: of the surface there, of length 1.
+// p: a point on or in the body, in kernel radii. normal: the unit normal of the surface there.
 {} {}_of_body(vec3 p, vec3 normal)
 {{
 {}    GaborPlace3d place;
@@ -531,7 +531,7 @@ std::string material_snippet(const Document& document, Extent extent) {
     if (body)
         text += fmt::format(
             R"(// The colour that the viewer showed there, for fragment shaders. p: a point of the body, in units of the material.
-// normal: of the surface there, of length 1.
+// normal: the unit normal of the surface there.
 vec3 colour_of_body(vec3 p, vec3 normal)
 {{
     mat3 axes = {}; // to the right, down and to the eye
@@ -637,7 +637,7 @@ std::string snippet(const Document& document, Extent extent) {
     for (const noise::Macro& macro : noise::macros(recipe))
         text += fmt::format("#define {} {}\n", macro.name, macro.value);
     if (!request.paint.empty())
-        text += "// Frequency and orientation were painted; here they are those beside the paint.\n";
+        text += "// The paint is left out: frequency and orientation are the same everywhere.\n";
     text += fmt::format("#include \"{}\" // or paste it here\n", noise::drop_in(recipe));
     if (space || request.filter)
         text += "#include \"gabor_spectrum.glsl\" // and this one\n";

@@ -38,8 +38,8 @@ double window_power(double f) {
     return std::pow(std::sin(x) / (x * (1 - 4 * f * f)), 2);
 }
 
-// The power spectrum of the lobes' noise in the cells of the drawing, row by row: Each cell has its strongest
-// power, so that narrow lobes show.
+// The power spectrum of the lobes' noise in the cells of the drawing, row by row. Each cell has the strongest
+// power within it, so that narrow lobes show.
 std::vector<double> power_in_cells(const std::vector<noise::Lobe>& lobes, double reaches) {
     const double cell = 2 * reaches / cells_across;
     std::vector<double> powers(cells_across * cells_across);

@@ -34,7 +34,8 @@ Extent screen() {
 Window::Window(const Placement& placement) {
     glfwSetErrorCallback(note_error);
     if (!glfwInit())
-        throw std::runtime_error(fmt::format("no display ({}): start it on a desktop", last_error));
+        throw std::runtime_error(
+            fmt::format("there is no display ({}): start gabor-viewer on a desktop", last_error));
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, placement.maximized);
