@@ -270,7 +270,8 @@ TEST_CASE("the spectrum estimated from white noise is flat and has the noise's v
     CHECK((covariance - expected).cwiseAbs().maxCoeff() < 0.01);
     REQUIRE(spectra.scales->size() == 3);
     for (const Scale& scale : *spectra.scales) {
-        const Eigen::VectorXd power = spectra.values.col(0).segment(scale.begin, std::ssize(scale.frequencies));
+        const Eigen::VectorXd power =
+            spectra.values.col(0).segment(scale.begin, std::ssize(scale.frequencies));
         INFO("windows of " << scale.length() << " pixels: mean " << power.mean() << ", from "
                            << power.minCoeff() << " to " << power.maxCoeff());
         CHECK(power.mean() == Approx(1).epsilon(0.1));
