@@ -7,6 +7,7 @@
 
 #include "gabor_materials.hpp"
 
+#include "golden/file.hpp"
 #include "largest.hpp"
 #include "render/load.hpp"
 #include "render/material.hpp"
@@ -93,15 +94,16 @@ std::vector<float> numbers_of(const Request& request) {
 
 // Sets every parameter of the material to a random value; colours are dark, so that tones do not clamp them.
 void randomize(Request& request, std::mt19937& random) {
-    std::uniform_real_distribution<double> unit(0, 1);
+    const auto unit = [&] {
+        return static_cast<double>(random()) * 0x1p-32;
+    }; // the same with every standard library
     for (const render::Parameter& p : render::parameters()) {
         if (!render::is_of_one_material(p) || !p.get(request))
             continue;
         const auto [low, high] = p.range;
-        const double share = unit(random);
+        const double share = unit();
         if (p.kind == render::Parameter::Kind::colour)
-            p.put(request,
-                  std::array{0.02 + 0.3 * share, 0.02 + 0.3 * unit(random), 0.02 + 0.3 * unit(random)});
+            p.put(request, std::array{0.02 + 0.3 * share, 0.02 + 0.3 * unit(), 0.02 + 0.3 * unit()});
         else
             p.put(request, low > 0 ? low * std::pow(high / low, share) : low + share * (high - low));
     }
@@ -187,6 +189,31 @@ TEST_CASE("every filtered material equals the mean over its pixel", "[material]"
     CHECK(std::ranges::equal(materials, render::materials, {}, &Material::name));
     for (const Material& material : materials)
         compare(material, material.by_default());
+}
+
+TEST_CASE("materials with random parameters have this version's values", "[material]") {
+    std::mt19937 random(2);
+    test::Rows rows;
+    for (int point = 0; point < test::Rows::points; ++point) {
+        rows.begin(point);
+        const auto unit = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+        const gabor_vec2 p{30 * unit(), 30 * unit()};
+        const gabor_vec2 dx{0.03f * unit(), 0.01f}, dy{-0.01f, 0.03f * unit()};
+        for (const Material& material : materials) {
+            Request request{.material = std::string(material.name)};
+            randomize(request, random);
+            const auto see = [&](std::string_view form, const GaborPixel& pixel) {
+                const auto seed = static_cast<std::uint32_t>(point);
+                double sum = 0;
+                for (const float value : values_of(material.at(pixel, numbers_of(request), seed)))
+                    sum = 0.8 * sum + static_cast<double>(value); // each channel counts differently
+                rows.see(fmt::format("{} {}", form, material.name), sum);
+            };
+            see("sharp", gabor_pixel(p));
+            see("filtered", gabor_pixel_filtered(p, dx, dy));
+        }
+    }
+    CHECK(rows.compare(GABOR_GOLDEN_FOLDER "/material_parameters.txt", 2e-4, 2e-4));
 }
 
 TEST_CASE("cords of filtered fabric equal their mean over a pixel", "[material]") {
