@@ -47,8 +47,8 @@ vec3 sky_along(vec3 sun, vec3 ray) {
     return mix(vec3(0.1, 0.23, 0.5), vec3(0.5, 0.6, 0.7), exp(-5.0 * max(ray.y, 0.0))) + vec3(1.0, 0.75, 0.5) * glow;
 }
 
-// The height of a point above the ground. Far up, where it is more than `margin` above anything that erosion could add to the
-// hills, it is the height above that, because hills are cheap. No ray meets the ground within the distance `stride`, unless
+// The height of a point above the ground. If the point is more than `margin` above anything that erosion could add to the
+// hills, returns its height above that instead, which costs less. No ray meets the ground within the distance `stride`, unless
 // the ground is extremely steep.
 float height_above(Ground ground, vec3 at, float pixel, float margin, out float stride) {
     GaborTerrain hills = hills_at(ground, at.xz, pixel);

@@ -219,9 +219,11 @@ class Noise(RenderTest):
                 self.assertLess(np.abs(exr.pixels).max(), 12) # also fails for NaN
 
     def test_a_warning_if_the_frequency_exceeds_the_limit_of_the_picture(self):
-        result = gabor("render", "-o", "out.exr", "--size=16x16", "--scale=8", "--frequency=4.1", cwd=self.folder)
-        self.assertEqual(result.returncode, 0)
-        self.assertRegex(result.stderr, r"\Agabor: warning: [^\n]*0\.5[^\n]*\n\Z")
+        for angle in 0, 90:
+            result = gabor("render", "-o", "out.exr", "--size=16x16", "--scale=8", "--frequency=4.1",
+                           f"--orientation={angle}", cwd=self.folder)
+            self.assertEqual(result.returncode, 0)
+            self.assertRegex(result.stderr, r"\Agabor: warning: [^\n]*0\.5[^\n]*\n\Z")
         self.render(size="16x16", scale=8, frequency=4.1, orientation=45) # within the limit on both axes
 
 
