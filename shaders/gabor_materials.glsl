@@ -271,7 +271,7 @@ vec3 gabor_impl_spots(GaborPixel pixel, vec2 density, uint seed) {
     return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
 }
 
-// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes change by `gain`.
+// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes are multiplied by `gain`.
 vec3 gabor_impl_octaves(GaborPixel pixel, vec2 density, int count, float gain, uint seed) {
     vec3 sum = vec3(0.0);
     float power = 0.0;

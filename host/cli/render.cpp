@@ -147,7 +147,7 @@ void print_times(const render::Times& times, const vulkan::Device& device, doubl
                times.closing);
     fmt::print("  total                   {:8.3f} s\n", wall);
     fmt::print("  host overhead           {:8.3f} s\n", wall - times.waiting - times.writing - times.closing);
-    fmt::print("  resident memory         {:8} MiB at most\n", peak_memory() >> 20);
+    fmt::print("  peak resident memory    {:8} MiB\n", peak_memory() >> 20);
 }
 
 // The output files of -o, --png and --heightmap.

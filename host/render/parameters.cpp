@@ -90,8 +90,8 @@ Parameter flag(std::string_view name, std::string_view applies_to, std::string_v
     return row(name, Kind::flag, "", none, none, applies_to, help, find);
 }
 
-// These functions return functions that find a value in a request: of one kind of view, of the camera of a
-// body or landscape, and of the light.
+// Each of these returns a function that finds a value in a request: in_view finds a member of one kind of
+// view, in_orbit one of the camera of a body or landscape, and if_lit one of the light.
 template <typename OneView, typename T>
 auto in_view(T OneView::*member) {
     return [member](auto& request) {

@@ -12,7 +12,7 @@ const uint bake_group = 32; // runs of columns
 // Consecutive pixels that use the same cells along an axis.
 struct Run {
     int cell;    // the first cell used
-    float local; // centre of the first pixel, in cells from the start of cell + 1
+    float local; // centre of the first pixel, in cells from the start of `cell + 1`
     int first;   // that pixel's index in the region; may be negative
     int count;   // number of pixels, at most block_columns along x
 };

@@ -58,8 +58,8 @@ Hit sphere_hit(vec3 eye, vec3 ray) {
     return Hit(square > 0.0, length(nearest) - 1.0, t, p, p);
 }
 
-// Finds the hit by sphere tracing with a minimum step: it can miss only chords of up to 0.001, at most 10^-6 below the
-// surface. A step that ends inside the body is halved until it finds the surface.
+// Finds the hit by sphere tracing with a minimum step. It can miss only rays whose path through the body is shorter than
+// 0.001, and so no deeper than 10^-6. A step that ends inside the body is halved until it finds the surface.
 Hit torus_hit(vec3 eye, vec3 ray) {
     float side = length(ray);
     float t = (eye_distance - torus_large - torus_small) / side;

@@ -40,7 +40,7 @@
 
 // float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed)
 //     (noise, removed): the noise averaged over a pixel, and the share of its variance that the average removed. The
-//     error is that of gabor_noise_filtered: 1 % while the pixel's longest axis is at most a third of a kernel radius,
+//     error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel radius,
 //     and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs it costs 1.4 times as much as
 //     gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most 6.6
 //     times (125 nodes).
@@ -58,7 +58,7 @@
 
 // float2 gabor_noise_3d_isotropic_filtered(float3 p, float3 dx, float3 dy, float frequency, uint seed)
 //     Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
-//     exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at most 0.3 kernel radii,
+//     exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii,
 //     and 3 % at 0.4. For larger pixels, only the variance is right.
 
 // ---- Noise on a surface --------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point: for WGSL.
 //
-// Digest of the GLSL and of this file: d89b48c7ca44d5e3
+// Digest of the GLSL and of this file: 1619b1383a5606af
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
@@ -98,7 +98,7 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
 }
 
 // (noise, removed): the noise averaged over a pixel, and the share of its variance that the average removed. The
-// error is that of gabor_noise_filtered: 1 % while the pixel's longest axis is at most a third of a kernel radius,
+// error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel radius,
 // and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs it costs 1.4 times as much as
 // gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most 6.6
 // times (125 nodes).
@@ -136,7 +136,7 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
 }
 
 // Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
-// exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at most 0.3 kernel radii,
+// exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii,
 // and 3 % at 0.4. For larger pixels, only the variance is right.
 fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var field_19: GaborField3d;

@@ -272,7 +272,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_spots(GaborPixel pixel, gabor_vec2 density, s
     return gabor_impl_layer(pixel, density, 0.0f, 0.0f, seed);
 }
 
-// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes change by `gain`.
+// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes are multiplied by `gain`.
 GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density, int count, float gain, std::uint32_t seed) {
     gabor_vec3 sum = gabor_vec3(0.0f);
     float power = 0.0f;

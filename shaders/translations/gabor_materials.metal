@@ -275,7 +275,7 @@ inline float3 gabor_impl_spots(GaborPixel pixel, float2 density, uint seed) {
     return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
 }
 
-// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes change by `gain`.
+// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes are multiplied by `gain`.
 inline float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gain, uint seed) {
     float3 sum = float3(0.0);
     float power = 0.0;

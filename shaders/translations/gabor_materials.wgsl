@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: a9e3615c6c657e05
+// Digest of the GLSL and of this file: 694a16d6faaa426d
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -1553,7 +1553,7 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
     return _e5;
 }
 
-// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes change by `gain`.
+// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes are multiplied by `gain`.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_5: vec2<f32>;
     var sum_15: vec3<f32> = vec3(0f);

@@ -43,7 +43,7 @@ class Maps(RenderTest):
         self.assertTrue(((maps["occlusion"] > 0) & (maps["occlusion"] <= 1)).all())
 
     def test_normals_match_the_height(self):
-        """The x of normals points to the right and y up. At this scale, the height is smooth between pixels."""
+        """In normals, x points right and y points up. At this scale, the height is smooth between pixels."""
         scale = 1500
         _, maps = self.maps(f"--scale={scale}")
         down, right = np.gradient(maps["height"], 1 / scale)

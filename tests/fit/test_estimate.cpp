@@ -368,7 +368,7 @@ TEST_CASE("only a quadratic trend is removed") {
     largest.check("rows");
 }
 
-TEST_CASE("structure tells edges and ridges from waves and from normal noise") {
+TEST_CASE("structure distinguishes edges and ridges from waves and from normal noise") {
     constexpr int side = 128;
     const auto structure = [&](auto value, int rows = 128) {
         Structure result(side);

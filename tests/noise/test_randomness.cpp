@@ -187,7 +187,7 @@ TEST_CASE("the words of neighbours are independent", "[randomness]") {
     linear.check("neighbours, correlation");
 }
 
-TEST_CASE("along a row of cells each of the 2^32 words occurs once: the period is 2^32 cells",
+TEST_CASE("along a row of cells, each of the 2^32 words occurs once: the period is 2^32 cells",
           "[.][period]") {
     std::vector<std::uint64_t> seen(std::size_t{1} << 26);
     for (std::uint64_t column = 0; column < std::uint64_t{1} << 32; ++column) {

@@ -92,7 +92,8 @@ std::vector<float> numbers_of(const Request& request) {
     return numbers;
 }
 
-// Sets every parameter of the material to a random value; colours are dark, so that tones do not clamp them.
+// Sets every parameter of the material to a random value; colours are dark, so that no shade of them
+// exceeds 1.
 void randomize(Request& request, std::mt19937& random) {
     const auto unit = [&] {
         return static_cast<double>(random()) * 0x1p-32;

@@ -116,7 +116,7 @@ ordered_json time_all(const vulkan::Device& device, bool quick) {
     print_base(report.base);
     print_trends(report.trends);
     print_row(device, report.base);
-    fmt::print("\nresident memory {} MiB at most\n", cli::peak_memory() >> 20);
+    fmt::print("\npeak resident memory: {} MiB\n", cli::peak_memory() >> 20);
     return {{"base", to_json(report.base)},
             {"trends", to_json(report.trends)},
             {"peak_memory", cli::peak_memory()}};

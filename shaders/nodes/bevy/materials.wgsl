@@ -1556,7 +1556,7 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
     return _e5;
 }
 
-// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes change by `gain`.
+// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes are multiplied by `gain`.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_5: vec2<f32>;
     var sum_15: vec3<f32> = vec3(0f);

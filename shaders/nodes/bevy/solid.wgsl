@@ -101,7 +101,7 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
 }
 
 // (noise, removed): the noise averaged over a pixel, and the share of its variance that the average removed. The
-// error is that of gabor_noise_filtered: 1 % while the pixel's longest axis is at most a third of a kernel radius,
+// error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel radius,
 // and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs it costs 1.4 times as much as
 // gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most 6.6
 // times (125 nodes).
@@ -139,7 +139,7 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
 }
 
 // Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
-// exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at most 0.3 kernel radii,
+// exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii,
 // and 3 % at 0.4. For larger pixels, only the variance is right.
 fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var field_19: GaborField3d;
