@@ -81,6 +81,7 @@ class Help(ProgramTest):
             self.assertRegex(block, rf"\A{index}  \S")
             for limit in ("kind", "driver", "Vulkan", "memory", "storage buffer", "workgroup", "GPU times"):
                 self.assertRegex(block, rf"(?m)^   {limit} +\S")
+            self.assertRegex(block, r"(?m)^   memory +\d{2,7} MiB$")
 
 
 if __name__ == "__main__":
