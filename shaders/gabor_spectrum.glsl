@@ -756,7 +756,7 @@ void gabor_impl_filtered_space(ivec3 cell, vec3 local, ivec3 period, bool animat
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
-// Derives four more words from a row's word. Their products with the words of columns are as random as those of nodes.
+// Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
 uvec4 gabor_impl_row(uint word) {
     uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;

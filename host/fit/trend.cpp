@@ -93,7 +93,7 @@ Survey PixelSums::survey() const {
     return result;
 }
 
-// Regresses the logarithm of each block's deviation on that of its light.
+// Regresses the logarithm of each block's deviation on that of its brightness.
 void PixelSums::find_contrast(Survey& survey) const {
     constexpr double least_correlation = 0.3; // chance gives about 1 / blocks
     Trend& trend = survey.trend;

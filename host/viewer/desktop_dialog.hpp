@@ -18,7 +18,7 @@ class DesktopDialog {
     /// Opens a dialog. Returns false outside a desktop, or if neither program is installed.
     bool open(const FileDialog& dialog);
     bool is_open() const { return process_ > 0; }
-    /// Polls the last dialog; call it in each frame. Returns the chosen path, which is empty if the user
+    /// Polls the last dialog; call it every frame. Returns the chosen path, which is empty if the user
     /// cancelled, or nothing while the dialog is open or if it failed. Once it has ended, `is_open` returns
     /// false.
     std::optional<std::string> poll();

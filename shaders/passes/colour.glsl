@@ -11,7 +11,7 @@ struct Components {
     vec3 removed;
 };
 
-// Adds a noise with its quadrature; `removed` is the share of its variance that a filter removed.
+// Adds a noise and its quadrature; `removed` is the share of its variance that a filter removed.
 void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
     vec2 a = weights[0];
     vec2 b = weights[1];

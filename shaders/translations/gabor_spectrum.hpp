@@ -757,7 +757,7 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
-// Derives four more words from a row's word. Their products with the words of columns are as random as those of nodes.
+// Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
 GABOR_INLINE gabor_uvec4 gabor_impl_row(std::uint32_t word) {
     std::uint32_t first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     std::uint32_t second = (first ^ (first >> 15u)) * 0xd35a2d97u;

@@ -760,7 +760,7 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
 // Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
 // directions.
 
-// Derives four more words from a row's word. Their products with the words of columns are as random as those of nodes.
+// Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
 inline uint4 gabor_impl_row(uint word) {
     uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;

@@ -331,7 +331,7 @@ void check_removed(const Function<N>& function) {
 } // namespace
 
 // Over twelve seeds, the noise in the plane has an RMSE of 0.14 to 0.20 % for small pixels and of 0.54 to
-// 0.69 % for large ones; its gradient has 0.7 to 1.3 % and 1.4 to 2.1 %.
+// 0.69 % for large ones; for its gradient, 0.7 to 1.3 % and 1.4 to 2.1 %.
 TEST_CASE("the filter agrees with quadrature of the noise", "[spectrum][space][oracle][filter]") {
     check_pixels(plane, false, {0.0025, 0.015}, {0.0085, 0.024});
     check_pixels(space, false, {0.005, 0.02}, {0.01, 0.03});

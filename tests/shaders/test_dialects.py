@@ -1,5 +1,5 @@
-"""Compiles the drop-ins in shaders of every dialect, each after those that it needs and with a call of each function, and
-checks the names and constructs that they use."""
+"""Compiles each drop-in in every dialect, in a shader that includes the drop-ins it depends on and calls all of its
+functions. Checks the names and constructs that the drop-ins use."""
 
 import json
 import os

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int block_side = 256;
 constexpr int repetitions = 120;
-const samples::Lobe lobe{2.0}; // the correlation is exp(-|d|^2 / 16), and 1e-7 at the 16 pixels of a block
+const samples::Lobe lobe{2.0}; // the correlation is exp(-|d|^2 / 16): 1e-7 at 16 pixels, the side of a block
 constexpr double correlation = 16;
 
 void add_picture(Blocks& blocks, const std::vector<float>& picture, int width) {

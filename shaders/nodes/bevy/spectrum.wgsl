@@ -2463,7 +2463,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     return;
 }
 
-// Derives four more words from a row's word. Their products with the words of columns are as random as those of nodes.
+// Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
     if GABOR_TAPS == 2 {
         var first: u32;
