@@ -57,14 +57,15 @@ std::array<int, count> parse_integers(std::string_view option, std::string_view 
     std::array<int, count> values{};
     const char* at = text.data();
     const char* end = at + text.size();
-    bool good = true;
-    for (std::size_t i = 0; i < count && good; ++i) {
-        good = i == 0 || (at != end && *at++ == separator);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0 && (at == end || *at++ != separator))
+            refuse(option, text, accepted);
         const auto [stop, error] = std::from_chars(at, end, values[i]);
-        good = good && error == std::errc();
+        if (error != std::errc())
+            refuse(option, text, accepted);
         at = stop;
     }
-    if (!good || at != end)
+    if (at != end)
         refuse(option, text, accepted);
     return values;
 }

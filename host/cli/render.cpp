@@ -264,8 +264,24 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));
 }
 
-// What help texts call a value of each kind, in the order of Kind.
-constexpr std::array type_names{"", "NUMBER", "NUMBER", "ANGLE", "NAME", "FILE", "NAME", "FILE", "COLOUR"};
+const char* type_name(Kind kind) {
+    switch (kind) {
+    case Kind::flag:
+        return "";
+    case Kind::integer:
+    case Kind::number:
+        return "NUMBER";
+    case Kind::angle:
+        return "ANGLE";
+    case Kind::colour:
+        return "COLOUR";
+    case Kind::text:
+    case Kind::lobes:
+        return "FILE";
+    default:
+        return "NAME";
+    }
+}
 
 std::string help_of(const render::Parameter& parameter) {
     const render::Request defaults;
@@ -297,8 +313,7 @@ void add_parameters(CLI::App& command, RenderOptions& options) {
         CLI::Option* option = parameter.kind == Kind::flag
                                   ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
                                         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-                                  : command.add_option(name)->type_name(
-                                        type_names.at(static_cast<std::size_t>(parameter.kind)));
+                                  : command.add_option(name)->type_name(type_name(parameter.kind));
         option->description(help_of(parameter));
         if (render::is_of_one_material(parameter)) // `gabor materials` lists them
             option->group("");

@@ -51,6 +51,25 @@ class ExrContext {
     exr_context_t context_ = nullptr;
 };
 
+// Reading where a chunk lies checks that it is complete.
+void check_scanlines(const ExrContext& file, std::int32_t first, std::int32_t last) {
+    std::int32_t step = 0;
+    file.require(exr_get_scanlines_per_chunk(file, 0, &step));
+    exr_chunk_info_t chunk;
+    for (std::int64_t y = first; y <= last; y += step)
+        file.require(exr_read_scanline_chunk_info(file, 0, static_cast<int>(y), &chunk));
+}
+
+void check_tiles(const ExrContext& file, std::int64_t width, std::int64_t height) {
+    std::int32_t across = 0;
+    std::int32_t down = 0;
+    file.require(exr_get_tile_sizes(file, 0, 0, 0, &across, &down));
+    exr_chunk_info_t chunk;
+    for (int y = 0; std::int64_t{y} * down < height; ++y)
+        for (int x = 0; std::int64_t{x} * across < width; ++x)
+            file.require(exr_read_tile_chunk_info(file, 0, x, y, 0, 0, &chunk));
+}
+
 // Returns the size in bytes of the largest block to decode.
 std::uint64_t inspect(const ExrContext& file) {
     exr_storage_t storage;
@@ -68,27 +87,22 @@ std::uint64_t inspect(const ExrContext& file) {
 
     const bool tiled = storage == EXR_STORAGE_TILED;
     std::uint64_t block = 0;
-    std::int32_t rows = 0;
-    std::uint32_t across = 0;
-    std::uint32_t down = 0;
     file.require(exr_get_chunk_unpacked_size(file, 0, &block));
     if (tiled) {
+        std::uint32_t across = 0;
+        std::uint32_t down = 0;
         file.require(exr_get_tile_descriptor(file, 0, &across, &down, nullptr, nullptr));
         block = std::max(block, static_cast<std::uint64_t>(width) * down * sizeof(float)); // a row of tiles
-    } else {
-        file.require(exr_get_scanlines_per_chunk(file, 0, &rows));
     }
     if (block > largest_block)
         refuse_picture(file.path(),
                        fmt::format("one block or row of tiles takes {} MiB; at most {} MiB are supported",
                                    block >> 20, largest_block >> 20));
 
-    exr_chunk_info_t chunk; // reading it checks the position and size of the chunk
-    for (std::int64_t y = window.min.y; !tiled && y <= window.max.y; y += rows)
-        file.require(exr_read_scanline_chunk_info(file, 0, static_cast<int>(y), &chunk));
-    for (int y = 0; tiled && std::int64_t{y} * down < height; ++y)
-        for (int x = 0; std::int64_t{x} * across < width; ++x)
-            file.require(exr_read_tile_chunk_info(file, 0, x, y, 0, 0, &chunk));
+    if (tiled)
+        check_tiles(file, width, height);
+    else
+        check_scanlines(file, window.min.y, window.max.y);
     return block;
 }
 

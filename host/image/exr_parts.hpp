@@ -11,14 +11,16 @@
 #include <ImfIO.h>
 #include <ImfThreading.h>
 
+#include <mutex>
 #include <thread>
 
 namespace gabor::image {
 
 /// Gives OpenEXR's thread pool, which starts empty, one thread per core.
 inline void start_exr_threads() {
-    [[maybe_unused]] static const bool once =
-        (Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())), true);
+    static std::once_flag once;
+    std::call_once(once,
+                   [] { Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())); });
 }
 
 /// Describes rows of interleaved channels. The first value belongs to the pixel `corner`.

@@ -197,13 +197,15 @@ ExrHeader ExrReader::State::header_of(std::vector<std::string> channels) const {
         if (!found)
             refuse_picture(path, fmt::format("there is no channel '{}'; the file has {}", name,
                                              fmt::join(names_of(all), ", ")));
-        const bool subsampled = found->xSampling != 1 || found->ySampling != 1;
-        if (found->type == Imf::UINT || subsampled)
-            refuse_picture(path, fmt::format("channel '{}' {}", name,
-                                             subsampled ? "is subsampled; only channels with a value for "
-                                                          "every pixel are supported"
-                                                        : "contains integers; only half and float are "
-                                                          "supported"));
+        if (found->type == Imf::UINT)
+            refuse_picture(
+                path, fmt::format("channel '{}' contains integers; only half and float are supported", name));
+        if (found->xSampling != 1 || found->ySampling != 1)
+            refuse_picture(
+                path,
+                fmt::format(
+                    "channel '{}' is subsampled; only channels with a value for every pixel are supported",
+                    name));
     }
     const auto text = [&](const char* attribute) {
         const auto* found = header.findTypedAttribute<Imf::StringAttribute>(attribute);

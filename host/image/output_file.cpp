@@ -210,6 +210,19 @@ void OutputFile::fail(int error) const {
     throw std::runtime_error(fmt::format("cannot write {}: {}", path_.string(), reason(error)));
 }
 
+OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
+    std::error_code error;
+    created_ = fs::create_directory(path_, error);
+    if (error)
+        throw RequestError(fmt::format("cannot create the folder '{}': {}", path_.string(), error.message()));
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code ignored;
+    if (created_)
+        fs::remove(path_, ignored); // fails unless it is empty
+}
+
 const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
     std::error_code ignored;
     if (std::filesystem::is_fifo(path, ignored))

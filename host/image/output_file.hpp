@@ -51,6 +51,20 @@ class OutputFile {
     int error_ = 0; ///< why the last write failed; 0 if none has
 };
 
+/// A folder for output files. The destructor removes the folder again if it was created here and is empty.
+class OutputFolder {
+  public:
+    /// Creates the folder unless it exists. Throws RequestError if that fails.
+    explicit OutputFolder(std::filesystem::path path);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+  private:
+    std::filesystem::path path_;
+    bool created_;
+};
+
 /// Returns the path. Throws RequestError for a pipe: formats that are not written in order need a file.
 const std::filesystem::path& not_a_pipe(const std::filesystem::path& path);
 

@@ -268,18 +268,8 @@ void render_maps(const vulkan::Device& device, const Request& request, const std
     if (std::max(request.width, request.height) > most_map_side)
         throw RequestError(fmt::format("maps of {} x {} pixels are too large: at most {} x {} are supported",
                                        request.width, request.height, most_map_side, most_map_side));
-    std::error_code error;
-    const bool made = std::filesystem::create_directory(folder, error);
-    if (error)
-        throw RequestError(
-            fmt::format("--maps '{}': cannot create the folder: {}", folder.string(), error.message()));
-    try {
-        write_maps(device, request, folder, format, advance);
-    } catch (...) {
-        if (made)
-            std::filesystem::remove(folder, error); // fails unless it is empty
-        throw;
-    }
+    const image::OutputFolder created(folder);
+    write_maps(device, request, folder, format, advance);
 }
 
 } // namespace gabor::render

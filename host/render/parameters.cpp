@@ -714,16 +714,20 @@ void check(const Request& request) {
     if (request.colour && is_colourless(request))
         throw RequestError(
             "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
-    const Terrain* terrain = std::get_if<Terrain>(&request.view);
-    const bool tiles = terrain ? terrain->tileable : is_tiled(request) && !has_material(request);
-    const double radius = std::ranges::max(request.lobes, {}, &Lobe::longest_radius).longest_radius();
-    const double least = std::ceil((terrain ? 4 : 2 * radius) * request.scale);
-    if (tiles && std::min(request.width, request.height) < least)
-        throw RequestError(fmt::format(
-            "a {} of {} x {} pixels at scale {} is too small: each side must be at "
-            "least {} kernel radii{}, {} pixels",
-            terrain ? "terrain tile" : "tileable picture", request.width, request.height, request.scale,
-            terrain ? "four" : "two", request.lobes.size() > 1 ? " of its widest lobe" : "", least));
+    const auto require_sides = [&](std::string_view what, double units, std::string_view described) {
+        const double least = std::ceil(units * request.scale);
+        if (std::min(request.width, request.height) < least)
+            throw RequestError(
+                fmt::format("a {} of {} x {} pixels at scale {} is too small: each side must be at least {}, "
+                            "{} pixels",
+                            what, request.width, request.height, request.scale, described, least));
+    };
+    if (const Terrain* terrain = std::get_if<Terrain>(&request.view); terrain && terrain->tileable)
+        require_sides("terrain tile", 4, "four kernel radii");
+    else if (!terrain && is_tiled(request) && !has_material(request))
+        require_sides("tileable picture",
+                      2 * std::ranges::max(request.lobes, {}, &Lobe::longest_radius).longest_radius(),
+                      request.lobes.size() > 1 ? "two kernel radii of its widest lobe" : "two kernel radii");
 }
 
 } // namespace gabor::render

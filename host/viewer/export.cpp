@@ -1,6 +1,7 @@
 #include "viewer/export.hpp"
 
 #include "image/exr.hpp"
+#include "image/output_file.hpp"
 #include "image/png.hpp"
 #include "render/maps.hpp"
 #include "render/parameters.hpp"
@@ -56,18 +57,6 @@ std::string path_from_home(const std::filesystem::path& path) {
     return home && *home && whole.starts_with(std::string(home) + '/') ? "~" + whole.substr(std::strlen(home))
                                                                        : whole;
 }
-
-// Creates a folder. The destructor removes it again if it is still empty.
-struct NewFolder {
-    explicit NewFolder(std::filesystem::path made) : path(std::move(made)) {
-        std::filesystem::create_directories(path);
-    }
-    ~NewFolder() {
-        std::error_code ignored;
-        std::filesystem::remove(path, ignored);
-    }
-    std::filesystem::path path;
-};
 
 } // namespace
 
@@ -153,7 +142,7 @@ std::string Exporter::result() const {
 void Exporter::write_noise_maps(const vulkan::Device& device, const Document& document,
                                 const std::filesystem::path& folder,
                                 const std::function<void(std::uint64_t)>& advance) const {
-    const NewFolder made(folder);
+    const image::OutputFolder created(folder);
     const auto maps = noise_maps(document, document.request.colour.has_value());
     std::vector<image::PngWriter> writers; // open before the work begins, to fail early
     for (const NoiseMap& map : maps)
@@ -192,6 +181,9 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
         done += pixels;
         work_.advance(static_cast<double>(done) / static_cast<double>(total));
     };
+    if (const std::filesystem::path folder = target.folder;
+        target.as == ExportAs::maps && folder.has_parent_path())
+        std::filesystem::create_directories(folder.parent_path());
     if (target.as == ExportAs::maps && target.of_noise) {
         write_noise_maps(device, document, target.folder, advance);
     } else if (target.as == ExportAs::maps) {

@@ -128,7 +128,7 @@ class Maps(RenderTest):
         self.assertEqual(self.files(), {})
         self.assert_refused(["--directx requires --maps"], "render", "--material=wood", "-o", "a.exr", "--directx")
         (self.folder / "file").write_text("mine")
-        self.assert_refused(["--maps 'file'", "cannot create the folder"], "render", "--material=wood", "--maps", "file")
+        self.assert_refused(["cannot create the folder 'file'"], "render", "--material=wood", "--maps", "file")
         self.assertEqual((self.folder / "file").read_text(), "mine")
 
 
