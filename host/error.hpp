@@ -5,8 +5,8 @@
 
 namespace gabor {
 
-/// Means that the request itself was wrong. The message says what was wrong and what is accepted. Exit status
-/// 2. Every other exception means that a correct request failed while working. Exit status 1.
+/// Means that the request itself was wrong; the exit status is 2. The message says what was wrong and what is
+/// accepted. Any other exception means that a valid request could not be carried out; the exit status is 1.
 class RequestError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -31,15 +31,15 @@ struct GaborErosion {
     float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
-    float sharpness;       // how equal gullies are in depth, 0 to 100: 1 for natural variety, 4 for even stripes
+    float sharpness;       // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
-    float gully_weight;    // depth of gullies, relative to that of peaks and valleys, 0 to 1
+    float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10: 0 for none, 1 for all of it
 };
 
 // GaborErosion gabor_erosion()
-//     Alpine ridges and valleys on the hills of gabor_terrain.
+//     Parameters for alpine ridges and valleys on the hills of gabor_terrain.
 
 // GaborTerrain gabor_terrain(vec2 p, uint seed)
 //     Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
@@ -69,14 +69,16 @@ struct GaborGround { // the position cell + local
 // GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     These combine a period, full precision far from the origin and, unless dx and dy are vec2(0.0), a filter.
+//     The same with a period, a filter (unless dx and dy are vec2(0.0)), or both. Without a period, the result is
+//     precise at any distance from the origin.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The kernel radius is one unit of p.
+// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
+// p, so that wave vectors and derivatives are per unit of p.
 GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
@@ -94,8 +96,8 @@ GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     return place;
 }
 
-// Computes the cubic B-splines of the four nodes around a point, at t in [0, 1) between the middle two, and their
-// derivatives.
+// Computes the cubic B-splines of the four nodes around a point, and their derivatives. The point is t in [0, 1) node
+// spacings beyond the second node.
 void gabor_impl_splines(float t, out vec4 value, out vec4 slope) {
     float u = 1.0 - t;
     value = vec4(u * u * u, 4.0 - 3.0 * t * t * (1.0 + u), 4.0 - 3.0 * u * u * (1.0 + t), t * t * t) / 6.0;
@@ -178,7 +180,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain 
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
             z = erosion.sharpness * gabor_field(place, GaborKernel(wave), gabor_lobe_seed(seed, i)).value;
-            z *= kept * inversesqrt(1.0 + dot(z, z)); // brings z to length 1, except where waves cancel
+            z *= kept * inversesqrt(1.0 + dot(z, z)); // brings z near length `kept`, except where waves cancel
         }
         gully.height = mix(gully.height, erosion.gully_weight * z.x, mask);
         gully.slope = mix(gully.slope, -6.2831853 * erosion.gully_weight * z.y * wave, mask);

@@ -1,5 +1,5 @@
-// Prevents unloading under LeakSanitizer, so that its reports name the leaking driver, as tests/lsan.supp
-// needs.
+// Keeps libraries loaded, so that LeakSanitizer's reports name the leaking driver and tests/lsan.supp can
+// match it.
 
 #include <dlfcn.h>
 

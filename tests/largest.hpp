@@ -27,7 +27,7 @@ class Largest {
         where_ = fmt::format("{} instead of {} at {}", value, expected, text_of(place));
     }
 
-    /// Whether it saw a point and every difference was within its tolerance.
+    /// Whether it saw at least one point, and every difference was within its tolerance.
     bool holds() const { return points_ > 0 && difference_ <= 1; }
 
     void check(std::string_view name) const {
@@ -54,7 +54,7 @@ class Largest {
     std::string where_ = "nowhere";
 };
 
-/// The largest differences of several functions, by their names.
+/// The largest differences of several functions, by name.
 using Differences = std::map<std::string, Largest>;
 
 inline void check(const Differences& differences, std::size_t functions) {

@@ -1,6 +1,6 @@
 // For tests that use a device: turns validation layers on unless GABOR_VALIDATION says otherwise, and makes
-// any message from them a failure. Catch2 provides main; a custom main would compile Catch2 again, for 20
-// seconds.
+// any message from them a failure. Catch2 provides main; a custom main would have to compile Catch2 again,
+// which takes 20 seconds.
 
 #include "vulkan/device.hpp"
 

@@ -35,7 +35,7 @@ def arguments(text, opening):
             start = place + 1
         if depth == 0:
             return place, parts
-    raise ValueError(f"no end of {text[opening:opening + 40]}")
+    raise ValueError(f"unclosed parenthesis: {text[opening:opening + 40]}")
 
 
 def each_call(text, name, rewritten):

@@ -1,6 +1,6 @@
 #pragma once
 
-// The subcommands of gabor, and the functions with which they add and read their options.
+// The subcommands of gabor, and functions for adding and reading their options.
 
 #include "error.hpp"
 #include "render/parameters.hpp"
@@ -31,7 +31,7 @@ void add_devices_command(CLI::App& app);
 void add_materials_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
 
-/// Adds an option whose value the help text calls `type`.
+/// Adds an option whose value is called `type` in the help text.
 template <typename Value>
 CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value, const std::string& type,
                         const std::string& help) {
@@ -41,16 +41,16 @@ CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value
 /// Adds an option for a range of heights, LOW,HIGH.
 CLI::Option* add_elevation_option(CLI::App& command, std::vector<double>& elevation, const std::string& help);
 
-/// Parameters of the table, each with its command-line option.
+/// Parameters from render::parameters(), each with its command-line option.
 using ParameterOptions = std::vector<std::pair<const render::Parameter*, const CLI::Option*>>;
 
-/// Returns the values of the options that the user gave. Throws a RequestError that names the wrong option.
+/// Returns the values of the options that the user gave. Throws a RequestError that names an invalid option.
 render::Values given_values(const ParameterOptions& options);
 
-/// Throws RequestError, "OPTION 'TEXT': expected ACCEPTED".
+/// Throws RequestError with the message "OPTION 'TEXT': expected ACCEPTED".
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted);
 
-/// Reads `count` whole numbers with separators, such as 1024x768 or 0,0,64,64.
+/// Reads `count` whole numbers separated by `separator`, such as 1024x768 or 0,0,64,64.
 template <std::size_t count>
 std::array<int, count> parse_integers(std::string_view option, std::string_view text, char separator,
                                       std::string_view accepted) {
@@ -77,8 +77,8 @@ int parse_integer(std::string_view option, std::string_view text, int low, int h
 /// Reads X,Y,WIDTH,HEIGHT.
 image::Rect parse_region(std::string_view text);
 
-/// Throws RequestError unless `region` lies within `width` x `height` pixels. The message names the region
-/// with `whose` and the picture with `whole`.
+/// Throws RequestError unless `region` lies within `width` x `height` pixels. The message calls the
+/// region `whose` and the picture `whole`.
 void check_within(const image::Rect& region, int width, int height, std::string_view whose,
                   std::string_view whole);
 

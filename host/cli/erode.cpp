@@ -40,7 +40,7 @@ struct ErodeOptions {
     std::vector<double> elevation;
     double extent = 2 * preset_hill;
     std::string preset = "alps";
-    ParameterOptions gullies; // these override the preset's
+    ParameterOptions gullies; // these override those of the preset
     std::uint32_t seed = 0;
     bool tileable = false;
     std::string device;
@@ -89,10 +89,10 @@ render::HeightMap map_of(const ErodeOptions& options) {
 void erode(const ErodeOptions& options) {
     if (!(options.extent > 0 && options.extent < 1e9))
         throw RequestError(
-            fmt::format("--extent {}: expected the width of the map, greater than 0", options.extent));
+            fmt::format("--extent {}: expected the width of the map, above 0 and below 1e9", options.extent));
     const bool to_exr = has_extension(options.output, ".exr");
     if (!to_exr && !has_extension(options.output, ".png") && !has_extension(options.output, ".r16"))
-        refuse("-o", options.output.string(), "the name of a file that ends in .exr, .png or .r16");
+        refuse("-o", options.output.string(), "a file name that ends in .exr, .png or .r16");
     std::error_code ignored;
     if (std::filesystem::equivalent(options.map, options.output, ignored))
         throw RequestError(
@@ -105,7 +105,7 @@ void erode(const ErodeOptions& options) {
 
     const bool floats = has_extension(options.map, ".exr");
     if (floats && !to_exr && options.elevation.empty())
-        throw RequestError("an EXR has no range of heights: give with --elevation LOW,HIGH the heights that "
+        throw RequestError("an EXR has no range of heights: use --elevation LOW,HIGH to set the heights that "
                            "become 0 and 65535 in 16 bits");
     const render::Elevation elevation = options.elevation.empty()
                                             ? render::Elevation{0, options.extent / 8}
@@ -164,7 +164,7 @@ void add_erode_command(CLI::App& app) {
     add_option(*command, "--region", options->region, "RECTANGLE",
                "X,Y,WIDTH,HEIGHT: write only this part of the eroded map");
     add_option(*command, "--extent", options->extent, "NUMBER",
-               "Width of the map, in the unit of heights [8]");
+               "Width of the map, in the same unit as its heights [8]");
     add_elevation_option(
         *command, options->elevation,
         "LOW,HIGH: heights that 0 and 65535 stand for in 16-bit files [0 and an eighth of --extent]");

@@ -55,7 +55,7 @@ void fit_picture(const FitOptions& options) {
     const std::optional<std::string> name =
         options.glsl ? std::optional(fit::function_name(*options.glsl)) : std::nullopt;
     if (std::filesystem::path(options.output).extension() != ".json")
-        refuse("-o", options.output, "the name of a file that ends in .json");
+        refuse("-o", options.output, "a file name that ends in .json");
     image::OutputFile output(options.output);
     std::optional<image::OutputFile> glsl;
     if (options.glsl)

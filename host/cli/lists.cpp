@@ -23,7 +23,7 @@ void print_devices() {
         fmt::print("   storage buffer  {} MiB at most\n", device.storage_buffer >> 20);
         fmt::print("   workgroup       {} invocations at most, {} per subgroup\n", device.group_invocations,
                    device.subgroup);
-        fmt::print("   GPU times       {}\n", device.timestamps ? "yes" : "no");
+        fmt::print("   GPU timing      {}\n", device.timestamps ? "yes" : "no");
     }
 }
 

@@ -23,7 +23,7 @@ namespace gabor::cli {
 
 namespace {
 
-// Prints one line on stderr. Replaces control characters, which names in files may contain, with spaces.
+// Prints one line on stderr. Replaces control characters, which text from files may contain, with spaces.
 int fail(const Program& program, int status, std::string message) {
     std::ranges::replace_if(
         message, [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
@@ -93,7 +93,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
         const std::vector<std::string> words = app.remaining(true);
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
             app.exit(error);     // prints --help or --version
-        else if (!words.empty()) // reported first: it may be a misspelled required option
+        else if (!words.empty()) // unknown words come first: one may be a misspelled required option
             return fail(program, 2,
                         fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
                                     where_to_look(app)));
@@ -105,7 +105,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
         return fail(program, 1, error.what());
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
-        return fail(program, 1, "cannot write to the standard output");
+        return fail(program, 1, "cannot write to standard output");
     if (const int messages = vulkan::validation_messages())
         return fail(program, 1, fmt::format("{} message(s) from the validation layers", messages));
     return 0;
@@ -121,8 +121,8 @@ void add_device_option(CLI::App& command, std::string& device) {
 }
 
 int run(const Program& program, int argc, const char* const* argv) {
-    // If a standard stream is closed, the next file to be opened would take its number and receive what is
-    // printed. Fill the gap with a file that cannot be written, so that printing fails instead.
+    // If a standard stream is closed, the next file to be opened would take its descriptor and receive what
+    // is printed. Open a read-only file in its place, so that printing fails instead.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0)
             ::open("/dev/null", O_RDONLY);
@@ -133,7 +133,7 @@ int run(const Program& program, int argc, const char* const* argv) {
         return parse_and_work(program, argc, argv);
     } catch (const Interrupted& interrupted) {
         fail(program, 1, "interrupted; no half-written file was kept");
-        // Terminate by the same signal, so that shells and queues see the reason.
+        // Terminate by the same signal, so that shells and job schedulers see the reason.
         std::signal(interrupted.signal, SIG_DFL);
         std::raise(interrupted.signal);
         return 1;

@@ -42,7 +42,7 @@ struct RenderOptions {
     bool texture = false;
     bool half = false;
     bool verbose = false;
-    ParameterOptions parameters; // the whole table
+    ParameterOptions parameters; // all but width and height, which are in `size`
 };
 
 struct Work {
@@ -88,7 +88,7 @@ Work make_work(const RenderOptions& options) {
     render::set(work.request, given);
     work.scaled = options.preset || options.like ||
                   std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
-    if (options.terrain && !work.scaled) // shows two hills
+    if (options.terrain && !work.scaled) // show two hills
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     work.request.filter |= options.texture || options.level; // mip levels are filtered
     render::check(work.request);
@@ -167,15 +167,15 @@ render::Files files_of(const RenderOptions& options) {
     if (options.output) {
         const std::string extension = std::filesystem::path(*options.output).extension();
         if (*options.output == "-" || (!extension.empty() && extension != ".exr" && extension != ".png"))
-            refuse("-o", *options.output, "the name of a file that ends in .exr or .png");
+            refuse("-o", *options.output, "a file name that ends in .exr or .png");
         (extension == ".png" ? files.png : files.exr) = *options.output;
     }
     if (options.png) {
         if (files.png)
-            throw RequestError("-o and --png both name a PNG: give the EXR's name with -o");
+            throw RequestError("-o and --png both name a PNG: use -o for the EXR");
         const std::string extension = std::filesystem::path(*options.png).extension();
         if (!extension.empty() && extension != ".png")
-            refuse("--png", *options.png, "the name of a file that ends in .png");
+            refuse("--png", *options.png, "a file name that ends in .png");
         files.png = *options.png;
     }
     if (options.heightmap)
@@ -189,12 +189,13 @@ render::Files files_of(const RenderOptions& options) {
     return files;
 }
 
-// Renders a set of maps: 4 x 4 units of a material or 8 x 8 of terrain, unless a scale is given.
+// Renders a set of maps. Unless a scale is given, the shorter side spans 4 units of a material, 8 of terrain.
 void render_map_set(const RenderOptions& options) {
     if (options.output || options.png || options.heightmap || !options.elevation.empty() || options.region ||
         options.frames || options.level)
-        throw RequestError("--maps writes whole sets: it cannot be combined with -o, --png, --heightmap, "
-                           "--elevation, --region, --frames or --level");
+        throw RequestError(
+            "--maps writes a whole set of maps: it cannot be combined with -o, --png, --heightmap, "
+            "--elevation, --region, --frames or --level");
     Work work = make_work(options);
     const bool terrain = render::has_terrain(work.request);
     if (!work.scaled)
@@ -216,7 +217,7 @@ void render_map_set(const RenderOptions& options) {
 void render_pictures(const RenderOptions& options, Clock::time_point start) {
     note_interrupts();
     if (options.half && !options.texture)
-        throw RequestError("--half requires --texture: pictures have 32-bit floats");
+        throw RequestError("--half requires --texture: plain pictures have 32-bit floats");
     if (options.maps)
         return render_map_set(options);
     if (!options.output && !options.png && !options.heightmap)
@@ -264,6 +265,7 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));
 }
 
+// The type names that help texts show.
 const char* type_name(Kind kind) {
     switch (kind) {
     case Kind::flag:
@@ -350,10 +352,10 @@ void add_render_command(CLI::App& app) {
     add_option(*command, "--like", options->like, "FILE",
                "Take all other options from an earlier EXR or a JSON file");
     add_option(*command, "--region", options->region, "X,Y,WIDTH,HEIGHT",
-               "Render only this part of the picture; its pixels are those of the whole picture");
+               "Render only this part of the picture; its pixels equal those of a full render");
     add_option(*command, "--frames", options->frames, "NUMBER",
-               fmt::format("Render one period of the animation as NAME.0001.exr, NAME.0002.exr ...: a whole "
-                           "number from 1 to {}",
+               fmt::format("Render one period of the animation in this many frames, from 1 to {}: "
+                           "NAME.0001.exr, NAME.0002.exr ...",
                            render::most_frames));
     add_option(*command, "--compression", options->compression, "NAME",
                fmt::format("Compression of the EXR: {} [{}]", fmt::join(image::compression_names(), ", "),
@@ -362,7 +364,7 @@ void add_render_command(CLI::App& app) {
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be powers "
-        "of two. With --maps: make maps.exr such a texture, whose roughness grows where its normals are "
+        "of two. With --maps: write maps.exr as such a texture, with more roughness where its normals are "
         "averaged");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
     add_option(*command, "--level", options->level, "NUMBER",

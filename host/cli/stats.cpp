@@ -26,7 +26,7 @@ using statistics::SpectrumSummary;
 // The smallest cvm at which a deviation from the normal distribution is visible.
 constexpr double visible_cvm = 0.5;
 
-// gabor's own JSON is flat. Deeper JSON is ignored, because writing it could overflow the stack.
+// gabor's own JSON has few levels. JSON deeper than this is ignored: writing it could overflow the stack.
 constexpr int deepest_parameters = 16;
 
 struct StatsOptions {
@@ -46,7 +46,7 @@ struct Measured {
     PictureReport report = {};
 
     const char* reference() const { return expected.fitted ? "measured" : "analytic"; }
-    // Returns false for pictures of a body: perspective distorts its frequencies.
+    // Returns false for pictures of a body, because perspective distorts frequencies.
     bool has_spectrum() const { return report.spectrum && outside == 0; }
 };
 
@@ -224,8 +224,8 @@ void print_limits(const Measured& measured) {
         fmt::print("  No spectrum, intervals or cvm: the picture is smaller than 16 x 16 pixels.\n");
     } else if (!blocks) {
         fmt::print(
-            "  No intervals and no cvm: pixels are correlated over about {:.0f} pixels, and the picture is "
-            "shorter than 8 times that.\n",
+            "  No intervals and no cvm: pixels are correlated over about {:.0f} pixels, and the shorter "
+            "side of the picture is less than 8 times that.\n",
             report.spectrum->correlation);
     } else {
         fmt::print(

@@ -12,8 +12,8 @@ struct Interrupted {
     int signal;
 };
 
-/// Shows the progress of long work and the remaining time on the terminal's last line. Prints nothing in the
-/// first half second, or if stderr is not a terminal.
+/// Shows the progress of a long task and the remaining time on the terminal's last line. Prints nothing in
+/// the first half second, or if stderr is not a terminal.
 class Progress {
   public:
     Progress(std::string label, std::uint64_t total);
@@ -35,7 +35,7 @@ class Progress {
 /// Makes SIGINT and SIGTERM set a flag instead of terminating the process.
 void note_interrupts();
 
-/// Throws Interrupted if one of these signals has arrived. Work without a Progress must call this function.
+/// Throws Interrupted after SIGINT or SIGTERM. Long tasks without a Progress must call this function.
 void check_interrupt();
 
 /// The largest resident memory of this process so far, in bytes.

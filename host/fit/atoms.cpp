@@ -17,8 +17,8 @@ double correlation_slope(double t) {
     return -(1 - std::cos(pi * u) + (2 - u) * pi / 2 * std::sin(pi * u)) / 3;
 }
 
-// Returns the autocovariance of samples at lags of 0 ... count - 1 spacings. `pixels` is the autocovariance
-// C(0), C(1) ... of the pixels, with C(-t) = C(t)*.
+// Returns the autocovariance of samples, multiplied by their spacing, at lags of 0 ... count - 1 spacings.
+// `pixels` is the autocovariance C(0), C(1) ... of the pixels, with C(-t) = C(t)*.
 Complexes sampled(const Scale& scale, const Complexes& pixels, Eigen::Index count) {
     if (scale.spacing == 1)
         return pixels.head(count);
@@ -37,7 +37,7 @@ const Eigen::ArrayXd& lag_window(const Scale& scale, int axis) {
     return scale.lag_window[static_cast<std::size_t>(axis)];
 }
 
-// The lags at which a kernel contributes to a window's spectrum. Its autocovariance extends to 2 radii.
+// The lags at which a kernel, whose autocovariance extends to 2 radii, contributes to a window's spectrum.
 struct Lags {
     Eigen::Index count;    ///< number of lags between samples
     Eigen::ArrayXd pixels; ///< the lags 0, 1 ... between pixels

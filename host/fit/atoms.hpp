@@ -4,21 +4,23 @@
 
 namespace gabor::fit {
 
-/// The smallest kernel radius that a fit can find, in pixels: at frequency 0 its noise is nearly white, with
-/// a correlation of 0.03 between neighbouring pixels.
+/// The smallest kernel radius that a fit uses, in pixels. Noise of this radius and of frequency 0 is nearly
+/// white, with a correlation of 0.03 between neighbouring pixels.
 constexpr double smallest_radius = 0.75;
 
-/// The autocorrelation of Hann's window h(x) = (1 + cos pi x) / 2, at most 1, at a shift of t kernel radii:
-/// the autocorrelation of the lattice's noise along each axis, averaged over a cell, without its wave.
+/// The autocorrelation of the Hann window h(x) = (1 + cos pi x) / 2 at a shift of t, scaled to 1 at t = 0.
+/// Apart from the wave, lattice noise has this autocorrelation at t kernel radii along each axis, averaged
+/// over a cell.
 double kernel_correlation(double t);
 
-/// Returns what a scale's estimate is on average, and its derivatives, at all frequencies of the grid along
-/// `axis`, 0 for x and 1 for y. The noise has waves of `frequency` cycles per pixel under kernels of `radius`
-/// pixels.
+/// The factor along `axis` (0 for x, 1 for y) of a scale's expected spectrum estimate, and its derivatives,
+/// at all frequencies of the grid. The noise has waves of `frequency` cycles per pixel under kernels of
+/// `radius` pixels.
 ///
-/// Averages of weights a(p) give samples the autocovariance sum_u A(u) C(t - u), with A(u) = sum_p a(p) a(p +
-/// u), and windows of weights w(p) see a stationary noise of autocovariance C(t) as sum_t C(t) L(t) e^(-2 pi
-/// i k t), with L(t) = sum_p w(p) w(p + t): this sum includes sampling, aliasing and the leakage of windows.
+/// If pixels have the autocovariance C(t), samples that average them with weights a(p) have the
+/// autocovariance sum_u A(u) C(t - u), with A(u) = sum_p a(p) a(p + u). If samples have the autocovariance
+/// C(t), windows with weights w(p) give, on average, the spectrum sum_t C(t) L(t) e^(-2 pi i k t), with L(t)
+/// = sum_p w(p) w(p + t). This accounts for sampling, aliasing and the leakage of windows.
 struct AxisAtom {
     Eigen::ArrayXd value;
     Eigen::ArrayXd by_frequency;
@@ -26,8 +28,8 @@ struct AxisAtom {
 };
 AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius, bool with_derivatives);
 
-/// Returns the complex autocovariance of samples along an axis, as a scale's estimate sees it on average, at
-/// lags 0 ... scale.lags() - 1: the inverse transform of `AxisAtom::value`.
+/// Returns a scale's expected estimate of the complex autocovariance of samples along an axis, at lags 0 ...
+/// scale.lags() - 1: the inverse transform of `AxisAtom::value`.
 Eigen::ArrayXcd axis_autocovariance(const Scale& scale, int axis, double frequency, double radius);
 
 } // namespace gabor::fit

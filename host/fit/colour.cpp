@@ -15,7 +15,7 @@ void normalize(std::vector<Wave>& waves) {
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(components, components);
     for (const Wave& wave : waves)
         covariance += (wave.weight * wave.weight.adjoint()).real();
-    // If the lobes have almost nothing of a component, amplifies it by a factor of at most 4.
+    // Limits gains to 4, in case the lobes contain almost nothing of a component.
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
     const Eigen::VectorXd gains = solver.eigenvalues().cwiseMax(1.0 / 16).cwiseInverse().cwiseSqrt();
     const Eigen::MatrixXd root =
@@ -27,7 +27,7 @@ void normalize(std::vector<Wave>& waves) {
 noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     noise::Colour colour;
     for (const Wave& wave : waves) {
-        // The wave is Re(W z) with z = quadrature + i noise. It is turned so that W_0 becomes -i |W_0|.
+        // The wave is Re(W z) with z = quadrature + i noise. Turns W's phase so that W_0 becomes -i |W_0|.
         const std::complex<double> first = wave.weight[0];
         const double length = std::abs(first);
         const std::complex<double> turn =

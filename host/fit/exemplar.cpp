@@ -37,7 +37,7 @@ class Rows {
           seen_(static_cast<std::size_t>(format().width)) {}
 
     const image::PictureReader::Format& format() const { return picture_->format(); }
-    /// 1 for each pixel of the row that counts; 0 for transparent ones and fireflies, whose values become 0.
+    /// 1 for each pixel of the row, or 0 if it is transparent or a firefly; its values are then 0 too.
     std::span<const float> seen() const { return seen_; }
     std::int64_t transparent() const { return transparent_; }
     std::int64_t fireflies() const { return fireflies_; }
@@ -109,7 +109,7 @@ class Brightness {
     std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(1 << 16);
 };
 
-// The first pass finds size, mean, trend and covariance. If the limit is infinite and there are fireflies, it
+// Finds the size, mean, trend and components of the picture. If `limit` is infinite and there are fireflies,
 // returns nothing and sets the limit that leaves them out.
 std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& limit, const Advance& advance) {
     Rows rows(path, false, limit);
@@ -158,7 +158,7 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
         found.covariance.topLeftCorner(exemplar.channels, exemplar.channels));
     const Eigen::VectorXd deviations = solver.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
     if (!(deviations[0] > least_deviation))
-        refuse(path, "has no texture: all pixels are equal, or differ only by a trend");
+        refuse(path, "has no texture: apart from a smooth trend, all pixels are equal");
     const auto kept = (deviations.array() > least_share * deviations[0]).count();
     exemplar.components = solver.eigenvectors().rowwise().reverse().leftCols(kept);
     for (Eigen::Index c = 0; c < kept; ++c) {

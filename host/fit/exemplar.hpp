@@ -14,10 +14,11 @@ namespace gabor::fit {
 /// Called with the share of the work done, from 0 to 1. Throwing an exception ends the work.
 using Advance = std::function<void(double)>;
 
-/// The smallest picture from which a spectrum can be estimated.
+/// The smallest width and height of a picture that can be fitted, in pixels.
 constexpr int least_side = 2 * window_side;
 
-/// A photograph as the estimate sees it: without its quadratic trend, in principal components of variance 1.
+/// What a fit needs to know about a photograph. Spectra, quantiles and structure are those of its principal
+/// components, scaled to variance 1, without the quadratic trend.
 struct Exemplar {
     int width = 0;
     int height = 0;
@@ -27,16 +28,17 @@ struct Exemplar {
     double fireflies = 0;   ///< share of the pixels left out because they are far brighter than all others
     Trend trend;            ///< trend of each channel
     Eigen::VectorXd mean;   ///< mean of each channel
-    Eigen::MatrixXd
-        components; ///< a column for each, as long as its deviation: channels = mean + components * values
+    /// One column per component, with its standard deviation as norm: channels = mean + components * values.
+    Eigen::MatrixXd components;
     Spectra spectra{1};                          ///< spectra of the components
     std::vector<Autocovariance> autocovariances; ///< sums over the channels, one for each scale
     std::vector<Quantiles> quantiles;            ///< quantiles of each component
-    double structure = 0;                        ///< excess of the first component: see Structure
+    double structure = 0;                        ///< Structure::excess of the first component
 };
 
-/// Reads the file twice and keeps only one window's rows in memory. Throws RequestError if the file cannot be
-/// read, or if the picture is too small, transparent or constant, or has a value that is not finite.
+/// Reads the file twice, or three times if it has fireflies, and keeps only one window's rows in memory.
+/// Throws RequestError if the file cannot be read, or if the picture is too small, transparent or constant,
+/// or has a value that is not finite.
 Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance);
 
 } // namespace gabor::fit

@@ -12,9 +12,9 @@ namespace gabor::fit {
 
 namespace {
 
-// Whether chance explains the error of an estimate from a picture of that size. Errors by chance are
-// inversely proportional to the number of windows along a side, which counts as at most 28. For strong
-// frequencies and autocorrelations, an error too small to see is also accepted.
+// Whether chance can explain the error of a fit to a picture of this size. Random errors are inversely
+// proportional to the number of windows along a side, of which at most 28 count. Also accepts errors of
+// strong frequencies (l2) and of autocorrelations if they are too small to see.
 bool is_chance(const FitError& error, const Exemplar& exemplar) {
     const double side = std::sqrt(static_cast<double>(exemplar.width) * exemplar.height);
     const double windows = std::min(side / window_side, 28.0);
@@ -22,8 +22,8 @@ bool is_chance(const FitError& error, const Exemplar& exemplar) {
            error.autocorrelation < std::max(2 * error.chance, 0.03);
 }
 
-// The unit of length of a preset, in pixels: the radius of the strongest lobe, or the nearest length for
-// which the radii of all lobes are between 0.01 and 100 units.
+// The unit of length of a preset, in pixels: the radius of the strongest lobe, or the nearest length of at
+// least 2 for which the radii of all lobes are between 0.01 and 100 units.
 double unit_of(const std::vector<Wave>& waves) {
     double least = waves.front().radius.minCoeff();
     double most = waves.front().radius.maxCoeff();
@@ -35,7 +35,7 @@ double unit_of(const std::vector<Wave>& waves) {
     return std::max({2.0, std::min(first, 100 * least), most / 100});
 }
 
-// Raises frequencies near 0 to the least that a preset accepts. All frequencies that low look the same.
+// Raises frequencies near 0 to the lowest that a preset accepts. All frequencies that low look the same.
 void keep_from_zero(std::vector<Wave>& waves) {
     const double least = 0.0011 / unit_of(waves);
     for (Wave& wave : waves)
@@ -61,7 +61,7 @@ void add_lobe(const TargetSpectra& target, const Search& search, std::vector<Wav
     drop_empty(waves);
 }
 
-// Replaces lobes that other lobes, added later, have made a worse choice.
+// Replaces lobes that are no longer the best choice, now that more lobes have been added.
 void exchange_lobes(const TargetSpectra& target, const Search& search, std::vector<Wave>& waves,
                     const Advance& advance) {
     const std::size_t count = waves.size();
@@ -76,7 +76,7 @@ void exchange_lobes(const TargetSpectra& target, const Search& search, std::vect
     }
 }
 
-// Reduces the sum of absolute errors instead of squares.
+// Refines waves to reduce the sum of absolute errors instead of the sum of squared errors.
 std::vector<Wave> with_absolute_errors(const TargetSpectra& target, std::vector<Wave> waves) {
     for (int round = 0; round < 2; ++round)
         refine(target.reweighed(waves), waves, FreeParameters::all, 10);
@@ -110,8 +110,8 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     refine(target, waves, FreeParameters::all, 100);
     std::vector<Wave> closer = unscaled(with_absolute_errors(target, waves));
     waves = unscaled(std::move(waves));
-    // Lobes that can follow the spectrum exactly are found best by least squares, so the other fit must be
-    // better by a margin.
+    // If lobes can follow the spectrum exactly, least squares finds them best, so the fit with absolute
+    // errors must be better by a margin.
     FitError error = compare(exemplar, waves);
     const FitError after = compare(exemplar, closer);
     if (after.l1 < 0.97 * error.l1 && after.l2 <= error.l2) {

@@ -20,13 +20,13 @@ struct FittedNoise {
     FitError error; ///< before correction to the exemplar's exact covariance
 };
 
-/// Fits at most `lobes` lobes: fewer if more would only fit chance in an exemplar of that size.
+/// Fits at most `lobes` lobes: fewer if more would overfit an exemplar of that size.
 ///
 /// Adds one lobe at a time, the one that reduces the residual of the spectra most, then refines all of them
 /// by least squares. Based on [GLLD12] Galerne, Lagae, Lefebvre, Drettakis, "Gabor noise by example", 2012.
 FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance);
 
-/// The texture as a picture of the exemplar's size and scale.
+/// The request for a picture of the texture, with the exemplar's size and scale.
 render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted);
 
 } // namespace gabor::fit

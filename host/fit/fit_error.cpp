@@ -9,7 +9,7 @@ namespace gabor::fit {
 
 namespace {
 
-// Sums over a range of rows of the spectra.
+// A range of rows of the spectra, and the weight of each row in a sum.
 struct SpectrumRows {
     Eigen::Index begin;
     Eigen::ArrayXd measure;
@@ -56,7 +56,7 @@ Autocovariance autocovariance(const Scale& scale, const std::vector<Wave>& waves
     return result;
 }
 
-// Compares lags of at most half a window's side.
+// Compares autocovariances at lags of at most half a window's side.
 double largest_difference(const Scale& scale, const Autocovariance& a, const Autocovariance& b) {
     double largest = 0;
     for (Eigen::Index y = 0; y < scale.lags(); ++y)

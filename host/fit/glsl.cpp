@@ -39,8 +39,8 @@ std::string vector(Of of) {
     return vector(of(std::size_t{0}), of(std::size_t{1}), of(std::size_t{2}));
 }
 
-// Splits the variance of a component with this polynomial, a sum of a_n He_n, by degree: n! a_n^2 for n from
-// 1 to 5.
+// Splits the variance of a component with this polynomial by degree: if the polynomial is the sum of a_n
+// He_n, degree n contributes n! a_n^2, for n from 1 to 5.
 std::array<double, 6> degree_shares(const std::array<double, 6>& c) {
     return {0,
             std::pow(c[1] + 3 * c[3] + 15 * c[5], 2),
@@ -50,7 +50,7 @@ std::array<double, 6> degree_shares(const std::array<double, 6>& c) {
             120 * c[5] * c[5]};
 }
 
-// The call that adds a lobe.
+// The GLSL call that adds a lobe.
 std::string lobe_call(const std::string& name, std::size_t index, const Wave& wave,
                       const std::array<Colour::Weight, 3>& weights, bool complex) {
     const Eigen::Vector2d cycles = wave.frequency.cwiseProduct(wave.radius);
@@ -77,7 +77,7 @@ std::string function_name(const std::filesystem::path& file) {
         name.find("__") != std::string::npos || name.starts_with("gl_") ||
         std::ranges::find(reserved, name) != reserved.end())
         throw RequestError(
-            fmt::format("--glsl '{}': expected NAME.glsl, where NAME can be a GLSL function: letters, "
+            fmt::format("--glsl '{}': expected NAME.glsl, where NAME is valid for a GLSL function: letters, "
                         "digits and _, not a reserved word",
                         file.string()));
     return name;
@@ -118,7 +118,7 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
         lobes += (i % in_line == 0 ? "\n    " : " ") +
                  lobe_call(name, i, fitted.waves[i], colour.weights[i], complex);
 
-    // For the variance that a filter leaves: the part of degree n keeps (1 - removed)^n of its variance.
+    // A filter leaves (1 - removed)^n of the variance of degree n.
     double variance = 0;
     std::array<double, 3> variances{};
     for (std::size_t c = 0; c < 3; ++c)

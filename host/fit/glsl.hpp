@@ -11,7 +11,7 @@ namespace gabor::fit {
 std::string function_name(const std::filesystem::path& file);
 
 /// The GLSL function vec3 NAME_colour(vec3 z, vec3 removed). It returns the colour of the components z after
-/// a filter has removed these shares of their variance.
+/// a filter has removed the shares `removed` of their variance.
 std::string colour_function(const std::string& name, const noise::Colour& colour);
 
 /// GLSL to put after gabor_lattice.glsl and gabor_spectrum.glsl:

@@ -163,7 +163,7 @@ Wave Search::best(const TargetSpectra& target, const Eigen::MatrixXd& left) cons
             wave.radius = {rx, ry};
         }
 
-    // Replaces that wave if one at a peak of another scale gains more over all scales.
+    // Replaces that wave if a wave at a peak of another scale gains more over all scales.
     Gain most = gain(target, left, wave.frequency, wave.radius);
     for (std::size_t s = 1; s < target.scales->size(); ++s) {
         const Scale& scale = (*target.scales)[s];

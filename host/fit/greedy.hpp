@@ -11,13 +11,14 @@ class Search {
   public:
     explicit Search(const TargetSpectra& target);
 
-    /// Returns that wave, with the weights that fit best while other waves stay unchanged. Tries all
-    /// frequencies of the first scale with the radii that its windows can resolve, and the highest peaks of
-    /// the other scales with larger radii. Radii double from step to step along each axis.
+    /// Returns the wave that reduces the residual `left` most, with the weights that fit best while other
+    /// waves stay unchanged. Tries all frequencies of the first scale with the radii that its windows can
+    /// resolve, and the highest peaks of the other scales with larger radii. Radii double from step to step
+    /// along each axis.
     Wave best(const TargetSpectra& target, const Eigen::MatrixXd& left) const;
 
   private:
-    // The atoms of all frequencies and radii along an axis: one row for each.
+    // The atoms of all frequencies and radii along an axis: one row for each pair.
     struct Axis {
         std::vector<int> frequency; ///< indices on the grid
         std::vector<double> radius;
@@ -28,7 +29,7 @@ class Search {
 
     Axis x_;
     Axis y_;
-    Eigen::MatrixXf square_; ///< squared norm of each atom: a row for each of y_, a column for each of x_
+    Eigen::MatrixXf square_; ///< squared norm of each product of an atom of y_ (row) and one of x_ (column)
 };
 
 } // namespace gabor::fit

@@ -10,7 +10,7 @@ namespace gabor::fit {
 
 namespace {
 
-constexpr double reach = 8; ///< deviations
+constexpr double reach = 8; // the bins cover -reach to reach
 constexpr std::size_t degree = 5;
 using Coefficients = std::array<double, degree + 1>;
 
@@ -22,8 +22,8 @@ Coefficients hermite(double z) {
     return he;
 }
 
-// He_n(z) phi(z) at the quantile z of p, for integrals: that of He_(n + 1) phi is -He_n phi. It is 0 at p = 0
-// and 1.
+// He_n(z) phi(z) at the quantile z of p, where phi is the normal density. The integral of He_(n + 1) phi is
+// -He_n phi, which is 0 at p = 0 and 1.
 Coefficients ends(double p) {
     Coefficients values{};
     if (p <= 0 || p >= 1)

@@ -19,7 +19,8 @@ using Eigen::Index;
 
 constexpr double root_2 = std::numbers::sqrt2;
 constexpr double largest_stretch = 99; // presets accept at most 100
-// For each wave: its atom, and the derivatives by both frequencies and by the logarithms of both radii.
+// The number of functions for each wave: its atom, and the atom's derivatives with respect to the frequencies
+// along x and y and to the logarithms of both radii.
 constexpr int functions = 5;
 
 // An atom on the grid has a part for the wave and a mirrored part for its opposite. The real parts of
@@ -41,8 +42,8 @@ void put(Parts& parts, Index column, const Scale& scale, const Eigen::ArrayXd& x
     }
 }
 
-// Returns one column for each wave or, with derivatives, `functions` columns. They are multiplied by the
-// weight of each frequency.
+// Returns one column for each wave or, with derivatives, `functions` columns. Each row is multiplied by the
+// weight of its frequency.
 Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_derivatives,
                const Eigen::ArrayXd& weight) {
     const Index each = with_derivatives ? functions : 1;
@@ -68,7 +69,7 @@ Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_d
     return parts;
 }
 
-// The factor of an entry, with which the sum of the entries' squares is that of the whole matrix.
+// The factor that makes the sum of squares of the stored entries equal to that of the whole matrix.
 double factor(const Entry& entry) {
     return entry.c == entry.d ? 1 : root_2;
 }
@@ -84,7 +85,7 @@ Eigen::RowVectorXd stored(const Eigen::MatrixXcd& matrix) {
     return result;
 }
 
-// The products of all columns of the parts with the residual: one row for each, one column for each entry.
+// The products of the parts and the residual: a row for each column of the parts, a column for each entry.
 Eigen::MatrixXd products(const Parts& parts, const Eigen::MatrixXd& left, int channels) {
     const Index reals = real_entries(channels);
     const Index others = left.cols() - reals;
@@ -94,14 +95,14 @@ Eigen::MatrixXd products(const Parts& parts, const Eigen::MatrixXd& left, int ch
     return result;
 }
 
-// A parameter. When it changes, the model changes by this function of its wave times `change`.
+// A parameter of the fit. As it changes, the model changes by one of the wave's functions times `change`.
 struct Parameter {
     Index wave;
     Index function;
     Eigen::RowVectorXd change;
 };
 
-// Changes of weights are relative to the length of the wave's weight vector. A single weight is real.
+// Weights change relative to the length of the wave's weight vector. The weight of a single channel is real.
 std::vector<Parameter> parameters_of(const std::vector<Wave>& waves, FreeParameters free) {
     std::vector<Parameter> parameters;
     for (Index j = 0; j < std::ssize(waves); ++j) {
@@ -259,7 +260,7 @@ TargetSpectra TargetSpectra::reweighed(const std::vector<Wave>& waves) const {
     error += 0.1 * (importance * error).sum() / importance.sum();
     for (const Scale& scale : *scales) {
         const auto rows = Eigen::seqN(scale.begin, std::ssize(scale.frequencies));
-        // n windows err by 1 / sqrt(n) of the power, and the confidence is n / (n + 100).
+        // An estimate from n windows errs by 1 / sqrt(n) of the power; its confidence is n / (n + 100).
         const double chance = std::sqrt((1 - scale.confidence) / (100 * scale.confidence));
         error(rows) += chance * importance(rows) / weight(rows).square();
     }
@@ -276,8 +277,8 @@ Eigen::MatrixXd residual(const TargetSpectra& target, const std::vector<Wave>& w
     return left;
 }
 
-// With C the matrix of products of the residual and the new wave, the weights that gain most are C's
-// eigenvector with the largest eigenvalue.
+// The weights that gain most are an eigenvector of the matrix of products of the residual and the new wave:
+// the one with the largest eigenvalue.
 Gain gain(const TargetSpectra& target, const Eigen::MatrixXd& left, const Eigen::Vector2d& frequency,
           const Eigen::Vector2d& radius) {
     const Parts parts = parts_of({{frequency, radius, {}}}, target.scales, false, target.weight);

@@ -9,8 +9,8 @@
 namespace gabor::fit {
 
 /// Waves around one wave vector in several channels. If z is the complex noise of such a wave, with E[z(p +
-/// t) z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius.x) g(t.y / radius.y), channel c is Re(weight_c z),
-/// and the cross-spectra are proportional to weight_c weight_d*.
+/// t) z(p)*] = 2 exp(2 pi i frequency.t) g(t.x / radius.x) g(t.y / radius.y) and g = kernel_correlation,
+/// channel c is Re(weight_c z), and the cross-spectra are proportional to weight_c weight_d*.
 struct Wave {
     Eigen::Vector2d frequency; ///< cycles per pixel
     Eigen::Vector2d radius;    ///< pixels, along x and y
@@ -31,15 +31,16 @@ struct TargetSpectra {
 
     TargetSpectra(const Spectra& spectra, double largest_radius);
 
-    /// Weighs each frequency by the inverse of an error: what `waves` leave there plus what chance adds. The
-    /// squares of the next fit are then close to absolute values: iteratively reweighted least squares.
+    /// Returns a copy in which the weight of each frequency in the sum of squares is inversely proportional
+    /// to an error: the residual of `waves` there plus the error of the estimate. A fit to the copy then
+    /// nearly minimizes absolute errors: iteratively reweighted least squares.
     TargetSpectra reweighed(const std::vector<Wave>& waves) const;
 };
 
 /// Returns the residual: the target's values minus those of the waves. Its squared norm is the cost of a fit.
 Eigen::MatrixXd residual(const TargetSpectra& target, const std::vector<Wave>& waves);
 
-/// How much an additional wave with the best weights reduces the residual, and these weights.
+/// How much an additional wave with the best weights reduces the cost, and these weights.
 struct Gain {
     double cost = 0;
     Eigen::VectorXcd weight;
@@ -53,8 +54,8 @@ Spectra model(const std::vector<Wave>& waves, int channels, const Scales& scales
 /// Which parameters may change: only weights, or also frequencies and radii.
 enum class FreeParameters { weights, all };
 
-/// Reduces the residual by the Levenberg-Marquardt method, until a step reduces it by less than a
-/// ten-thousandth or the number of steps is reached.
+/// Reduces the cost by the Levenberg-Marquardt method, in at most `steps` steps. Stops once a step reduces it
+/// by less than a ten-thousandth.
 void refine(const TargetSpectra& target, std::vector<Wave>& waves, FreeParameters free, int steps);
 
 } // namespace gabor::fit

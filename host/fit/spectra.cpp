@@ -14,7 +14,7 @@ namespace gabor::fit {
 
 namespace {
 
-// The side of the windows of larger scales, in samples, and the smallest side that is worth an estimate.
+// The largest side of a window, in samples, and the smallest one that is worth an estimate.
 constexpr int large_window = 256;
 constexpr int least_window = 32;
 // Decimates by 4 with a triangle filter of eight samples.
@@ -33,7 +33,7 @@ Eigen::ArrayXd autocorrelation(const Eigen::ArrayXd& values) {
     return result;
 }
 
-// The weights of pixels in a sample, which is an average of averages.
+// The weights of pixels in a sample, which results from repeated decimation.
 Eigen::ArrayXd averaging_weights(int spacing) {
     Eigen::ArrayXd weights = Eigen::ArrayXd::Ones(1);
     for (int s = 1; s < spacing; s *= decimation) {
@@ -73,7 +73,7 @@ Scale make_scale(int spacing, int window, int grid) {
     return scale;
 }
 
-// The power of all channels at any frequency of a grid.
+// The total power of all channels at any frequency of a grid.
 class Power {
   public:
     Power() = default;
@@ -158,14 +158,14 @@ std::vector<Scale> scales_of(int width, int height) {
     std::vector<Scale> scales{first_scale()->front()};
     int side = std::min(width, height);
     for (int spacing = 1; side / 2 >= least_window; spacing *= decimation, side = decimated(side)) {
-        const int window = std::min(large_window, side / 32 * 16); // these sides have a fast transform
+        const int window = std::min(large_window, side / 32 * 16); // multiples of 16 have fast transforms
         if (spacing * window >= 1.5 * scales.back().length())
             scales.push_back(make_scale(spacing, window, window));
         if (side < static_cast<int>(triangle.size()))
             break;
     }
     for (Scale& scale : scales) {
-        // A Hann window's squared autocorrelation adds up to 0.468 of its side.
+        // A Hann window's squared autocorrelation adds up to nearly half its side.
         const double windows = static_cast<double>(width) * height / std::pow(0.468 * scale.length(), 2);
         scale.confidence = windows / (windows + 100);
     }
@@ -232,7 +232,7 @@ Spectra Spectra::mapped(const Eigen::MatrixXd& map) const {
     return result;
 }
 
-/// One scale's windows, at all frequencies of its grid.
+/// Welch's estimate on one scale, at all frequencies of its grid.
 class SpectraEstimate::Welch {
   public:
     Welch(Scale& scale, int width, int height, int channels)
@@ -366,7 +366,7 @@ class SpectraEstimate::Decimation {
         std::swap(sums_[0], complete_);
         std::swap(sums_[0], sums_[1]);
         sums_[1].setZero(columns_ * values_);
-        if (row_ == decimation) // has only the second half of a triangle
+        if (row_ == decimation) // this row got only the second half of the triangle
             return {};
         return std::span<const float>(complete_.data(), static_cast<std::size_t>(complete_.size()));
     }
@@ -443,8 +443,7 @@ Spectra SpectraEstimate::spectra() const {
         values.push_back(std::move(mean));
     }
     if (kept.empty())
-        throw RequestError(
-            fmt::format("the picture has no {0} x {0} opaque pixels in one place", window_side));
+        throw RequestError(fmt::format("the picture has no opaque area of {0} x {0} pixels", window_side));
     Spectra result(channels_, std::make_shared<const std::vector<Scale>>(kept));
     for (std::size_t i = 0; i < kept.size(); ++i)
         result.values.middleRows(kept[i].begin, values[i].rows()) = values[i];

@@ -22,11 +22,11 @@ struct Scale {
     int window;      ///< samples along each axis
     int grid;        ///< frequency k is k / grid cycles per sample, negative ones last
     double area = 1; ///< area of a frequency's cell, relative to the first scale
-    /// n / (n + 100) for an estimate from n independent windows: its squared error is 1 / n, and a sum of few
-    /// lobes misses a tenth of the power anyway.
+    /// n / (n + 100) for an estimate from n independent windows: its squared relative error is 1 / n, and the
+    /// error of a sum of few lobes, about a tenth, adds 1 / 100 anyway.
     double confidence = 1;
-    /// x from 0 to grid / 2. Frequencies at its ends occur once in the whole plane; the others also represent
-    /// their opposites.
+    /// x goes from 0 to grid / 2. Frequencies at either end occur once in the whole plane; the others also
+    /// represent their opposites.
     struct Frequency {
         int x;
         int y;
@@ -38,7 +38,7 @@ struct Scale {
     /// Along x and y: sum_p w(p) w(p + t) for t = 0 ... window - 1, relative to t = 0. Only the parts of the
     /// windows within the picture count.
     std::array<Eigen::ArrayXd, 2> lag_window = {};
-    Eigen::ArrayXd averaging = {}; ///< the same for the weights of pixels in a sample, along either axis
+    Eigen::ArrayXd averaging = {}; ///< sum_p a(p) a(p + t) for the weights a of pixels in a sample
     Eigen::MatrixXd cosine = {};   ///< cosine of 2 pi k t / grid: row k for a frequency, column t for a lag
     Eigen::MatrixXd sine = {};
 
@@ -54,7 +54,7 @@ using Scales = std::shared_ptr<const std::vector<Scale>>;
 const Scales& first_scale();
 
 /// The scales for a picture of this size, the smallest windows first, each with all its frequencies. The
-/// largest windows are half as long as the picture's shorter side.
+/// largest windows are at most half as long as the picture's shorter side.
 std::vector<Scale> scales_of(int width, int height);
 
 /// A stored entry of a Hermitian matrix of channels: the real part of (c, d) for c <= d, or the imaginary
@@ -70,8 +70,9 @@ constexpr Eigen::Index real_entries(int channels) {
     return channels * (channels + 1) / 2;
 }
 
-/// The matrix of the channels' cross-spectra at each frequency of each scale, P(c, d) = E[X_c X_d*], per
-/// cycle per pixel along each axis: one column for each entry. Opposite frequencies have conjugate matrices.
+/// The matrix of the channels' cross-spectra at each frequency of each scale, P(c, d) = E[X_c X_d*], as a
+/// density per (cycle per pixel)^2. Values have a row for each frequency and a column for each entry.
+/// Opposite frequencies have conjugate matrices.
 struct Spectra {
     int channels = 0;
     Scales scales;
@@ -79,7 +80,7 @@ struct Spectra {
 
     /// Sets all spectra to 0.
     explicit Spectra(int channels, const Scales& scales = first_scale());
-    /// The covariance of the channels: their integral over the first scale.
+    /// The covariance of the channels: the integral of their spectra over the first scale.
     Eigen::MatrixXd covariance() const;
     /// Returns the spectra of the channels after this linear map.
     Spectra mapped(const Eigen::MatrixXd& map) const;
@@ -88,7 +89,7 @@ struct Spectra {
 /// The sum of the channels' power spectra, each times its weight, from the columns of Spectra.
 Eigen::ArrayXd total(const Eigen::MatrixXd& values, const Eigen::VectorXd& weights);
 
-/// The autocovariance summed over channels, as the windows of a scale see it, with their weight at each lag.
+/// The autocovariance summed over channels, as windows of a scale see it: multiplied by their `lag_window`.
 struct Autocovariance {
     Eigen::MatrixXd forward;  ///< at lags (x, y) of samples, in column x and row y
     Eigen::MatrixXd backward; ///< at lags (-x, y)
@@ -107,13 +108,13 @@ class SpectraEstimate {
     ~SpectraEstimate();
 
     /// Adds the next row, channels interleaved, with 0 for missing pixels. `seen` is 1 or 0 for each pixel:
-    /// windows with less than nine tenths of their pixels are left out.
+    /// windows in which less than nine tenths of the pixels are seen are left out.
     void add_row(std::span<const float> row, std::span<const float> seen);
 
     /// Returns the spectra; call it after the last row. Scales without windows are left out. Throws
     /// RequestError if none is left.
     Spectra spectra() const;
-    /// Returns the autocovariance on each scale of `spectra`, with a weight for each channel.
+    /// Returns the autocovariance on each scale of `spectra`, summed over channels with these weights.
     std::vector<Autocovariance> autocovariances(const Eigen::VectorXd& weights) const;
 
   private:

@@ -21,7 +21,7 @@ class Structure {
     /// raise. It is 0 for a Gaussian texture or a few waves.
     double excess() const;
 
-    /// Above this limit, noise visibly loses structure: docs/by-example.md has examples.
+    /// Above this limit, noise visibly lacks the picture's structure: docs/by-example.md has examples.
     static constexpr double limit = 1;
 
   private:

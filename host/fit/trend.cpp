@@ -10,7 +10,7 @@ namespace gabor::fit {
 
 namespace {
 
-// The place of pixel `i` of `n`, in [-1, 1].
+// The centre of pixel `i` of `n`, in [-1, 1].
 double place(int i, int n) {
     return (2.0 * i + 1) / n - 1;
 }

@@ -17,10 +17,10 @@ struct Trend {
         coefficients;    ///< of 1, x, y, x^2, x y, y^2, where x and y go from -1 to 1 over the picture
     double contrast = 0; ///< from 0 (light adds) to 1 (light multiplies)
 
-    /// Subtracts the trend from row y, whose channels are interleaved, and evens the contrast.
+    /// Subtracts the trend from row y, whose channels are interleaved, and evens out the contrast.
     void subtract(int y, std::span<float> row) const;
-    /// Returns the sum of the trend's channels at a place in [-1, 1], divided by the mean of that sum over
-    /// the picture.
+    /// Returns the sum of the trend's channels at (u, v), both in [-1, 1], divided by the mean of that sum
+    /// over the picture.
     double light(double u, double v) const;
 };
 

@@ -26,10 +26,10 @@ std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& f
                                     100 * exemplar.fireflies));
     if (exemplar.structure > Structure::limit)
         lines.push_back(fmt::format(
-            "The photograph has edges or objects, which no sum of waves can have: the noise keeps its "
-            "colours and scales, and loses the objects (its distance from normal is {:.1f}). To keep them, "
-            "blend pieces of the photograph and preserve its histogram: Heitz and Neyret 2018, Deliot and "
-            "Heitz 2019.",
+            "The photograph has edges or objects, which no sum of waves can reproduce: the noise keeps the "
+            "colours and scales but loses the objects (the photograph's distance from normal is {:.1f}). To "
+            "keep them, blend pieces of the photograph and preserve its histogram: Heitz and Neyret 2018, "
+            "Deliot and Heitz 2019.",
             exemplar.structure));
     if (error.l1 > l1_limit)
         lines.push_back(fmt::format(

@@ -29,9 +29,9 @@ struct Rect {
 /// Lists the accepted values of `ExrHeader::compression` in the order of the help texts.
 std::span<const std::string_view> compression_names();
 
-/// What an EXR says about its pixels.
+/// The contents of an EXR's header.
 struct ExrHeader {
-    /// A mip-mapped texture in tiles of 64 x 64 pixels. Each level has half the sides of the previous one,
+    /// A mip-mapped texture in tiles of 64 x 64 pixels. Each level halves both sides of the previous one,
     /// rounded down, until a single pixel is left. The attributes match those of OpenImageIO's maketx.
     struct Texture {
         bool half = false;     ///< 16-bit floats instead of 32-bit
@@ -60,10 +60,10 @@ class ExrWriter {
     ExrWriter(ExrWriter&&) noexcept;
 
     /// Appends whole rows from top to bottom; `pixels` interleaves the channels. The rows of a texture's
-    /// level follow those of the previous level. Throws std::runtime_error when the disk fails.
+    /// level follow those of the previous level. Throws std::runtime_error if writing fails.
     void write_rows(std::span<const float> pixels);
 
-    /// Publishes the file after the last row. Throws std::runtime_error when the disk fails.
+    /// Publishes the file after the last row. Throws std::runtime_error if writing fails.
     void commit();
 
   private:
@@ -71,7 +71,7 @@ class ExrWriter {
     std::unique_ptr<State> state_;
 };
 
-/// Receives the number of pixels that were finished since the last call. To abort the work, it may throw.
+/// Receives the number of pixels finished since the last call. May throw to abort the work.
 using Advance = std::function<void(std::uint64_t)>;
 
 /// Joins regions of one picture, written by ExrWriter, into the file that a single render would have written.
@@ -86,7 +86,7 @@ Rect join_exr(std::span<const std::filesystem::path> regions, const std::filesys
 /// spread over several files.
 class ExrReader {
   public:
-    /// Reads `channels`, interleaved; if there are none, reads `Y`, else `R`, else the first float or half
+    /// Reads `channels`, interleaved; if none are given, reads `Y`, else `R`, else the first float or half
     /// channel. Throws RequestError when the file is missing, truncated or not an EXR, lacks a channel, or is
     /// larger than 65536 x 65536 pixels.
     explicit ExrReader(const std::filesystem::path& path, const std::vector<std::string>& channels = {});

@@ -104,8 +104,8 @@ void check_same(const fs::path& path, const Imf::Header& header, const fs::path&
 
 // Checks that each pixel of the picture is in exactly one region.
 void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture) {
-    // The first pixel of a gap is in the top row or just below a region, and in the left column or just right
-    // of a region.
+    // The first pixel of a gap is in the top row or just below a region, and in the left column or just to
+    // the right of a region.
     std::set<int> rows{picture.min.y};
     std::set<int> columns{picture.min.x};
     for (std::size_t i = 0; i < regions.size(); ++i) {

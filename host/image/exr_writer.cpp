@@ -22,7 +22,7 @@ namespace {
 constexpr std::array<std::string_view, 5> names = {"none", "rle", "zips", "zip", "piz"};
 constexpr std::array methods = {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
                                 Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
-constexpr int zip_level = 1; // twice as fast as the default on noise, and no larger
+constexpr int zip_level = 1; // on noise, twice as fast as the default, and files are no larger
 constexpr int tile_side = 64;
 constexpr std::uint64_t magic_and_version = 8; // bytes before the header
 constexpr const char* average_name = "oiio:AverageColor";
@@ -179,7 +179,7 @@ void ExrWriter::write_rows(std::span<const float> pixels) {
 void ExrWriter::commit() {
     State& s = *state_;
     if (s.level != s.levels())
-        throw std::logic_error("ExrWriter::commit before the last row");
+        throw std::logic_error("ExrWriter::commit called before the last row");
     s.lines.reset();
     s.tiles.reset();
     if (s.description.texture) {

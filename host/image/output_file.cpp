@@ -51,8 +51,8 @@ std::string hidden_stem(const fs::path& target) {
                        target.filename().string().substr(0, 200)); // names are limited to 255 bytes
 }
 
-/// Calls `claim` with hidden names beside `target` until one is free. Returns that name and the result of
-/// `claim`: negative, with errno set, if it failed for another reason.
+/// Calls `claim` with hidden names beside `target` until it does not fail with EEXIST. Returns the last name
+/// and the result of `claim`, which is negative, with errno set, for any other error.
 template <class Claim>
 std::pair<fs::path, int> claim_name(const fs::path& target, Claim claim) {
     const std::string stem = hidden_stem(target);
@@ -65,14 +65,15 @@ std::pair<fs::path, int> claim_name(const fs::path& target, Claim claim) {
     }
 }
 
-/// Opens an unnamed file in `folder`. Returns a negative value if the system cannot create or later name one.
+/// Opens an unnamed file in `folder`. Returns a negative value if the file cannot be created, or could not be
+/// given a name later.
 int open_nameless(const fs::path& folder) {
     if (::access("/proc/self/fd", X_OK) != 0)
         return -1;
     return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, everyone);
 }
 
-/// Creates and locks a file with that name. If `remove_abandoned` deletes it before it is locked, the name
+/// Creates and locks the file `name`. If `remove_abandoned` deletes it before it is locked, the name
 /// counts as taken.
 int open_locked(const char* name) {
     const int descriptor = ::open(name, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, everyone);
@@ -193,7 +194,7 @@ void OutputFile::publish() {
         };
         if (link_as(target_.c_str()) == 0)
             return sync_folder(folder_of(target_));
-        // Only a named file can replace another, so for an instant there are two names.
+        // Only a named file can replace another, so the new file briefly has a hidden name.
         const auto [name, result] = claim_name(target_, link_as);
         if (result < 0)
             fail(errno);

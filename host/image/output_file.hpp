@@ -8,13 +8,12 @@
 
 namespace gabor::image {
 
-/// A file that appears under its name only when it is complete. Until `commit` the data is unnamed where the
-/// file system supports O_TMPFILE, so that even a killed process leaves nothing behind. Elsewhere, and for an
-/// instant while an existing file is replaced, it is a hidden file `.NAME.gabor-` plus eight digits in the
-/// same folder. The writer locks it (flock); the next writer of NAME removes hidden files that nobody has
-/// locked.
+/// A file that appears under its name only when it is complete. If the file system supports O_TMPFILE, it has
+/// no name until `commit`, so that even a killed process leaves nothing behind. Otherwise, and for an instant
+/// while an existing file is replaced, it is a hidden file `.NAME.gabor-` plus eight digits in the same
+/// folder. The writer locks it (flock); the next writer of NAME removes hidden files that nobody has locked.
 ///
-/// Symbolic links stay and their target is replaced. Existing files that are not regular, such as /dev/null
+/// A symbolic link is kept, and its target replaced. Existing files that are not regular, such as /dev/null
 /// or a FIFO, are written to directly.
 class OutputFile {
   public:
@@ -24,13 +23,13 @@ class OutputFile {
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Writes at the current position. Throws std::runtime_error, naming the file, when the disk fails; after
+    /// Writes at the current position. Throws std::runtime_error, naming the file, if writing fails; after
     /// that, `commit` fails too.
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
     std::uint64_t position() const { return position_; }
-    /// Sets the position of the next write. Throws std::runtime_error for a pipe, which has only the current
-    /// position.
+    /// Sets the position of the next write. Throws std::runtime_error if the file is a pipe and the position
+    /// changes.
     void seek(std::uint64_t position);
 
     /// Flushes to disk and publishes the file, replacing an existing one atomically.
@@ -44,11 +43,11 @@ class OutputFile {
 
     std::filesystem::path path_;
     std::filesystem::path target_;    ///< file to replace; empty when writing directly to `path_`
-    std::filesystem::path temporary_; ///< hidden name; empty while the data is unnamed
+    std::filesystem::path temporary_; ///< hidden name; empty while the file has no name
     int descriptor_ = -1;
     bool sequential_ = false;
     std::uint64_t position_ = 0;
-    int error_ = 0; ///< why the last write failed; 0 if none has
+    int error_ = 0; ///< errno of the last failed write; 0 if none has failed
 };
 
 /// A folder for output files. The destructor removes the folder again if it was created here and is empty.

@@ -24,8 +24,8 @@ class PictureReader {
     virtual ~PictureReader() = default;
     const Format& format() const { return format_; }
 
-    /// Reads the next row, with interleaved channels: values from 0 to 1 from PNG (8 and 16 bits), JPEG and
-    /// TGA, and raw values from EXR. Throws RequestError, naming the file, if it is damaged or truncated.
+    /// Reads the next row, with interleaved channels: raw values from EXR, values from 0 to 1 from all other
+    /// formats. Throws RequestError, naming the file, if it is damaged or truncated.
     virtual void read_row(std::span<float> row) = 0;
 
     /// The alpha of each pixel in the last row read; empty without an alpha channel.
@@ -37,7 +37,7 @@ class PictureReader {
         alpha_.resize(format.alpha ? static_cast<std::size_t>(format.width) : 0);
     }
 
-    /// Fills a row, and the alpha that follows each of its pixels, with values from `next`.
+    /// Fills a row with values from `next`, which returns each pixel's channels and then its alpha, if any.
     template <typename Next>
     void fill(std::span<float> row, Next next) {
         const auto channels = static_cast<std::size_t>(format_.channels);
@@ -59,7 +59,7 @@ class PictureReader {
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
                                             const std::string& channel = {});
 
-/// Throws RequestError, "cannot read 'PATH': REASON".
+/// Throws RequestError with the message "cannot read 'PATH': REASON".
 [[noreturn]] void refuse_picture(const std::filesystem::path& path, std::string_view reason);
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -70,7 +70,7 @@ File open_file(const std::filesystem::path& path);
 /// Each of these reads a file of its format. `path` names it in messages.
 std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File file);
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file);
-/// Returns nothing if the file is not a TGA.
+/// Returns null if the file is not a TGA.
 std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File file);
 /// Opens a .r16 file: 16-bit heights, low byte first, row by row from the top, without a header. The reader
 /// returns values from 0 to 1. Throws RequestError unless the file has exactly width x height heights.

@@ -57,7 +57,7 @@ constexpr png_uint_32 widest_png = 65536;
 // On noise, higher levels take up to four times as long and save next to nothing.
 constexpr int compression_level = 1;
 constexpr int filter = PNG_FILTER_UP;
-// Interlaced pictures are decoded in memory. The limit is in bytes.
+// The largest interlaced picture to read, in bytes: all of its rows are kept in memory.
 constexpr std::size_t most_interlaced = std::size_t{1} << 28;
 
 class PngPicture : public PictureReader {
@@ -159,7 +159,7 @@ struct PngWriter::State : Libpng {
     int bits;
     std::vector<png_byte> row;
     int rows_left;
-    std::exception_ptr failure; ///< the disk's error, if any
+    std::exception_ptr failure; ///< what OutputFile::write threw, if anything
 };
 
 void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t count) {
@@ -170,7 +170,7 @@ void PngWriter::State::on_write(png_structp png, png_bytep bytes, std::size_t co
     } catch (...) {
         state.failure = std::current_exception();
     }
-    // Called outside the handler, because its longjmp would skip the exception's destructor.
+    // png_error is called outside the handler, because its longjmp would skip the exception's destructor.
     png_error(png, "the file cannot be written");
 }
 
@@ -214,7 +214,7 @@ void PngWriter::write_rows(std::span<const float> values) {
 
 void PngWriter::commit() {
     if (state_->rows_left != 0)
-        throw std::logic_error("PngWriter::commit before the last row");
+        throw std::logic_error("PngWriter::commit called before the last row");
     state_->guarded([&] { png_write_end(state_->png, state_->info); });
     state_->file.commit();
 }

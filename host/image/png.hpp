@@ -19,10 +19,10 @@ class PngWriter {
     ~PngWriter();
     PngWriter(PngWriter&&) noexcept;
 
-    /// Appends whole rows of values, clamped to [0, 1]; NaN is written as 0. Throws std::runtime_error when
-    /// the disk fails.
+    /// Appends whole rows of values, clamped to [0, 1]; NaN is written as 0. Throws std::runtime_error if
+    /// writing fails.
     void write_rows(std::span<const float> values);
-    /// Publishes the file after the last row. Throws std::runtime_error when the disk fails.
+    /// Publishes the file after the last row. Throws std::runtime_error if writing fails.
     void commit();
 
   private:

@@ -6,8 +6,8 @@
 namespace gabor::noise {
 
 /// How to turn the complex noises of lobes into colours. Three components are normal noises of variance 1,
-/// independent at each place: component c is the sum over lobes of weights[lobe][c] . (quadrature, noise). A
-/// rising polynomial gives each component its own distribution with mean 0 and variance 1, and
+/// independent at each point: component c is the sum over lobes of weights[lobe][c] . (quadrature, noise). An
+/// increasing polynomial gives each component its own distribution with mean 0 and variance 1, and
 ///     colour = mean + mixing * (histogram_0(component_0), histogram_1(component_1),
 ///     histogram_2(component_2)).
 struct Colour {

@@ -6,7 +6,7 @@
 
 namespace gabor::noise {
 
-/// The shortest GLSL literal of a float.
+/// The shortest GLSL literal for a float.
 inline std::string literal(double value) {
     std::string text = fmt::format("{}", static_cast<float>(value));
     if (text.find_first_of(".e") == std::string::npos)
@@ -14,12 +14,12 @@ inline std::string literal(double value) {
     return text;
 }
 
-/// A literal of a vec2.
+/// A literal for a vec2.
 inline std::string vec2(double x, double y) {
     return fmt::format("vec2({}, {})", literal(x), literal(y));
 }
 
-/// A literal of a vec3.
+/// A literal for a vec3.
 inline std::string vec3(double x, double y, double z) {
     return fmt::format("vec3({}, {}, {})", literal(x), literal(y), literal(z));
 }

@@ -24,13 +24,13 @@ struct Lobe {
     double frequency_spread = 0;   ///< 0 to 1: frequencies are spread evenly over frequency * (1 +- this)
     double orientation_spread = 0; ///< 0 to 90 degrees (isotropic): directions are spread evenly over +- this
     double power = 1;              ///< relative to the other lobes
-    /// The kernel's radius along x, in kernel radii; inversely proportional to the bandwidth.
+    /// The kernel's radius along x, relative to the default; inversely proportional to the bandwidth.
     double radius = 1;
     double stretch = 1; ///< the kernel's radius along y, divided by that along x
 
     std::array<double, 2> radii() const { return {radius, radius * stretch}; }
     double longest_radius() const { return radius * std::max(stretch, 1.0); }
-    /// Tells whether all its waves have one frequency and one orientation.
+    /// Tells whether all waves have the same frequency and orientation.
     bool is_one_wave() const { return frequency_spread == 0 && orientation_spread == 0; }
     /// Returns the orientation in radians, in [-pi, pi].
     double angle() const { return radians(std::remainder(orientation, 360.0)); }

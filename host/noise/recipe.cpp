@@ -24,9 +24,9 @@ constexpr Recipe lattice(std::string_view name, int taps, std::string_view is) {
 
 // The lattice recipes come first, then the sparse ones. The first of each kind is its drop-in's default.
 constexpr std::array known{
-    lattice("lattice", 3, "exactly normal at every place, the best compromise"),
+    lattice("lattice", 3, "exactly normal at every point, the best compromise"),
     lattice("lattice-2", 2, "two nodes along each axis, the fastest"),
-    lattice("lattice-4", 4, "four nodes along each axis; its covariance depends least on the place"),
+    lattice("lattice-4", 4, "four nodes along each axis; its covariance depends least on the position"),
     Recipe{"one", 1, 1.0f, 0.675f, 256, {3, -4.5f, 2.5f}, "one random impulse per cell"},
     Recipe{"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, "the lowest sidelobes"},
     Recipe{"paper", 2, 1.0f, 1.0f, 2, {1, 0, 0}, "the paper's advice"},

@@ -54,7 +54,7 @@ struct Macro {
 /// The macros of a recipe that differ from its drop-in's defaults.
 std::vector<Macro> macros(const Recipe& recipe);
 
-/// Cells summed along each axis: ceil(2 R) + 1, or the lattice's nodes.
+/// The number of cells summed along each axis: ceil(2 R) + 1, or for a lattice the number of taps.
 int visited_cells(const Recipe& recipe);
 
 /// Impulses, or nodes, summed for each value of the noise.

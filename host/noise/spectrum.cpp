@@ -15,9 +15,9 @@ std::uint32_t lobe_seed(std::uint32_t seed, int index) {
     return word ^ word >> 15;
 }
 
-// A piece of a range of waves.
+// One piece of a range of frequencies or orientations.
 struct Piece {
-    double place; // its middle in the range, from -1 to 1
+    double place; // its centre in the range, from -1 to 1
     double share; // fraction of the range's power
     int index;    // determines its seed
 };
@@ -39,7 +39,7 @@ std::vector<Piece> pieces(double count) {
 }
 
 // The bandwidth of a kernel, which is inversely proportional to its radius, fills the gaps between pieces.
-// These numbers of pieces cover the ranges evenly.
+// `frequencies` and `orientations` use enough pieces to cover their ranges evenly.
 std::vector<Piece> frequencies(const Lobe& lobe) {
     return pieces(
         std::clamp(2.857 * lobe.frequency_spread * lobe.frequency * lobe.longest_radius() + 0.8, 1.0, 16.0));

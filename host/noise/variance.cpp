@@ -33,8 +33,8 @@ double variance(const Recipe& recipe, double frequency, double orientation, doub
     const double density = recipe.impulses * double{recipe.radius} * recipe.radius;
     const double power = (1 + double{recipe.weight_floor} * recipe.weight_floor) / 2;
     const double whole = window_energy(recipe, 0);
-    // The mean of sin^2 over four or more phases is 1/2. Over two phases half a turn apart it is (1 - cos) /
-    // 2 and, with time, the mean of that over all turns.
+    // The mean of sin^2 over four or more phases is 1/2. Over two phases half a turn apart it is 1/2 minus
+    // half the cosine of twice the angle; with time, phases turn 1 to 4 times, and this is averaged.
     double oscillating = 0;
     if (recipe.phases == 2) {
         const double a = 4 * pi * frequency;

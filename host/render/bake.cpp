@@ -9,8 +9,8 @@ namespace gabor::render {
 namespace {
 
 // A GPU needs many small blocks whose impulses fit its registers. A CPU has few lanes and large caches, and
-// most of the cost of a lattice block is its setup, so it needs few blocks of equal width. `scale` is in
-// pixels per radius of the kernels.
+// spends most of a lattice block's time on setup, so large blocks of equal width are best. `scale` is in
+// values per radius of the wave's kernels.
 Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, double scale) {
     if (device == DeviceKind::gpu)
         return recipe.is_lattice() ? Block{8, 16} : Block{noise::visited_impulses(recipe) > 9 ? 2 : 4, 16};
@@ -22,7 +22,7 @@ Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, d
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
 
-// `scale` is the scale of the picture, in pixels per kernel radius.
+// `scale` is in values per kernel radius.
 passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
                            const Axis& y, double scale) {
     const noise::Recipe recipe = drawing_recipe(request);
@@ -33,7 +33,7 @@ passes::BakeWave make_wave(const Request& request, std::size_t index, const nois
             ? 1
             : recipe.radius / std::sqrt(x.radius * y.radius *
                                         noise::variance(recipe, wave.frequency * wave.radius[0], wave.angle,
-                                                        request.time));  // these kernels are round
+                                                        request.time));  // sparse kernels are round
     const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours use weights instead
     constexpr double tau = 2 * std::numbers::pi;
     passes::BakeWave result{vec2_of(turns),
@@ -110,7 +110,7 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
             runs(y, radius[1], corner_of(viewport.camera.y, viewport.height, request, viewport), region.y,
                  region.height, block.rows);
         auto push = push_of<passes::BakePush>(
-            {0, 0, region.width, region.height}); // runs count from the region's corner
+            {0, 0, region.width, region.height}); // runs count pixels from the region's corner
         push.radius = vec2_of(x.radius, y.radius);
         push.period = {x.period, y.period};
         push.time = wrapped_time(request);

@@ -32,9 +32,9 @@ inline constexpr std::array<std::string_view, 5> erosion_channels{"height", "slo
 Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
                   const image::Rect& region);
 
-/// Erodes a region band by band, so that memory does not grow with the map's height, and passes the rows to
-/// `write`, with interleaved channels. The pixels of a region are those of the whole map. Throws RequestError
-/// for a map that is damaged or contains NaN or infinity.
+/// Erodes a region band by band, so that memory use does not grow with the map's height, and passes the rows
+/// to `write`, with interleaved channels. Eroding the whole map gives the region the same pixels. Throws
+/// RequestError for a map that is damaged or contains NaN or infinity.
 void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
            const image::Rect& region, const Sink& write);
 

@@ -102,7 +102,7 @@ Times render_file(const vulkan::Device& device, const Request& request, const im
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / channels);
         const Clock::time_point before = Clock::now();
-        if (exr && files.normals) { // normals precede the last channel
+        if (exr && files.normals) { // drops the normals, which precede the last channel
             without_normals.clear();
             for (std::size_t i = 0; i < values.size(); ++i)
                 if (i % channels < kept - 1 || i % channels == channels - 1)

@@ -24,8 +24,8 @@ HeightWriter::HeightWriter(const std::filesystem::path& path, const image::Rect&
     else if (has_extension(path, ".r16"))
         raw_.emplace(path);
     else
-        throw RequestError(fmt::format(
-            "heightmap '{}': expected the name of a file that ends in .png or .r16", path.string()));
+        throw RequestError(
+            fmt::format("heightmap '{}': expected a file name that ends in .png or .r16", path.string()));
     const nlohmann::ordered_json scale{{"width", region.width},
                                        {"height", region.height},
                                        {"extent", {region.width * pixel, region.height * pixel}},

@@ -18,7 +18,7 @@ namespace gabor::render {
 
 namespace {
 
-// Limits the size, so that the name of a huge file cannot fill the memory.
+// Limits the size, so that a huge file cannot fill the memory.
 std::string read_text(const std::string& path) {
     constexpr std::size_t most = 1 << 20;
     std::ifstream file(path, std::ios::binary);
@@ -45,7 +45,7 @@ Paint load_directions(const std::string& path) {
     const auto [width, height, channels, alpha, linear] = file->format();
     check_paint_size(path, width, height);
     if (channels != 3)
-        throw RequestError(fmt::format("paint '{}' is grey: expected a picture whose red and green are "
+        throw RequestError(fmt::format("paint '{}' is grey: expected a picture whose red and green encode "
                                        "directions, or an EXR with channels frequency and orientation",
                                        path));
     Paint paint{width, height, {}, true};

@@ -82,9 +82,9 @@ std::vector<float> averaged_from(std::span<const float> maps) {
     return averaged;
 }
 
-// Converts averages back to maps. The slopes that averaging removed widen the microfacets: a^2 = r^4 grows by
-// twice their variance along an axis (Olano and Baker, "LEAN mapping", 2010, without directions; Walter et
-// al. 2007 for the width of Beckmann's and GGX's facets).
+// Converts averages back to maps. The slopes that averaging removed make the surface rougher: alpha^2 = r^4
+// grows by twice their variance along an axis (an isotropic form of Olano and Baker, "LEAN mapping", 2010;
+// Walter et al. 2007 define alpha for Beckmann and GGX).
 std::vector<float> maps_from(std::span<const float> averaged) {
     std::vector<float> maps(averaged.begin(), averaged.end());
     for (std::size_t i = 0; i < maps.size(); i += map_channels.size()) {
@@ -92,7 +92,8 @@ std::vector<float> maps_from(std::span<const float> averaged) {
         float* const normal = pixel + normal_channel;
         const float right = normal[0];
         const float down = normal[1];
-        const float lost = std::max(normal[2] - right * right - down * down, 0.0f); // sum over both axes
+        // The variance of the lost slopes, summed over both axes.
+        const float lost = std::max(normal[2] - right * right - down * down, 0.0f);
         pixel[roughness_channel] = std::pow(std::min(pixel[roughness_channel] + lost, 1.0f), 0.25f);
         const float length = std::sqrt(right * right + down * down + 1);
         normal[0] = -right / length;

@@ -10,7 +10,7 @@
 
 namespace gabor::render {
 
-/// The largest side of maps, in pixels: maps take 64 bytes of memory per pixel.
+/// The largest side of maps, in pixels. Maps take 40 bytes of memory per pixel, or 90 with mip levels.
 constexpr int most_map_side = 8192;
 
 struct MapFormat {

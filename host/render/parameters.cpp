@@ -45,7 +45,7 @@ std::string_view name_of(const View& view) {
         return body->shape == Shape::sphere ? "sphere" : "torus";
     if (const Terrain* terrain = std::get_if<Terrain>(&view))
         return terrain->perspective ? "landscape" : "terrain";
-    return named_views[view.index()].name; // the first three have the order of View
+    return named_views[view.index()].name; // the first three are in the order of View's types
 }
 
 // Returns the view with that name. It keeps the values that the previous view also has.
@@ -63,7 +63,7 @@ View view_of(std::string_view name, const View& before) {
 
 // ---- The table ----
 
-// Makes a row from a function that returns a pointer to the value in a request, or null if it has none.
+// Makes a row from a function that returns a pointer to a request's value, or null if the request has none.
 template <typename Find>
 Parameter row(std::string_view name, Kind kind, std::string_view unit, Range range, Range slider,
               std::string_view applies_to, std::string_view help, Find find) {
@@ -90,8 +90,8 @@ Parameter flag(std::string_view name, std::string_view applies_to, std::string_v
     return row(name, Kind::flag, "", none, none, applies_to, help, find);
 }
 
-// Each of these returns a function that finds a value in a request: in_view finds a member of one kind of
-// view, in_orbit one of the camera of a body or landscape, and if_lit one of the light.
+// Each of these returns a function that finds a value in a request: in_view a member of one kind of view,
+// in_orbit a camera setting of a body or landscape, and if_lit a setting of the light.
 template <typename OneView, typename T>
 auto in_view(T OneView::*member) {
     return [member](auto& request) {
@@ -243,7 +243,7 @@ std::vector<Parameter> make_table() {
             "Depth of the slice", in_view(&Slice::depth)),
         flag("solid", bodies, "Cut the body from solid noise", in_view(&Body::solid)),
         row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, orbits,
-            "Camera angle around the body or the ground", in_orbit(&Body::yaw, &Terrain::yaw)),
+            "Camera angle around the body or the landscape", in_orbit(&Body::yaw, &Terrain::yaw)),
         row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, orbits,
             "Camera angle above the equator or the ground", in_orbit(&Body::pitch, &Terrain::pitch)),
         row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, orbits, "Zoom factor; 1 shows the whole body",
@@ -294,13 +294,13 @@ std::vector<Parameter> make_table() {
         erosion_row("branching", {0, 10}, {0, 2}, "How much gullies turn the finer gullies beside them",
                     &Erosion::branching),
         flag("filter", "",
-             "Antialias with a Gaussian filter of half a pixel. In the plane, adds a channel `removed`: the "
-             "share of the variance that the filter removes",
+             "Antialias with a Gaussian filter whose standard deviation is half a pixel. In the plane, this "
+             "adds a channel `removed`: the share of the variance that the filter removes",
              [](auto& r) { return &r.filter; }),
         row("paint", Kind::text, "", none, none, "",
             "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
-            "components, to the right and down, of a vector along the crests of the waves, which "
-            "--orientation turns. An EXR has channels `frequency` and `orientation` (degrees)",
+            "components, to the right and down, of a vector along the crests of the waves; --orientation "
+            "turns this vector. An EXR has channels `frequency` and `orientation` (degrees)",
             [](auto& r) { return &r.paint; }),
         flag("quadrature", "", "Add a channel `quadrature`: the noise with cosines instead of sines",
              [](auto& r) { return &r.quadrature; }),
@@ -321,7 +321,7 @@ std::vector<Parameter> make_table() {
 struct Exclusion {
     std::string_view parameter;
     std::string_view other;
-    bool (*conflicts)(const Request&); // whether both are set
+    bool (*conflicts)(const Request&); // whether they conflict in a request
     std::string_view because;
 };
 
@@ -507,7 +507,7 @@ const Parameter& parameter(std::string_view name) {
     const auto found = std::ranges::find(parameters(), name, &Parameter::name);
     if (found != parameters().end())
         return *found;
-    std::vector<std::string_view> names; // names of the same material's parameters, or of the noise's
+    std::vector<std::string_view> names; // parameters of the material in `name`, or the general ones
     for (const Parameter& p : parameters())
         if (is_of_one_material(p) ? name.starts_with(fmt::format("{}.", material_of(p.name)))
                                   : name.find('.') == name.npos)
@@ -542,7 +542,7 @@ std::string accepted(const Parameter& p) {
     case Kind::text:
         return "a name";
     case Kind::colour:
-        return "a colour, #rrggbb or its linear red, green and blue from 0 to 1, as in 0.5,0.3,0.1";
+        return "a colour: #rrggbb, or linear red, green and blue from 0 to 1, as in 0.5,0.3,0.1";
     case Kind::lobes:
         return "a list like [{\"frequency\": 4, \"orientation\": 45, \"power\": 1}]";
     default:
@@ -709,7 +709,7 @@ void check(const Request& request) {
                                        has_terrain(request) ? fmt::format("view {}", name_of(request.view))
                                                             : "material " + request.material));
     if (request.colour && !are_of_colour(request.lobes, *request.colour))
-        throw RequestError("colour requires weights for each lobe, and lobes with power and without spread: "
+        throw RequestError("colour requires weights for each lobe, and lobes with power but no spread: "
                            "use the lobes that came with the colour");
     if (request.colour && is_colourless(request))
         throw RequestError(

@@ -18,7 +18,7 @@ namespace gabor::render {
 
 namespace {
 
-constexpr double least_baked_cell = 8; // side in pixels; a block lies within a cell
+constexpr double least_baked_cell = 8; // in pixels; smaller cells would make blocks too small
 
 std::uint32_t view_constant(const View& view) {
     if (std::holds_alternative<Horizon>(view))
@@ -63,8 +63,9 @@ double pixel_length(const Request& request, int height) {
     return (in_perspective(request) ? height - 0.5 - sky_rows(height) : 1) / request.scale;
 }
 
-// Returns the positions of pixels along an axis (0 for x, 1 for y), in the cells of kernels of each radius.
-// In perspective, the cell is the camera's, and positions are in pixels from the middle of the horizon.
+// Returns the positions of pixels along an axis (0 for x, 1 for y), each as a cell and an offset in it, once
+// for each kernel radius. In perspective, every cell is the camera's, and the offsets are in pixels from the
+// middle of the horizon.
 std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, std::size_t axis) {
     const bool horizon = in_perspective(request);
     const bool along_x = axis == 0;
@@ -77,8 +78,8 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
     const double origin = along_x ? view / 2.0 : sky_rows(view); // pixels from the edge of the view
     struct Table {
         std::int32_t cell;
-        double place; // position of the first pixel
-        double step;  // step in cells
+        double place; // offset of the view's corner in its cell
+        double step;  // cells per value
     };
     std::vector<Table> tables;
     for (const auto& radii : noise::radii(noise::waves(request.lobes, request.seed))) {
@@ -106,7 +107,7 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
                                              const Paint& paint) {
     std::vector<noise::Lobe> lobes = request.lobes;
     double unit = 1;                                 // unit of the paint's frequencies
-    if (!request.paint.empty() && !paint.relative) { // such paint has a single lobe
+    if (!request.paint.empty() && !paint.relative) { // paint requires a single lobe
         unit = std::clamp(highest_frequency(request, paint), 1e-3, 1e6);
         lobes.front().frequency = unit;
         lobes.front().orientation = 0;
@@ -149,12 +150,12 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     const image::Rect& region = viewport.region;
     const auto stride = static_cast<float>(viewport.stride);
     const std::vector<passes::PixelsWave> waves = pixels_waves(request, viewport, paint);
-    auto push = push_of<passes::PixelsPush>({0, 0, region.width, region.height}); // tables begin there
+    auto push = push_of<passes::PixelsPush>({0, 0, region.width, region.height}); // tables cover the region
     push.time = wrapped_time(request);
     push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
     if (!in_perspective(request))
         push.pixel *= stride;
-    push.focal_length = static_cast<float>(viewport.width) / stride; // measured in coarse pixels
+    push.focal_length = static_cast<float>(viewport.width) / stride; // in units of stride pixels
     push.waves = static_cast<int>(waves.size());
     push.tables = static_cast<int>(noise::radii(noise::waves(request.lobes, request.seed)).size());
     // The paint covers the picture, whose corner is the origin of the plane.
@@ -176,8 +177,8 @@ void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, c
     Constants constants = constants_of(request);
     if (waves.size() <= few_waves) {
         constants[passes::few_waves_id] = vulkan::constant(push.waves);
-        // The deviation of a pixel's filter in kernel radii, for gabor_impl_wide_share. In the viewer it is
-        // not a constant, or each scale would need its own pipeline.
+        // Decides in advance which waves need only the narrow or only the wide form of the filter (see
+        // gabor_impl_wide_share), except in the viewer, where each scale would need its own pipeline.
         const bool is_constant =
             request.filter && !in_perspective(request) && viewport.blocks == Blocks::fitted;
         for (std::size_t i = 0; i < waves.size() && is_constant; ++i) {
@@ -253,7 +254,7 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     } else {
         push_body(push, request, viewport);
         push.share =
-            1.0f / static_cast<float>(viewport.stride); // filters as at full resolution: noise stays visible
+            1.0f / static_cast<float>(viewport.stride); // filters over one pixel, so noise stays visible
     }
     Constants constants = constants_of(request);
     constants[passes::isotropic_id] = std::ranges::any_of(request.lobes, is_isotropic);
@@ -386,7 +387,7 @@ double highest_frequency(const Request& request, const Paint& paint) {
 float share_left(const Request& request, const Viewport& viewport, double frequency) {
     if (request.filter)
         return 1;
-    const double side = viewport.stride / viewport.camera.zoom; // side of a value in pixels of the picture
+    const double side = viewport.stride / viewport.camera.zoom; // pixels along a value's side
     const double variance = std::max(side * side - 1, 0.0) / 4;
     return static_cast<float>(
         std::exp(-2 * std::pow(std::numbers::pi * frequency / request.scale, 2) * variance));

@@ -50,8 +50,8 @@ struct Step {
     Bytes push;     ///< push constants; they start with passes::Band for the whole region
     int across = 0; ///< invocations along a row
     Block group;    ///< invocations in a work group
-    /// The first row and the number of rows that each row of work groups fills; if empty, each fills
-    /// group.rows.
+    /// The first row and the number of rows that each row of work groups fills. If the list is empty, each
+    /// fills group.rows rows.
     std::vector<std::pair<int, int>> runs;
 };
 
@@ -71,11 +71,11 @@ struct Plan {
     int height = 0;
     std::vector<Bytes> tables; ///< the storage buffers 1, 2, ...; buffer 0 has the values, row by row
     std::vector<Step> steps;   ///< steps in order; each reads what earlier steps wrote
-    Source source = {};        ///< read from the storage buffer after the tables
+    Source source = {};        ///< map in the storage buffer that follows the tables
 };
 
-/// When to fill a picture block by block, which is faster than pixel by pixel. The results differ by less
-/// than 2e-5.
+/// When to fill a picture block by block, which is usually faster than pixel by pixel. The results differ by
+/// less than 2e-5.
 enum class Blocks {
     fitted, ///< whenever possible, with blocks that fit the cells
     fixed,  ///< when it is faster, with blocks of one size, so that the viewer needs one pipeline for all
@@ -93,7 +93,7 @@ struct Viewport {
     image::Rect region; ///< the values to draw, within the view
     int stride = 1;     ///< a value stands for stride x stride pixels; finer waves fade
     Blocks blocks = Blocks::fitted;
-    bool normals = false; ///< `normals` of render::channels
+    bool normals = false; ///< whether to draw normals: see render::channels
 };
 
 /// The viewport of a region of the picture that gabor render draws.

@@ -43,11 +43,12 @@ inline Coordinate corner_of(const Coordinate& middle, int pixels, const Request&
     return middle.moved(-pixels / 2.0 / (request.scale * viewport.camera.zoom));
 }
 
-/// The share of a wave's amplitude that a value keeps. An unfiltered value that stands for several pixels is
-/// filtered like a pixel of that size. `frequency` is in cycles per kernel radius.
+/// Returns the share of a wave's amplitude that remains after antialiasing a value that stands for several
+/// pixels, or 1 if the request has a filter, because the pass then filters. `frequency` is in cycles per
+/// kernel radius.
 float share_left(const Request& request, const Viewport& viewport, double frequency);
 
-/// Scales a wave, in grey and in colour.
+/// Scales a wave's amplitude and its colour weights.
 template <typename Wave>
 void fade(Wave& wave, float share) {
     wave.amplitude *= share;
@@ -65,9 +66,9 @@ passes::PixelsColour colour_of(const Request& request);
 void put_weights(passes::vec2 (&weights)[3], const Request& request, std::size_t lobe);
 
 /// Covers the pixels first, ..., first + count - 1 with runs of at most `longest` pixels. Pixel i is centred
-/// at origin + (i + 0.5) * cells_per_pixel cells and visits the cells within `radius`. The grid decides where
-/// runs start, so that all parts of a picture are cut alike; the first and last run may extend past the
-/// range.
+/// at origin + (i + 0.5) * cells_per_pixel cells and visits the cells within `radius`. The grid of cells
+/// decides where runs start, so that all parts of a picture are cut alike; the first and last run may extend
+/// past the range.
 std::vector<passes::Run> make_runs(int first, int count, double cells_per_pixel, double radius, int longest,
                                    double origin = 0);
 

@@ -13,7 +13,7 @@ namespace gabor::render {
 namespace {
 
 constexpr std::size_t band_bytes = std::size_t{16} << 20;
-constexpr std::size_t most_pipelines = 16; // lavapipe takes a megabyte for each
+constexpr std::size_t most_pipelines = 16; // lavapipe uses a megabyte for each
 
 // A band's memory on the device, and the job that fills it.
 class BandBuffer {

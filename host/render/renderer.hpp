@@ -63,11 +63,11 @@ vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values
 struct Times {
     double first_dispatch = 0; ///< from the call to the first submission
     double waiting = 0;        ///< waiting for the device
-    double gpu = 0;            ///< running passes on the device; NaN if it cannot tell
+    double gpu = 0;            ///< running passes on the device; NaN if it cannot measure them
     double writing = 0;        ///< compressing and writing files
     double closing = 0;        ///< flushing files to disk
 
-    /// Adds the times of later work. The first submission stays the first.
+    /// Adds the times of later work, but keeps the time of the first submission.
     Times& operator+=(const Times& later);
 };
 
@@ -77,7 +77,7 @@ using Sink = std::function<void(std::span<const float>)>;
 using Fill = std::function<void(std::span<float>)>;
 
 /// Renders `region` of a checked request and passes its rows to `sink`, band by band, while the device draws
-/// the next band. Memory does not grow with the height. `normals`: as in Viewport.
+/// the next band. Memory use does not grow with the height. `normals` is as in Viewport.
 Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
                     const Sink& sink, bool normals = false);
 

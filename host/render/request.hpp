@@ -27,7 +27,7 @@ struct Horizon {
     bool operator==(const Horizon&) const = default;
 };
 
-/// The plane z = depth of noise in space.
+/// A cut through noise in space: the plane z = depth.
 struct Slice {
     double depth = 0; ///< depth in kernel radii
     bool operator==(const Slice&) const = default;
@@ -39,10 +39,10 @@ enum class Shape { sphere, torus };
 /// applies at the nearest point of a sphere.
 struct Body {
     Shape shape = Shape::sphere;
-    bool solid = false; ///< carve it out of noise in space; otherwise waves lie in the tangent plane
+    bool solid = false; ///< carved out of noise in space; otherwise waves lie in the tangent plane
     double yaw = 0;     ///< camera azimuth, in degrees
     double pitch = 30;  ///< camera elevation above the equator, in degrees
-    double zoom = 1;    ///< 1 fits the picture
+    double zoom = 1;    ///< 1 fits the body to the picture
     bool operator==(const Body&) const = default;
 };
 
@@ -102,11 +102,11 @@ struct Request {
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
-    bool filter = false;    ///< antialias with a Gaussian filter of half a pixel
+    bool filter = false;    ///< antialias with a Gaussian filter (standard deviation: half a pixel)
     std::string paint = {}; ///< a map of frequency and orientation, stretched over the picture: see
                             ///< load_paint; empty for none
 
-    // The following add channels.
+    // The following members add channels.
     bool quadrature = false; ///< the noise with cosines instead of sines
     bool gradient = false;   ///< derivatives to the right and down, per kernel radius
     bool phasor = false;     ///< phase, in turns, and intensity
@@ -118,7 +118,7 @@ struct Request {
     bool operator==(const Request&) const = default;
 };
 
-/// Tells whether a view shows a plane from above.
+/// Tells whether a view looks straight down on the plane, a slice or terrain.
 bool is_flat(const View& view);
 
 /// Tells whether the picture is a plane whose opposite edges match.
@@ -156,7 +156,7 @@ inline bool has_material(const Request& request) {
 /// Returns the same terrain from above instead of in perspective, or any other request unchanged.
 Request from_above(Request request);
 
-/// The unit of a terrain's heights in kernel radii.
+/// The number of a terrain's height units per kernel radius.
 double terrain_unit(const Request& request);
 
 /// The most that erosion raises or lowers hills, in kernel radii.

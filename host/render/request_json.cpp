@@ -110,7 +110,7 @@ void read_lists(Lists& lists, const json& colour, const char* name, std::string_
         throw RequestError(fmt::format("the colour has no '{}'", name));
     try {
         colour[name].get_to(lists);
-        if (json(lists) == colour[name]) // it has no other members
+        if (json(lists) == colour[name]) // false if the JSON has more elements
             return;
     } catch (const json::exception&) {
     }
@@ -169,12 +169,12 @@ Request from_json(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object())
         throw RequestError("the parameters are not a JSON object");
-    Values deciding; // decide which other parameters exist
+    Values deciding; // values that decide which other parameters exist
     Values others;
     bool has_lobes = false;
     Request request;
     for (const auto& [name, entry] : object.items()) {
-        if (name == "sum" || name == "viewer") // written by versions before 1.1.0 and by gabor-viewer
+        if (name == "sum" || name == "viewer") // sum: from versions before 1.1.0, viewer: from gabor-viewer
             continue;
         if (name == "colour") {
             request.colour = colour_of(entry);

@@ -84,7 +84,7 @@ void write_levels(const image::Rect& region, std::size_t channels, const Sink& w
     int level = 0;
     for (; level + 1 < drawn_levels(region); ++level)
         draw(level, write);
-    // After a level with one row or column, pixels are not square. Those levels are averages of pairs.
+    // After a level with one row or column, pixels are not square, so the smaller levels average pairs.
     std::vector<float> line;
     draw(level, [&](std::span<const float> values) {
         write(values);

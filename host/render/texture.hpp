@@ -24,11 +24,11 @@ int drawn_levels(const image::Rect& region);
 /// The request that draws a level of a texture.
 Request texture_level(Request request, int level);
 
-/// Returns the mip level after `level` by averaging pixels. It halves each side that is longer than 1.
+/// Averages the pixels of a level to make the next mip level. Halves each side that is longer than 1.
 std::vector<float> halved(std::span<const float> level, int width, int height, std::size_t channels);
 
-/// Renders `region` of a checked request as a mip-mapped texture. Each level is filtered for its own pixel
-/// size, not averaged from the previous level. `advance` is as for render_file.
+/// Renders `region` of a checked request as a mip-mapped texture. Each drawn level is filtered for its own
+/// pixel size, not averaged from the previous level. `advance` is as for render_file.
 Times render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
                      const std::filesystem::path& path, const TextureFormat& format,
                      const image::Advance& advance);
@@ -39,8 +39,8 @@ constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {
 }
 
 /// Assembles the drawn levels of a texture, each whole or in regions, into the file that render_texture would
-/// have written. Keeps the regions' compression. Returns the picture. Throws RequestError if a file is not a
-/// level of the picture, or if a level is missing.
+/// have written. Keeps the regions' compression. Returns the rectangle of the picture. Throws RequestError if
+/// a file is not a level of the picture, or if a level is missing.
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
                          bool half, const image::Advance& advance);
 

@@ -17,8 +17,8 @@ struct Variances {
     double slope_y = 0;
 };
 
-// Returns the variances of a wave along one axis, in its own kernel radii. The slopes of the wave and of its
-// windows are uncorrelated.
+// Returns the variances of a wave and of its slope along one axis, with lengths in the wave's own kernel
+// radii. The slopes of the wave and of its windows are uncorrelated.
 noise::AxisVariance along_axis(const Request& request, double frequency, double deviation) {
     if (request.filter)
         return noise::filtered_variance(frequency, deviation);
@@ -26,8 +26,8 @@ noise::AxisVariance along_axis(const Request& request, double frequency, double 
     return {1, turn * turn + noise::window_slope_energy(request.recipe)};
 }
 
-// Returns sums over the waves of the lattice in the plane, or nothing if a pixel is wider than a kernel
-// radius.
+// Sums the variances of the lattice's waves in the plane. Returns nothing if the filter is on and a pixel is
+// wider than a kernel radius.
 std::optional<Variances> variances(const Request& request) {
     Variances sum;
     for (const noise::Wave& wave : noise::waves(request.lobes, request.seed)) {
@@ -55,7 +55,7 @@ std::optional<Variances> variances(const Request& request) {
 std::optional<double> known_variance(const Request& request, std::string_view channel) {
     const bool flat = std::holds_alternative<Plane>(request.view);
     if (!flat && !in_space(request))
-        return {}; // the picture includes the sky
+        return {}; // a horizon includes the sky, and terrain is not noise
     // With two phases, the kernels' cosines have a different variance.
     const bool noise = std::ranges::find(noise_channels, channel) != noise_channels.end() ||
                        (channel == "quadrature" && drawing_recipe(request).phases != 2);

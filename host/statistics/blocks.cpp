@@ -77,16 +77,16 @@ struct PairIndex {
     double smallest; ///< smallest index that can be distinguished from a normal distribution's
 };
 
-/// Estimates the index from pairs of blocks that do not touch. For such a pair, G_i = n_i (F_i - Phi) are
+/// Estimates the index from pairs of blocks that do not touch. For such a pair, the G_i = n_i (F_i - Phi) are
 /// independent, and their expectation is n_i times the true deviation, so that
 ///     sum_ij G_i . G_j / sum_ij n_i n_j
 /// estimates the integral of (F - Phi)^2 dPhi without bias.
 ///
-/// It is a U-statistic. Let h_IJ be the sum of G_i . G_j - index n_i n_j over the pairs from groups I and J.
-/// Leaving out one group at a time gives, to first order, the variance 4 sum_I (sum_J h_IJ)^2 / (sum n n)^2.
-/// For a normal distribution, U is degenerate, and its variance, 2 sum_IJ h_IJ^2 / (sum n n)^2, is half of
-/// that (Hoeffding, 1948). As in Gaussianity::index, the first variance is taken to be proportional to the
-/// index, with noise included in both.
+/// This estimate, U, is a U-statistic. Let h_IJ be the sum of G_i . G_j - index n_i n_j over the pairs from
+/// groups I and J. Leaving out one group at a time gives, to first order, the variance
+/// 4 sum_I (sum_J h_IJ)^2 / (sum n n)^2. For a normal distribution, U is degenerate, and its variance,
+/// 2 sum_IJ h_IJ^2 / (sum n n)^2, is half of that (Hoeffding, 1948). As in Gaussianity::index, the first
+/// variance is taken to be proportional to the index, with noise included in both.
 PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::span<const Blocks::Block> blocks,
                      const Grid& grid) {
     std::vector<double> sum(bins_per_block);
@@ -109,7 +109,7 @@ PairIndex pair_index(const std::vector<std::vector<double>>& deviation, std::spa
         pixels += static_cast<double>(blocks[a].moments.count());
     }
 
-    // Uses all pairs, so it is positive and includes the noise.
+    // This estimate uses all pairs, so it is positive and includes the noise.
     const double biased = integrate_product(sum, sum) / (pixels * pixels);
     const double weight = std::reduce(weights.begin(), weights.end());
     const double index = std::reduce(products.begin(), products.end()) / weight;

@@ -19,7 +19,7 @@ struct NormalDistribution {
     double variance() const { return deviation * deviation; }
 };
 
-/// Fits the distribution of an unknown picture. If the variance is 0, the deviation is set to 1.
+/// Fits a normal distribution to a picture's moments. If the variance is 0, the deviation is set to 1.
 NormalDistribution fitted_normal(const Moments& moments);
 
 /// Estimates for the noise behind one picture, whose pixels are correlated.
@@ -28,14 +28,14 @@ struct BlockEstimates {
     Estimate mean;
     Estimate variance;
     Estimate cvm;            ///< index as defined in Gaussianity
-    double smallest_cvm = 0; ///< 95 % of normal pictures of this size are below this
+    double smallest_cvm = 0; ///< 95 % of pictures of normal noise of this size are below this
 
     bool operator==(const BlockEstimates&) const = default;
 };
 
 /// A picture cut into 16 x 16 blocks. Blocks are joined 2 x 2 until they are longer than the distance over
-/// which pixels are correlated. Then blocks that do not touch are independent, and estimates use only such
-/// pairs.
+/// which pixels are correlated. Then blocks that do not touch are independent, and the cvm is estimated from
+/// pairs of such blocks.
 class Blocks {
   public:
     Blocks(int width, int height, const NormalDistribution& expected);
@@ -47,7 +47,7 @@ class Blocks {
     Moments moments() const;
 
     /// `correlation` is the distance in pixels beyond which pixels are independent. Returns nothing if that
-    /// leaves fewer than 8 x 8 blocks.
+    /// leaves fewer than 8 x 8 blocks, or if all pixels are equal.
     std::optional<BlockEstimates> estimate(double correlation) const;
 
     /// The pixels of one block.

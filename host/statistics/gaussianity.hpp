@@ -9,7 +9,7 @@
 namespace gabor::statistics {
 
 /// A Cramér-von Mises index is 2^18 times the integral of (F - Phi)^2 dPhi: the expected Cramér-von Mises
-/// statistic of 2^18 independent samples, minus the 1/6 that normal samples have.
+/// statistic of 2^18 independent samples, minus 1/6, its expectation for normal samples.
 constexpr double cvm_scale = 1 << 18;
 
 /// An empirical distribution function is stored as counts of samples in bins that are uniform in u = Phi((x -
@@ -39,8 +39,7 @@ double integrate_product(std::span<const double> a, std::span<const double> b);
 /// Distance of independent samples from a normal distribution with mean 0 and known standard deviation.
 ///
 /// From n samples, T = 1 / (12 n) + sum_i ((2 i - 1) / (2 n) - Phi(x_(i)))^2, and the index is
-/// 2^18 (T - 1/6) / n: its expectation does not depend on n, and is 0 for a
-/// normal distribution.
+/// 2^18 (T - 1/6) / n: its expectation does not depend on n, and is 0 for a normal distribution.
 class Gaussianity {
   public:
     /// `deviation` is the standard deviation that theory predicts, in the unit of the samples.
@@ -54,9 +53,9 @@ class Gaussianity {
 
     std::uint64_t count() const;
 
-    /// Returns the index and its interval, which may be negative; NaN without samples. To compare the samples
-    /// with a normal distribution that has another deviation, such as their own, pass `deviation` in units of
-    /// the predicted one. The bins are too coarse for values much larger than 1 or much smaller than 0.1.
+    /// Returns the index and its interval; both may be negative, and are NaN without samples. To compare the
+    /// samples with a normal distribution that has another deviation, such as their own, pass `deviation` in
+    /// units of the predicted one. The bins are too coarse for deviations much above 1 or much below 0.1.
     Estimate index(double deviation = 1) const;
 
   private:

@@ -18,7 +18,7 @@ class Moments {
 
     std::uint64_t count() const { return count_; }
     double mean() const { return mean_; }
-    /// The population variance, divided by the count. NaN without values.
+    /// The population variance, which divides by the count, not by count - 1. NaN without values.
     double variance() const { return m2_ / static_cast<double>(count_); }
     /// Sum of (x - mean)^2; 0 without values.
     double squared_deviations() const { return m2_; }

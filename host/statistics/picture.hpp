@@ -15,7 +15,7 @@ struct PictureReport {
     std::uint64_t not_finite = 0;            ///< NaN and infinite pixels, excluded from everything else
     Moments moments;                         ///< moments of all other pixels
     std::optional<SpectrumSummary> spectrum; ///< absent below 16 x 16 pixels
-    std::optional<BlockEstimates> blocks;    ///< absent when the picture is too small for its correlation
+    std::optional<BlockEstimates> blocks;    ///< absent if the picture is too small or constant
 
     bool operator==(const PictureReport&) const = default;
 };
@@ -41,7 +41,7 @@ class PictureStatistics {
     std::vector<float> centred_; ///< one row minus the mean, with 0 for values that are not finite
 };
 
-/// Adds the finite `pixels` and returns the number of the others.
+/// Adds the finite `pixels` and returns how many are not finite.
 std::uint64_t add_finite(Moments& moments, std::span<const float> pixels);
 
 } // namespace gabor::statistics

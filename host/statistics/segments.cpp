@@ -47,7 +47,7 @@ std::span<const int> Segments::add_row(std::span<const float> row) {
 
 void Segments::weigh(int left, int channel, std::span<float> into, int stride) const {
     for (int y = 0; y < side_; ++y) {
-        const std::ptrdiff_t line = (row_ + y) % side_; // the oldest row is replaced next
+        const std::ptrdiff_t line = (row_ + y) % side_; // y = 0 is the oldest row
         const float* in = rows_.data() + (line * width_ + left) * channels_ + channel;
         float* out = into.data() + std::ptrdiff_t{y} * stride;
         for (std::size_t x = 0; x < window_.size(); ++x)

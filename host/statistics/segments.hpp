@@ -15,8 +15,8 @@ class Segments {
     /// along each axis.
     Segments(int width, int height, int channels, int side, int hop);
 
-    /// Adds the next row, with interleaved channels. Returns the first columns of the segments that end with
-    /// it.
+    /// Adds the next row, with interleaved channels. Returns the leftmost column of each segment that ends
+    /// with this row.
     std::span<const int> add_row(std::span<const float> row);
 
     /// Writes one channel of a segment that add_row returned, multiplied by the window, with rows `stride`

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int longest_side = 512;
 constexpr int shortest_side = 8;
-constexpr std::int64_t most_values = std::int64_t(1) << 25; ///< size of the stored rows, in floats
+constexpr std::int64_t most_values = std::int64_t(1) << 25; ///< largest size of the stored rows, in floats
 
 } // namespace
 
@@ -58,7 +58,7 @@ namespace {
 
 using Frequency = std::complex<double>; ///< along x and y, in cells
 
-/// A periodogram of real data as a function on the whole plane: even, and periodic in `side`.
+/// A periodogram of real data as a function on the whole plane: even, with period `side`.
 class Plane {
   public:
     Plane(std::span<const double> half, int side) : half_(half), side_(side) {}

@@ -59,7 +59,7 @@ struct SpectrumSummary {
 
 /// Summarizes a picture's periodogram from segments of side * side pixels, where side is a power of 2. The
 /// periodogram has `side` rows for fy (negative ones last) and side / 2 + 1 columns for fx >= 0. Each value
-/// is the variance in its cell of 1 / side^2 square cycles per pixel.
+/// is the variance in a cell with sides of 1 / side cycles per pixel.
 SpectrumSummary summarize(std::span<const double> periodogram, int side);
 
 } // namespace gabor::statistics

@@ -24,7 +24,7 @@ constexpr double resting_budget = 0.060; // the same at rest; longer, because ea
 constexpr double waking_interval = 0.25; // seconds between frames while nothing happens
 constexpr double saving_interval = 2;    // seconds between saves of the session
 constexpr const char* first_preset = "desert"; // shown until another document is opened
-constexpr float widest_panel = 26;             // font heights
+constexpr float widest_panel = 26;             // in font heights
 constexpr float narrowest_panel = 20;
 
 volatile std::sig_atomic_t received_signal = 0;
@@ -107,7 +107,7 @@ void App::restore(const Options& options) {
 }
 
 void App::save_session() {
-    if (offering_ && session_.question) // the settings still hold the session that the question offers
+    if (offering_ && session_.question) // the settings keep the lost session until the question is answered
         return;
     Document document = session_.document();
     if (session_.playing)
@@ -149,12 +149,12 @@ bool App::refine(Extent window) {
     const Drawing wanted = drawing_of(session_.document());
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
     const double slice =
-        resting_budget * std::max(1.0, view.width * view.height / 1e6); // painting takes longer too
+        resting_budget * std::max(1.0, view.width * view.height / 1e6); // large views take longer to paint
     return canvas_.refine(wanted, camera, session_.tiling ? session_.tiling->tile : session_.view,
                           moving ? moving_budget : slice);
 }
 
-// Describes the place under the pointer and the channels there.
+// Describes the position under the pointer and the values of the channels there.
 std::string App::value_under_pointer() {
     const ImGuiIO& io = ImGui::GetIO();
     const Area view = view_area(window_.pixels());
@@ -226,7 +226,7 @@ void App::paint(vk::CommandBuffer commands, const Area& view) {
         paint_photograph(commands, {0, 0, view.x, view.height});
 }
 
-// Paints the photograph in the same place and at the same scale as the noise's picture.
+// Paints the photograph at the same position and scale as the noise's picture.
 void App::paint_photograph(vk::CommandBuffer commands, const Area& area) {
     if (photograph_ != session_.fitter.photograph()) {
         photograph_ = session_.fitter.photograph();
@@ -319,7 +319,7 @@ bool App::frame(const FrameHook& hook) {
     }
     handle_input(session_, view_width(), io.DisplaySize.y);
     panels();
-    dialog_window(session_); // last: a modal window must not appear first
+    dialog_window(session_); // modal windows must come last
     question_window(session_);
     poll_fitter(session_);
     poll_exporter(session_);

@@ -37,13 +37,13 @@ class App {
 
     Session& session() { return session_; }
     const Window& window() const { return window_; }
-    /// Whether the picture is drawn in full resolution.
+    /// Whether the picture is drawn at full resolution.
     bool fine() const { return canvas_.fine(); }
     /// Whether nothing is left to refine, fit or export.
     bool settled() const { return !busy_ && !session_.exporter.running() && !session_.fitter.running(); }
-    /// Saves the picture without a window around it, as gabor render draws it.
+    /// Saves only the picture, with the size and camera of gabor render.
     void save_picture(const std::string& path);
-    /// Saves the window with its panels at the end of this frame.
+    /// Saves the window with its panels, at the end of this frame.
     void save_window(const std::string& path) { window_png_ = path; }
 
   private:

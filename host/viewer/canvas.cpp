@@ -9,7 +9,7 @@ namespace gabor::viewer {
 
 namespace {
 
-constexpr int rows_at_once = 8; // the fewest rows to fill: those of a work group
+constexpr int rows_at_once = 8; // the fewest rows to fill at a time: those of a work group
 
 } // namespace
 
@@ -85,7 +85,7 @@ bool Canvas::refine(const Drawing& drawing, const Camera& camera, Extent extent,
     }
     if (stride_ <= 1)
         return false;
-    const int next = std::max(stride_ / 4, 1); // halving would make the whole refinement a fifth slower
+    const int next = std::max(stride_ / 4, 1); // halving would compute a quarter more values
     if (!behind.filling())
         start(behind, next);
     const double rows = seconds / (cost_.per_value() * behind.extent().width);

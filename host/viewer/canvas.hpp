@@ -45,15 +45,15 @@ class ValueGrid {
     int next_row_ = -1; ///< -1: all are filled
 };
 
-/// Draws values for the view's pixels: coarse while it moves, then refined in short slices that keep the
-/// window responsive.
+/// Draws values for the view's pixels: coarsely while the view moves, then more finely in short slices that
+/// keep the window responsive.
 class Canvas {
   public:
     explicit Canvas(const vulkan::Device& device);
 
     /// Works for about `seconds` on the part of the drawing that the camera shows in `extent` pixels. Returns
     /// whether any work is left. A new view is drawn at once, as finely as the time allows. Throws
-    /// RequestError if its paint cannot be read.
+    /// RequestError if the drawing's paint cannot be read.
     bool refine(const Drawing& drawing, const Camera& camera, Extent extent, double seconds);
 
     /// Draws the whole view at once, with one value per `stride` x `stride` pixels.
@@ -62,9 +62,9 @@ class Canvas {
     const vulkan::Buffer& values() const { return grids_[front_].values(); }
     const std::vector<std::string>& channels() const { return channels_; } ///< channels of each value
     Extent grid() const { return grids_[front_].extent(); }
-    int stride() const { return stride_; } ///< pixels per value; 0 if nothing was drawn yet
+    int stride() const { return stride_; } ///< pixels per value; 0 if nothing has been drawn yet
     bool fine() const { return stride_ == 1; }
-    /// The values on the host: valid until the next work.
+    /// The values on the host; valid until the next `refine` or `draw`.
     std::span<const float> pixels() { return grids_[front_].read(); }
 
   private:

@@ -37,7 +37,7 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
     const bool was_noise = !render::has_material(request), was_terrain = render::has_terrain(request);
     render::set(request, name, value);
     const bool terrain = render::has_terrain(request);
-    // A picture shows four by four units of a material, eight by eight of terrain.
+    // The shorter side of the picture shows four units of a material, or eight of terrain.
     if ((name == "material" && was_noise != !render::has_material(request)) || terrain != was_terrain)
         request.scale = terrain || (was_noise && !was_terrain)
                             ? std::max(2.0, std::min(request.width, request.height) / (terrain ? 8.0 : 4.0))

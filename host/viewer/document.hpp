@@ -15,10 +15,10 @@ using render::Coordinate;
 
 enum class Output { value, gradient, phase, intensity, variance, phasor, lit, lit_phasor };
 
-/// Which property of a material the window shows.
+/// What the window shows of a material.
 enum class Look { lit, colour, height, normal, roughness, metalness };
 
-/// A colour of a colour map, at a place from 0 to 1: red, green and blue as sRGB, from 0 to 1.
+/// A stop of a colour map: its position, and its red, green and blue in sRGB, all from 0 to 1.
 struct ColourStop {
     float at;
     std::array<float, 3> colour;
@@ -29,8 +29,7 @@ constexpr std::size_t most_stops = 8;
 constexpr float least_contrast = 0.5f;
 constexpr float most_contrast = 6;
 
-/// Everything that decides what the window shows, except its panels. It is a plain value, and undo keeps
-/// copies of it.
+/// Everything that decides what the window shows, except its panels. Undo keeps copies of it.
 struct Document {
     render::Request request;
     Camera camera;
@@ -75,7 +74,7 @@ class History {
     /// Adds a step if anything has changed since the last one. Call it while nothing is being dragged. Moving
     /// the camera and playing time add no step.
     void commit();
-    /// Records that `now` was saved to `path`, also in the other steps that had the same path.
+    /// Records that `now` was saved to `path`, also in the steps that shared its previous path.
     void saved_as(const std::string& path);
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < steps_.size(); }

@@ -45,7 +45,7 @@ Camera camera_of(const json& object) {
     return {coordinate("x"), coordinate("y"), std::clamp(object.at("zoom").get<double>(), 1e-3, 1e3)};
 }
 
-// Reads [[place, "#rrggbb"], ...] and sorts the stops by place.
+// Reads [[position, "#rrggbb"], ...] and sorts the stops by position.
 std::vector<ColourStop> ramp_of(const json& stops) {
     std::vector<ColourStop> ramp;
     for (const json& stop : stops) {
@@ -56,7 +56,7 @@ std::vector<ColourStop> ramp_of(const json& stops) {
         if (text.size() != 7 || std::sscanf(text.c_str(), "#%6x", &code) != 1 ||
             !(read.at >= 0 && read.at <= 1))
             throw RequestError(fmt::format(
-                "ramp {}: expected places from 0 to 1 with colours such as #8a5c34", stop.dump()));
+                "ramp {}: expected positions from 0 to 1 with colours such as #8a5c34", stop.dump()));
         for (std::size_t i = 0; i < 3; ++i)
             read.colour.at(i) = static_cast<float>(code >> (16 - 8 * i) & 255) / 255;
     }

@@ -13,8 +13,8 @@ namespace gabor::viewer {
 /// `viewer` how the window shows them, which gabor render ignores.
 std::string to_json(const Document& document);
 
-/// Reads such an object. Missing members keep their values in `defaults`. Throws RequestError, which says
-/// what is accepted.
+/// Reads such an object. Missing parameters and a missing camera have their usual defaults; other missing
+/// members are taken from `defaults`. Throws RequestError, which says what is accepted.
 Document document_from_json(std::string_view json, const Document& defaults = {});
 
 /// Names in the order of Output, Look, the colour maps and the profiles of stripes.

@@ -41,7 +41,7 @@ render::Viewport viewport_of(const Drawing& drawing, const Camera& camera, Exten
 
 int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double zoom) {
     constexpr int coarsest = 16;
-    constexpr int coarsest_baked = 4; // keeps all columns of blocks
+    constexpr int coarsest_baked = 4; // blocks lie within cells, which have fewer values at larger strides
     constexpr double least_per_wave = 3;
     const render::Request& request = drawing.request;
     const bool blocks = uses_blocks(request, viewport_of(drawing, {{}, {}, zoom}, {1, 1}));

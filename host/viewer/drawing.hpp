@@ -9,7 +9,7 @@
 
 namespace gabor::viewer {
 
-/// What the window draws of a document, from any camera.
+/// What the window draws of a document, whatever the camera.
 struct Drawing {
     render::Request request; ///< includes the channels of the output
     bool normals = false;    ///< `normals` of render::Viewport
@@ -22,8 +22,8 @@ Drawing drawing_of(const Document& document);
 /// The viewport of a camera in a view of `extent` pixels.
 render::Viewport viewport_of(const Drawing& drawing, const Camera& camera, Extent extent, int stride = 1);
 
-/// The largest stride while the view moves, a power of two. Painted noise, and phases, which do not fade when
-/// waves become too short, keep at least three values per wave.
+/// The largest stride while the view moves, a power of two. Phases and unfiltered painted noise do not fade
+/// when waves become too short, so they keep at least three values per wave.
 int coarsest_stride(const Drawing& drawing, const render::Paint& paint, double zoom);
 
 /// Four copies of a tileable picture, two by two, to look for seams.

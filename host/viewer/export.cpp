@@ -50,7 +50,7 @@ std::vector<NoiseMap> noise_maps(const Document& document, bool coloured) {
     return maps;
 }
 
-// The absolute path, or one from ~ for files in the home folder.
+// The absolute path, starting with ~ for files in the home folder.
 std::string path_from_home(const std::filesystem::path& path) {
     const std::string whole = std::filesystem::absolute(path).lexically_normal().string();
     const char* const home = std::getenv("HOME");
@@ -69,7 +69,7 @@ ExportTarget ExportTarget::of(const Document& document) const {
     const render::Request& request = document.request;
     ExportTarget target = *this;
     const std::string name = std::filesystem::path(document.path).replace_extension().string() +
-                             (document.photograph.empty() ? "" : "-noise"); // not the photograph itself
+                             (document.photograph.empty() ? "" : "-noise"); // must not replace the photograph
     target.path = path.empty() ? name + ".exr" : path;
     target.folder = folder.empty() ? name : folder;
     target.of_noise = !render::has_material(request);
@@ -144,7 +144,7 @@ void Exporter::write_noise_maps(const vulkan::Device& device, const Document& do
                                 const std::function<void(std::uint64_t)>& advance) const {
     const image::OutputFolder created(folder);
     const auto maps = noise_maps(document, document.request.colour.has_value());
-    std::vector<image::PngWriter> writers; // open before the work begins, to fail early
+    std::vector<image::PngWriter> writers; // opened before the work begins, to fail early
     for (const NoiseMap& map : maps)
         writers.emplace_back(folder / map.name, document.request.width, document.request.height, map.channels,
                              map.bits);

@@ -14,7 +14,7 @@
 
 namespace gabor::viewer {
 
-/// Tells whether a file has changed since it was read or written.
+/// The time and size of a file, which show whether it has changed since it was read or written.
 struct FileStamp {
     std::filesystem::file_time_type time;
     std::uintmax_t size = 0;
@@ -45,18 +45,18 @@ struct ExportTarget {
     bool directx = false;        ///< with maps, also write normals whose green points down
     std::size_t compression = 0; ///< compression of EXRs: an index in image::compression_names()
 
-    /// Returns this target with its names, `as`, `of_noise` and `coloured` set for the document.
+    /// Returns this target with `path`, `folder`, `as`, `of_noise` and `coloured` set for the document.
     ExportTarget of(const Document& document) const;
     /// The path of the EXR, or the folder for maps.
     const std::string& name() const { return as == ExportAs::maps ? folder : path; }
 };
 
-/// Whether this request has maps.
+/// Whether maps can be exported for this request.
 bool can_export_maps(const render::Request& request);
 
 /// The files that an export writes, except maps.
 std::vector<render::Files> files_of(const ExportTarget& target);
-/// The paths of these files.
+/// The paths of all files that an export writes, including maps.
 std::vector<std::filesystem::path> paths_of(const ExportTarget& target);
 
 /// The request that an export renders.

@@ -2,7 +2,7 @@
 
 namespace gabor::viewer {
 
-/// Pixels of a window, a view or a picture.
+/// The size of a window, a view or a picture, in pixels.
 struct Extent {
     int width = 0;
     int height = 0;

@@ -28,7 +28,7 @@ void ask(Session& session, FileDialog dialog, const std::filesystem::path& besid
         session.dialog = std::move(dialog);
 }
 
-// Lists files with these endings, photographs, and EXRs, which may be a photograph or hold parameters.
+// Asks for a file with one of these endings, a photograph, or an EXR, which may be either.
 void ask_to_open(Session& session, const char* title, std::vector<std::string> endings,
                  const std::filesystem::path& beside) {
     endings.emplace_back(".exr");

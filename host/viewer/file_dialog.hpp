@@ -9,8 +9,8 @@ namespace gabor::viewer {
 
 struct Session;
 
-/// A dialog that asks for a file. If the desktop has no file dialog, it lists a folder and has a field for
-/// the name.
+/// A dialog that asks for a file. If the desktop has none, the viewer draws its own, which lists a folder and
+/// has a field for the name.
 struct FileDialog {
     std::string title;
     std::string action;               ///< label of the button
@@ -26,7 +26,7 @@ struct FileDialog {
     std::vector<std::string> files = {};
 };
 
-/// Open a dialog for each purpose.
+/// Each opens a dialog for one purpose.
 void ask_for_file(Session& session);
 void ask_for_photograph(Session& session);
 void ask_for_paint(Session& session);

@@ -16,7 +16,7 @@ Gallery gallery_window(Session& session, float width, float height) {
     const auto count = static_cast<int>(presets.size());
     const ImGuiStyle& style = ImGui::GetStyle();
     const float gap = style.ItemSpacing.x;
-    float least = 0; // width of a cell that the longest name needs
+    float least = 0; // cell width that the longest name needs
     for (const render::Preset& preset : presets)
         least = std::max(least, ImGui::CalcTextSize(std::string(preset.name).c_str()).x +
                                     style.FramePadding.x / 2 + gap);
@@ -26,7 +26,7 @@ Gallery gallery_window(Session& session, float width, float height) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoBackground |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    // Chooses the largest cells with which all presets are visible. If their names would not fit, the window
+    // Chooses the largest cells for which all presets are visible. If their names would not fit, the window
     // scrolls.
     const ImVec2 room = ImGui::GetContentRegionAvail();
     float cell = 0;

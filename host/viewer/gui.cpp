@@ -32,7 +32,7 @@ struct Press {
     int button;
     bool down;
     int modifiers;
-    ImVec2 at;   ///< the pointer's place
+    ImVec2 at;   ///< the pointer's position
     double time; ///< in seconds
 };
 std::deque<Press> presses;
@@ -112,7 +112,7 @@ std::string sans_font() {
 
 // The desktop font that has most of these characters, and its index in the file, found by fontconfig.
 std::pair<std::string, int> font_with(const std::vector<ImWchar>& characters) {
-    constexpr std::size_t enough = 64; // characters that identify a script
+    constexpr std::size_t enough = 64; // this many characters identify a script
     const std::size_t asked = std::min(characters.size(), enough);
     const std::string command = fmt::format("fc-match --format '%{{index}} %{{file}}' ':charset={:x}' 2>&-",
                                             fmt::join(std::span(characters).first(asked), " "));
@@ -159,9 +159,9 @@ void build_fonts(float pixels, const std::set<ImWchar>& characters) {
     atlas.Build();
 }
 
-// Closes colour pickers and lists of choices that a press at `at` is outside of. Otherwise the press would
-// only close them. But a press on the row that opened one does only close it, so that its own control closes
-// it too.
+// Closes colour pickers and drop-down lists that a press at `at` misses, so that the press also reaches the
+// control there. On the row of the control that opened them, Dear ImGui closes them and uses up the press:
+// otherwise the control would open them again.
 void close_popups(ImVec2 at) {
     const ImGuiContext& context = *ImGui::GetCurrentContext();
     const auto& open = context.OpenPopupStack;
@@ -277,7 +277,7 @@ void Gui::take_press() {
         io.MousePos = next.at;
     if (is_key ? io.KeysDownDuration[next.key] >= 0
                : next.at.x != last_pointer_.x || next.at.y != last_pointer_.y)
-        return; // this frame releases the key, or moves the pointer there
+        return; // first, this frame releases the key or moves the pointer there
     presses.pop_front();
     io.KeyCtrl = (next.modifiers & GLFW_MOD_CONTROL) != 0;
     io.KeyShift = (next.modifiers & GLFW_MOD_SHIFT) != 0;

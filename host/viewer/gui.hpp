@@ -26,7 +26,7 @@ class Gui {
     void set_scale(float scale);
     /// Loads the characters of a text from the desktop's fonts, starting with the next frame.
     void prepare(std::string_view text);
-    /// Begins a frame with the input since the last one. The device must have finished drawing the last one.
+    /// Begins a frame with the input since the last frame, which the device must have finished drawing.
     void begin();
     /// Whether input is left for later frames.
     bool has_input() const;

@@ -197,7 +197,7 @@ void keys(Session& session) {
     if (pressed(GLFW_KEY_F11))
         session.full_screen = !session.full_screen;
     if (pressed(GLFW_KEY_ESCAPE)) {
-        if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) // colours or choices
+        if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) // a colour picker or a list
             return ImGui::ClosePopupToLevel(0, true);
         session.help = session.gallery = false;
     }

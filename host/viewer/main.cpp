@@ -3,6 +3,6 @@
 #include <csignal>
 
 int main(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error like any other
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond the size limit is an error, not the end of the program
     return gabor::viewer::run_viewer(argc, argv);
 }

@@ -23,7 +23,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// Returns the first sentence of the help. The others are about files.
+// Returns the first sentence of a parameter's help, with its unit. The rest describes options and files.
 std::string help_of(const render::Parameter& parameter) {
     const std::string_view help = parameter.help.substr(0, parameter.help.find(". "));
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
@@ -37,7 +37,7 @@ double default_of(const render::Parameter& parameter, const render::Request& req
     return std::get<double>(*parameter.get(fresh));
 }
 
-// Draws a control by the kind of its parameter, and returns the value if it was changed.
+// Draws the control that suits a parameter's kind, and returns the value if it was changed.
 std::optional<render::Value> edit(const render::Parameter& parameter, const render::Value& value,
                                   const render::Request& request) {
     using Kind = render::Parameter::Kind;
@@ -101,7 +101,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
     return {};
 }
 
-// The control of a parameter, if it has an effect.
+// Draws the control of a parameter if it has an effect.
 void control(Session& session, std::string_view name) {
     const render::Parameter& parameter = render::parameter(name);
     const render::Request& request = session.document().request;
@@ -135,7 +135,7 @@ constexpr const char* look_tips[]{"Lit by a lamp",
                                   "Roughness: dark is smooth",
                                   "Metalness: white where reflections have the base colour"};
 
-constexpr const char* environment_tips[]{"A room with a window", "An overcast sky, as bright from all sides",
+constexpr const char* environment_tips[]{"A room with a window", "An overcast sky, equally bright all round",
                                          "Nothing but the lamp"};
 
 // A slider that a double click resets.
@@ -210,7 +210,7 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, f
 
 namespace {
 
-// The lobes or, instead of them, the paint.
+// Draws the controls of the lobes, unless a paint replaces them, and of the paint.
 void waves_panel(Session& session) {
     if (has_effect(session.document(), "lobes"))
         spectrum_panel(session);
@@ -245,7 +245,7 @@ void animation_panel(Session& session) {
     ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetCursorPosX());
     control(session, "time");
     resettable("period", session.period, 1, 60, "%.1f s", Session::default_period);
-    tooltip("Seconds in which time goes from 0 to 1");
+    tooltip("Seconds that time takes to go from 0 to 1");
 }
 
 void view_panel(Session& session) {
@@ -321,7 +321,7 @@ void file_panel(Session& session) {
                 session.ui_scale = scale;
         ImGui::EndCombo();
     }
-    tooltip("Size of panels and text; 100 % suits the desktop's scale or the height of the screen");
+    tooltip("Size of panels and text; 100 % follows the desktop's scale or the height of the screen");
 }
 
 void export_panel(Session& session) {
@@ -367,14 +367,14 @@ void export_panel(Session& session) {
     } else {
         if (ImGui::Button("Export now", {half, 0}))
             start_export(session);
-        tooltip("Export while you go on working (Ctrl E)", {}, true);
+        tooltip("Export in the background while you keep working (Ctrl E)", {}, true);
         ImGui::SameLine();
         if (ImGui::Button("Export to...", {half, 0}))
             ask_where_to_export(session);
     }
 }
 
-// Buttons for the most frequent actions.
+// Buttons for the most common actions.
 void start_buttons(Session& session) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float room = width - 2 * ImGui::GetStyle().ItemSpacing.x;
@@ -572,7 +572,7 @@ void tooltip(std::string_view text, std::optional<float> top, bool aside) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())
         return;
     constexpr double delay =
-        0.5; // seconds that the pointer must rest on an item; items are identified by their place
+        0.5; // seconds that the pointer must rest on an item; items are identified by their position
     static ImVec2 place;
     static int frame = 0;
     static double since = 0;

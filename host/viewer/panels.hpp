@@ -19,7 +19,7 @@ void spectrum_panel(Session& session);
 void ramp_editor(Session& session);
 void help_window(Session& session);
 void question_window(Session& session);
-/// Labels the view with its zoom or tiling where it differs from the picture.
+/// Labels a view that is zoomed or tiled.
 void view_overlay(const Session& session);
 /// Shows the values under the pointer, at the upper right of a view of this width.
 void reading_overlay(const Session& session, float width);

@@ -13,7 +13,7 @@ namespace gabor::viewer {
 
 namespace {
 
-// Returns the camera at the same place in a noise whose kernel radius is `times` as long.
+// Returns the camera that shows the same position of a noise whose kernel radius is `times` as long.
 Camera in_radii(const Camera& camera, double times) {
     const auto coordinate = [&](const Coordinate& c) {
         return Coordinate{}.moved((static_cast<double>(c.whole) + c.part) / times);
@@ -40,7 +40,7 @@ void take(Session& session, FittedPreset fitted) {
         next.request.filter = before.filter;
         next.camera = in_radii(next.camera, next.request.scale / before.scale);
     } else {
-        session.export_target.chosen = session.export_target.of(session.document()).as; // as before
+        session.export_target.chosen = session.export_target.of(session.document()).as; // keeps the form
         show_another(session);
         next.camera = render::default_camera(next.request);
         next.output = Output::value;
@@ -108,7 +108,7 @@ void photograph_panel(Session& session) {
     if (ImGui::SliderInt("lobes", &lobes, 1, Fitter::most_lobes, "%d", ImGuiSliderFlags_AlwaysClamp))
         fitter.set_lobes(lobes);
     tooltip("The largest number of lobes; each costs as much as a plain noise. The fit uses fewer if more "
-            "would only imitate chance.");
+            "would overfit.");
     ImGui::Checkbox("side by side", &session.photograph_beside);
     tooltip("Tab: show the photograph beside its noise, or the noise alone");
     ImGui::SameLine();

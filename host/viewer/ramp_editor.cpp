@@ -47,7 +47,7 @@ void ramp_editor(Session& session) {
         ramp.insert(next, {pointed, colour_at(ramp, pointed)});
     } else if (ImGui::IsItemActivated()) {
         selected = nearest;
-    } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0)) { // between its neighbours
+    } else if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0)) { // stays between its neighbours
         const float low = selected > 0 ? ramp[selected - 1].at : 0;
         const float high = selected + 1 < ramp.size() ? ramp[selected + 1].at : 1;
         ramp[selected].at = std::clamp(pointed, low, high);

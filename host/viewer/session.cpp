@@ -31,8 +31,8 @@ std::filesystem::path json_path(std::filesystem::path path) {
     return extension == ".json" ? path : path += ".json";
 }
 
-// Calls `write`, but asks first if that would overwrite a file that this session did not write or, unless the
-// files `belong` to the document, any file.
+// Calls `write`, but asks first if that would overwrite a file that this session did not write. If the files
+// do not `belong` to the document, asks before overwriting any file.
 void overwrite(Session& session, const std::vector<std::filesystem::path>& paths, bool belong,
                std::function<void()> write) {
     std::vector<std::string> foreign;
@@ -50,7 +50,7 @@ void overwrite(Session& session, const std::vector<std::filesystem::path>& paths
         foreign.resize(most_named - 1);
         foreign.push_back(fmt::format("{} more", count - foreign.size()));
     }
-    session.question = {fmt::format("Overwrite {}? This document did not write {}.",
+    session.question = {fmt::format("Overwrite {}? This session did not write {} from this document.",
                                     fmt::join(foreign, " and "), foreign.size() > 1 ? "them" : "it"),
                         {{"Overwrite", [&session, write] { attempt(session, write); }, 'O'}}};
 }

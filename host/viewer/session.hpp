@@ -45,13 +45,13 @@ struct Session {
     History history;
     Document saved;                  ///< the document as last opened or saved
     std::vector<std::string> recent; ///< files opened or saved, the most recent first
-    /// The files that this session wrote. Others are overwritten only after a question.
+    /// The files that this session wrote. The user is asked before others are overwritten.
     std::map<std::filesystem::path, FileStamp> written;
     std::string exported_from; ///< path of the document that was last exported
     Exporter exporter;
     ExportTarget export_target;
     bool exported = true;         ///< whether the result of the last export has been shown
-    bool scrolled_back = true;    ///< whether the panel shows its top after another document was opened
+    bool scrolled_back = true;    ///< whether the panel has scrolled to its top for the new document
     bool exporting_asked = false; ///< whether to open the export section
     Fitter fitter;
     std::optional<FittedPreset> fitted; ///< the last fit, to the photograph `fitted_path`
@@ -68,7 +68,7 @@ struct Session {
     std::optional<Tiling> tiling;
     bool playing = false;
     static constexpr float default_period = 8;
-    float period = default_period; ///< seconds in which time goes from 0 to 1
+    float period = default_period; ///< seconds that time takes to go from 0 to 1
     bool panels = true;
     bool full_screen = false;
     bool help = false;
@@ -110,14 +110,13 @@ void continue_closing(Session& session);
 /// Runs an action; its exceptions become messages.
 void attempt(Session& session, const std::function<void()>& action);
 void notify(Session& session, std::string text, bool error = false);
-/// Lets the message of a finished export disappear. It stays until the user's next action.
+/// Hides the message after a few seconds, even the result of an export. Called when the user does something.
 void hide_message_soon(Session& session);
 /// The texts on the screen that contain file names, which may be in any script.
 std::vector<std::string_view> file_names(const Session& session);
 
-/// Reads a document from a JSON file, from an EXR that gabor rendered, or from a preset's name. Missing
-/// values keep their values in `defaults`. Throws RequestError if there is no such document or its paint is
-/// missing.
+/// Reads a document from a JSON file, from an EXR that gabor rendered, or from a preset's name. `defaults` is
+/// as for document_from_json. Throws RequestError if there is no such document or its paint is missing.
 Document load_document(const std::string& path, const Document& defaults = {});
 
 } // namespace gabor::viewer

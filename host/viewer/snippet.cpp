@@ -31,8 +31,8 @@ struct Quantity {
     std::string_view is;
     std::string_view type;
     std::string_view name;  // start of its function's name: NAME_of_wave, NAME_of_view or NAME_of_body
-    std::string_view plane; // from a GaborField `field`, and `removed` if filtered
-    std::string_view space; // from a GaborField3d `field`
+    std::string_view plane; // GLSL in the plane, from a GaborField `field`, and `removed` if filtered
+    std::string_view space; // GLSL in space, from a GaborField3d `field`
     std::string_view sky;   // the quantity above a horizon
 };
 
@@ -57,7 +57,7 @@ constexpr Quantity complex_value{"The noise as a complex number: its quadrature,
 constexpr Quantity removed{
     "The share of the variance that the filter removed.", "float", "removed", "removed", "0.0", "1.0"};
 
-// Computed from three sums over the waves.
+// Computed from each wave's quadrature, noise and removed share of the variance.
 constexpr Quantity colour{"The colour.",
                           "vec3",
                           "colour",
@@ -174,7 +174,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
     std::string text = of_wave(request, of);
     text += fmt::format(R"(
 // {}
-// pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing downwards.
+// pixel: a position in a picture of {} x {}, in pixels from the upper left corner, with y pointing down.
 {} {}_of_view(vec2 pixel)
 {{
 )",
@@ -242,7 +242,7 @@ std::string of_plane(const Document& document, const Quantity& of, Extent extent
     return text.append(summed(of));
 }
 
-// The beginning of a call to the kind of noise in space that a wave needs.
+// The beginning of a GLSL call to the noise in space that a wave needs.
 std::string field_in_space(const render::Request& request, const passes::SolidWave& wave) {
     const bool on_surface = render::along_surface(request);
     const std::string frequency = literal(wave.frequency);
@@ -392,13 +392,13 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
     const auto push = space ? push_of<passes::SolidPush>(document, extent) : passes::SolidPush{};
     if (space && (lit || of.name == quantities::gradient.name))
         text +=
-            fmt::format("    mat3 axes = {}; // to the right, down and to the eye\n", axes_of(request, push));
+            fmt::format("    mat3 axes = {}; // right, down and towards the eye\n", axes_of(request, push));
     if (space && of.name == quantities::gradient.name)
         text += "    vec2 seen = (gradient_of_body(p, normal) * axes).xy;\n";
     else if (!lit_stripes)
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
                             space ? "body(p, normal)" : "view(pixel)");
-    if (lit) { // as lit_surface of shaders/viewer/show.glsl
+    if (lit) { // as in lit_surface of shaders/viewer/show.glsl
         const double relief = 0.5 * document.contrast / slope_deviation(request);
         const auto [right, below] = render::light_direction(request);
         text +=
@@ -534,7 +534,7 @@ std::string material_snippet(const Document& document, Extent extent) {
 // normal: the unit normal of the surface there.
 vec3 colour_of_body(vec3 p, vec3 normal)
 {{
-    mat3 axes = {}; // to the right, down and to the eye
+    mat3 axes = {}; // right, down and towards the eye
     Relief relief = relief_at(p, dFdx(p), dFdy(p), normal, true);
     normal = normal * axes;
     vec3 slope = relief.slope * axes;
@@ -543,8 +543,8 @@ vec3 colour_of_body(vec3 p, vec3 normal)
             axes_of(request, push), literal(eye_distance * double{push.unit}));
     else
         text += fmt::format(
-            R"(// The colour that the viewer showed there. pixel: the place in a picture of {} x {}, in pixels from its upper left
-// corner, y growing downwards.
+            R"(// The colour that the viewer showed there. pixel: a position in a picture of {} x {}, in pixels from the
+// upper left corner, with y pointing down.
 vec3 colour_of_view(vec2 pixel)
 {{
     vec3 normal = vec3(0.0, 0.0, 1.0);
@@ -607,8 +607,8 @@ std::string terrain_snippet(const Document& document, Extent extent) {
 #include "gabor_erosion.glsl" // and this one
 
 {}
-// The colour for the screen. pixel: the place in a picture of {} x {}, in pixels from its upper left corner, y growing
-// downwards.
+// The colour for the screen. pixel: a position in a picture of {} x {}, in pixels from the upper left corner,
+// with y pointing down.
 vec3 colour_of_view(vec2 pixel)
 {{
     GaborErosion erosion = GaborErosion({});

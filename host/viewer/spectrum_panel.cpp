@@ -21,7 +21,7 @@ constexpr int cells_across = 72; // cells along a side of the drawn spectrum
 // Maps wave vectors, in cycles per kernel radius, to the screen.
 struct Plane {
     ImVec2 middle;
-    float half;     ///< side, in pixels
+    float half;     ///< half its side, in pixels
     double reaches; ///< frequency at the edge
 
     ImVec2 at(double fx, double fy) const {
@@ -30,7 +30,7 @@ struct Plane {
     }
 };
 
-// The power of the lattice's window, a Hann window of two kernel radii, at f cycles per kernel radius.
+// The power at f cycles per kernel radius of the lattice's window: a Hann window, two kernel radii wide.
 double window_power(double f) {
     const double x = std::numbers::pi * 2 * f;
     if (std::abs(f) < 1e-6 || std::abs(std::abs(f) - 0.5) < 1e-6)
@@ -85,7 +85,7 @@ void draw_power(ImDrawList& draw, const Plane& plane, const std::vector<noise::L
     }
 }
 
-// Rings at round frequencies, and the axes.
+// Draws rings at round frequencies, and the axes.
 void draw_scale(ImDrawList& draw, const Plane& plane) {
     const ImU32 faint = IM_COL32(255, 255, 255, 28);
     draw.AddLine(plane.at(-plane.reaches, 0), plane.at(plane.reaches, 0), faint);
@@ -125,7 +125,7 @@ void draw_lobe(ImDrawList& draw, const Plane& plane, const noise::Lobe& lobe, bo
     }
 }
 
-// A lobe is drawn twice, at its wave vector and at the opposite one.
+// One of the two handles of a lobe: at its wave vector (sign 1) or at the opposite one (sign -1).
 struct Handle {
     std::size_t lobe;
     double sign;
@@ -150,7 +150,7 @@ std::optional<Handle> handle_at(const Plane& plane, const std::vector<noise::Lob
     return best;
 }
 
-// Moves a lobe to one of its handles.
+// Moves a lobe so that its handle with this sign is at `handle`.
 void move_lobe(const Plane& plane, noise::Lobe& lobe, double sign, ImVec2 handle) {
     const double fx = sign * double{handle.x - plane.middle.x} / double{plane.half} * plane.reaches;
     const double fy = sign * double{handle.y - plane.middle.y} / double{plane.half} * plane.reaches;
@@ -215,7 +215,7 @@ bool lobe_list(Session& session, std::vector<noise::Lobe>& lobes) {
         add_lobe(session, lobes, lobe);
         changed = true;
     }
-    tooltip("Add a lobe; each lobe costs as much as one noise");
+    tooltip("Add a lobe; each costs as much as a plain noise");
     if (lobes.size() > 1 && session.selected_lobe < lobes.size()) {
         if (ImGui::SmallButton("remove"))
             changed |= remove_lobe(session, lobes);
@@ -232,7 +232,7 @@ bool lobe_sliders(const Document& document, noise::Lobe& lobe, bool one_of_many)
                                  noise::Lobe().*p.member);
         tooltip(fmt::format("{} ({})", p.help, p.unit));
     };
-    // The power comes last: for a single lobe, the next row takes its place.
+    // The power comes last, so that the other sliders do not move when a second lobe adds it.
     constexpr auto is_power = [](const render::LobeParameter& p) { return p.member == &noise::Lobe::power; };
     for (const render::LobeParameter& p : render::lobe_parameters())
         if (!is_power(p) && has_effect(document, p.name))

@@ -114,7 +114,7 @@ void Swapchain::wait() {
 void Swapchain::rebuild(Extent wanted) {
     const vulkan::Device::State& state = device_.state();
     wait();
-    state.device.waitIdle(); // presentation also uses images and semaphores
+    state.device.waitIdle(); // presentation may still use images and semaphores
     const vk::SurfaceCapabilitiesKHR can = state.physical.getSurfaceCapabilitiesKHR(*surface_);
     vk::Extent2D extent = can.currentExtent;
     if (extent.width == std::numeric_limits<std::uint32_t>::max())

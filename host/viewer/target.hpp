@@ -57,7 +57,7 @@ class Swapchain {
     vk::raii::SwapchainKHR swapchain_ = nullptr;
     std::vector<Target> targets_;
     vk::raii::Semaphore acquired_;
-    /// One per image, because presentation may still be using the last one.
+    /// One per image, because presentation may still be using the last frame's semaphore.
     std::vector<vk::raii::Semaphore> drawn_;
     vk::raii::Fence done_;
     bool under_way_ = false;

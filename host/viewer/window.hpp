@@ -32,7 +32,7 @@ class Window {
     void set_full_screen(bool full);
     Extent pixels() const; ///< size of the framebuffer
     bool shown() const;    ///< whether it is neither minimized nor hidden
-    float density() const; ///< the desktop's scale of text, or one that suits the screen's height
+    float density() const; ///< the desktop's text scale, or one that suits the screen's height
     /// Whether the user has asked to close the window since the last call.
     bool take_close_request();
 

@@ -8,7 +8,7 @@ namespace gabor::vulkan {
 
 namespace {
 
-// A process has only a few large buffers, so each has its own allocation.
+// Each buffer has its own allocation, of at least this many bytes: a process has only a few large buffers.
 constexpr vk::DeviceSize least_memory = 1 << 20;
 
 // Returns the first allowed memory type with the `required` flags and, if possible, the `preferred` ones.

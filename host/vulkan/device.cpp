@@ -47,19 +47,19 @@ vk::raii::Context load_vulkan() {
     }
 }
 
-// Loads the validation layers if GABOR_VALIDATION requests them. Throws RequestError without a driver.
+// Loads the validation layers if GABOR_VALIDATION requests them. Throws RequestError if there is no driver.
 vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation) {
     const vk::ApplicationInfo application("gabor", 1, nullptr, 0, VK_API_VERSION_1_1);
     vk::StructureChain<vk::InstanceCreateInfo, vk::ValidationFeaturesEXT> chain;
     chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
     const std::array layers{"VK_LAYER_KHRONOS_validation"};
     std::vector<const char*> extensions = presentation.instance_extensions;
-    // GPU-assisted validation makes shaders many times slower. It excludes the other checks, which must not
+    // GPU-assisted validation makes shaders many times slower. It replaces the other checks, which must not
     // see its buffers.
     using Check = vk::ValidationFeatureEnableEXT;
     const std::vector<Check> features =
         validation() == "gpu" ? std::vector{Check::eGpuAssisted}
-        : presentation.can_present // Dear ImGui's backend violates best practices when it allocates
+        : presentation.can_present // Dear ImGui's backend violates best practices when allocating
             ? std::vector{Check::eSynchronizationValidation}
             : std::vector{Check::eSynchronizationValidation, Check::eBestPractices};
     if (validating()) {
@@ -105,7 +105,7 @@ struct Candidate {
     bool executable_properties;
 };
 
-// Before Vulkan 1.2, a device may report only the driver's number.
+// Before Vulkan 1.2, a device may report only the driver's version number.
 std::string driver_name(const vk::raii::PhysicalDevice& physical,
                         const vk::PhysicalDeviceProperties& properties) {
     if (properties.apiVersion < VK_API_VERSION_1_2)
@@ -220,7 +220,7 @@ std::unique_ptr<Device::State> make_state(const std::string& selector, const Pre
     constexpr auto shared =
         coherent | vk::MemoryPropertyFlagBits::eHostCached | vk::MemoryPropertyFlagBits::eDeviceLocal;
     const bool unified = std::ranges::any_of(
-        chosen.physical.getMemoryProperties().memoryTypes, // unused ones have no flags
+        chosen.physical.getMemoryProperties().memoryTypes, // unused entries have no flags
         [&](const vk::MemoryType& type) { return (type.propertyFlags & shared) == shared; });
     return std::unique_ptr<Device::State>(
         new Device::State{std::move(context), std::move(instance), std::move(messenger),

@@ -15,8 +15,8 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// Returns the module as if it had been compiled with these constants. Otherwise SwiftShader keeps the
-// branches that they exclude, and lavapipe compiles many of them.
+// Returns the module as if it had been compiled with these constants. Without this, SwiftShader would keep
+// the branches that they exclude, and lavapipe would compile many of them.
 Words specialized(std::span<const std::uint32_t> spirv, std::span<const std::uint32_t> constants) {
     std::unordered_map<std::uint32_t, Words> values;
     for (std::uint32_t id = 0; id < constants.size(); ++id)

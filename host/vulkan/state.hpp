@@ -10,7 +10,7 @@
 
 namespace gabor::vulkan {
 
-/// Requirements for buffers that the host reads or writes.
+/// Required memory properties of buffers that the host reads or writes.
 inline constexpr vk::MemoryPropertyFlags coherent =
     vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 

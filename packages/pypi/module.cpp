@@ -1,4 +1,5 @@
-// The C++ translations of the drop-ins on numpy arrays, on all cores. __init__.py broadcasts and documents.
+// Evaluates the C++ translations of the drop-ins on numpy arrays, on all cores. __init__.py broadcasts the
+// arguments and documents the functions.
 
 #include "gabor_lattice.hpp"
 
@@ -23,7 +24,7 @@ namespace nb = nanobind;
 
 namespace {
 
-// A flat array of as many values as there are points, or of one for all of them.
+// A flat array with one value per point, or a single value for all points.
 template <typename T>
 struct Values {
     using Array = nb::ndarray<const T, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
@@ -37,7 +38,8 @@ struct Values {
 using Doubles = Values<double>::Array;
 using Floats = Values<float>::Array;
 
-// The cell and the offset in it of a coordinate in kernel radii: a float keeps its precision at any distance.
+// Splits a coordinate in kernel radii into its cell and the offset in it, so that a float offset is precise
+// at any distance from the origin.
 struct Split {
     int cell;
     float local;
@@ -45,7 +47,7 @@ struct Split {
     Split(double position, float nodes) { // nodes per kernel radius
         const double at = position * double(nodes);
         std::int64_t whole = static_cast<std::int64_t>(at);
-        whole -= at < static_cast<double>(whole); // the floor, without a call
+        whole -= at < static_cast<double>(whole); // floor, without a function call
         cell = static_cast<int>(static_cast<std::uint32_t>(whole));
         local = static_cast<float>(at - static_cast<double>(whole));
     }
@@ -56,7 +58,7 @@ GaborPlace place_of(double x, double y) {
     return gabor_place({across.cell, down.cell}, {across.local, down.local});
 }
 
-// An array of `channels` rows of `count` values, filled in chunks on all cores with the interpreter released.
+// Returns an array of `channels` rows of `count` values, filled in chunks on all cores with the GIL released.
 template <typename Fill>
 nb::ndarray<nb::numpy, float, nb::ndim<2>> evaluate(std::size_t count, std::size_t channels,
                                                     const Fill& fill) {
@@ -64,7 +66,7 @@ nb::ndarray<nb::numpy, float, nb::ndim<2>> evaluate(std::size_t count, std::size
     nb::capsule owner(values, [](void* data) noexcept { delete[] static_cast<float*>(data); });
     {
         nb::gil_scoped_release release;
-        constexpr std::size_t least = 1 << 14; // points that are worth a thread
+        constexpr std::size_t least = 1 << 14; // the fewest points worth a thread
         const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
         const std::size_t threads = std::clamp<std::size_t>(count / least, 1, cores);
         std::vector<std::thread> others;
@@ -77,8 +79,8 @@ nb::ndarray<nb::numpy, float, nb::ndim<2>> evaluate(std::size_t count, std::size
     return {values, {channels, count}, owner};
 }
 
-// Cells and offsets of a block of points, apart from the noise: compilers then make vectors of the loop over
-// the noise.
+// Cells and offsets of a block of points, computed before the noise, so that compilers vectorize the loop
+// over the noise.
 struct Block {
     static constexpr std::size_t size = 256;
     int cell_x[size], cell_y[size];
@@ -102,7 +104,7 @@ struct Common {
     std::uint32_t seed;
 };
 
-// Choices that are made once are template parameters, so that the loop has no branches.
+// Choices that hold for all points are template parameters, so that the loop has no branches.
 template <bool tiled, bool animated, bool one_kernel, typename Store>
 void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t end, const Values<double>& x,
                 const Values<double>& y, const Values<float>& frequency, const Values<float>& orientation,
@@ -126,7 +128,7 @@ void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t
     }
 }
 
-// What `store` keeps of the field at each point, for one kernel or one for each point.
+// Returns what `store` keeps of the field at each point, with one kernel for all points or one per point.
 template <std::size_t channels, typename Store>
 nb::object evaluate_field(const Doubles& x, const Doubles& y, const Floats& frequency,
                           const Floats& orientation, const Common& common, bool animated,
@@ -243,7 +245,7 @@ NB_MODULE(_native, module) {
                     {right.cell, below.cell}, {right.local, below.local}, {period, period}};
                 const gabor_vec2 point{0.0f, 0.0f};
                 GaborTerrain terrain =
-                    given.empty() // hills of their own
+                    given.empty() // without a base, generates hills
                         ? gabor_terrain_at(ground, point, point, seed)
                         : GaborTerrain{given[0][i], {given[1][i], given[2][i]}, given[3][i]};
                 if (erosion.octaves > 0)

@@ -35,7 +35,7 @@ layout(constant_id = quadrature_id) const bool with_quadrature = false; // wheth
 layout(constant_id = gradient_id) const bool with_gradient = false;   // whether to write the derivatives along x and y too
 layout(constant_id = animated_id) const bool animated = false;        // whether time is not 0, for the lattice
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
-layout(constant_id = few_waves_id) const int few_waves = 0; // 1 if this step has only one noise
+layout(constant_id = few_waves_id) const int few_waves = 0; // 1 if this dispatch adds only one noise
 layout(constant_id = coloured_id) const bool coloured = false; // whether to write a colour's components instead of the noise
 layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; divisions make this slow on CPUs
 layout(constant_id = view_id) const uint view = view_flat;
@@ -247,7 +247,7 @@ void main() {
     if (gl_GlobalInvocationID.x >= column_runs)
         across.count = 0;
     Run down = rows[first_run + gl_GlobalInvocationID.y];
-    if (few_waves == 1) { // because compilers would keep a loop of one iteration
+    if (few_waves == 1) { // no loop, because compilers would keep a loop of one iteration
         fill(across, down, first_wave);
     } else {
         for (uint i = 0u; i < wave_count; ++i)

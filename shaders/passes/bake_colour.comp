@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// The last step of a bake in colour: turns the components that passes/bake.comp has added up into each pixel's colour.
+// The last step of a bake in colour: turns the components summed by passes/bake.comp into each pixel's colour.
 
 #include "passes/bake_interface.h"
 const int colour_binding = 4;

@@ -20,14 +20,14 @@ struct Run {
 // One noise of the sum. Lengths are in its own kernel radii.
 struct BakeWave {
     vec2 wave;        // like GaborKernel.wave
-    vec2 column_turn; // cos and sin of the phase from one column to the next
-    vec2 row_turn;    // cos and sin of the phase from one row to the next
+    vec2 column_turn; // cos and sin of the phase change from one column to the next
+    vec2 row_turn;    // cos and sin of the phase change from one row to the next
     float amplitude;  // factor of the noise, including the normalization of sparse noise
     uint seed;
     vec2 weights[3]; // weights of (quadrature, noise) in the components of a colour
 };
 
-// All noises share a kernel radius, so that the same runs serve them all.
+// The noises of a dispatch share a kernel radius, so that the same runs serve them all.
 GABOR_PUSH_CONSTANTS(BakePush) {
     GABOR_BAND
     vec2 radius;  // like GaborPlace.radius

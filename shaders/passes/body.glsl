@@ -48,7 +48,7 @@ vec3 ray_of(vec2 at, Axes axes) {
     return plane.x * axes.right - plane.y * axes.up - axes.toward_eye;
 }
 
-// Starts at the point of the ray nearest to the centre, which avoids the cancellation of the quadratic formula.
+// Starts at the point on the ray nearest to the centre, which avoids the cancellation in the quadratic formula.
 Hit sphere_hit(vec3 eye, vec3 ray) {
     float foot = -dot(eye, ray) / dot(ray, ray);
     vec3 nearest = eye + foot * ray;
@@ -99,8 +99,8 @@ struct Seen {
     vec3 dy;
 };
 
-// Whether all rays of the pixel hit the body, or all miss it. Their hits are at most `reach` apart, and a body is at least as
-// thick everywhere as the torus's tube.
+// Whether it is certain that all rays of the pixel hit the body, or that all miss it. Hits are at most `reach` apart, and no
+// body is thinner than the torus's tube.
 bool all_alike(Hit hit, vec3 ray) {
     float reach = 0.75 * pixel * (eye_distance + 1.0);
     float facing = dot(normalize(ray), hit.normal);

@@ -1,4 +1,4 @@
-// Shared by passes that draw in colour and host/render.
+// Shared by host/render and the passes that draw in colour.
 
 #ifndef GABOR_COLOUR_H
 #define GABOR_COLOUR_H

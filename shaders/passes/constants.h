@@ -1,4 +1,4 @@
-// The ids of specialization constants, the same in all passes over a picture, for GLSL and C++.
+// The ids of the specialization constants of all passes over a picture, for GLSL and C++.
 
 #ifndef GABOR_CONSTANTS_H
 #define GABOR_CONSTANTS_H

@@ -1,6 +1,6 @@
-// Macros for headers that declare push constants and group sizes for both C++ and GLSL, so that the two
-// cannot differ: each pass has a PASS_interface.h. In C++ the declarations are in gabor::passes, with vectors
-// aligned as in GLSL.
+// Macros for headers that both C++ and GLSL include, so that their declarations cannot differ. PASS_interface.h
+// declares the push constants and group size of a pass. In C++ the declarations are in gabor::passes, with
+// vectors aligned as in GLSL.
 
 #ifndef GABOR_INTERFACE_H
 #define GABOR_INTERFACE_H

@@ -14,7 +14,7 @@ vec3 sun_of(Ground ground) {
     return vec3(ground.sun.x, sqrt(max(1.0 - dot(ground.sun, ground.sun), 0.0)), ground.sun.y);
 }
 
-// The hills and the ground under a pixel that is `pixel` wide there.
+// The hills and the ground at p, filtered for a pixel that is `pixel` wide on the ground.
 GaborTerrain hills_at(Ground ground, vec2 p, float pixel) {
     return gabor_terrain_at(GaborGround(ground.cell, p, ground.period), vec2(pixel, 0.0), vec2(0.0, pixel), ground.seed);
 }
@@ -48,8 +48,8 @@ vec3 sky_along(vec3 sun, vec3 ray) {
 }
 
 // The height of a point above the ground. If the point is more than `margin` above anything that erosion could add to the
-// hills, returns its height above that instead, which costs less. No ray meets the ground within the distance `stride`, unless
-// the ground is extremely steep.
+// hills, returns its height above that instead, which costs less. No ray from the point meets the ground within the distance
+// `stride`, unless the ground is extremely steep.
 float height_above(Ground ground, vec3 at, float pixel, float margin, out float stride) {
     GaborTerrain hills = hills_at(ground, at.xz, pixel);
     float above = at.y - hills.height - ground.reach;
@@ -82,8 +82,8 @@ float distance_to_ground(Ground ground, vec3 eye, vec3 ray, float wide, float fa
     return -1.0;
 }
 
-// How much of the sun is visible from a point of the ground under a pixel that is `pixel` wide. The ground in between has one or
-// two octaves of erosion.
+// How much of the sun is visible from a point on the ground, for a pixel that is `pixel` wide there. The ground that casts the
+// shadow has only one or two octaves of erosion.
 float sunlight_at(Ground ground, vec3 at, float pixel) {
     vec3 sun = sun_of(ground);
     float light = 1.0, t = 0.04, stride;
@@ -115,7 +115,7 @@ Sight seen_from_above(Ground ground, vec2 p, float pixel) {
     return sight;
 }
 
-// The ground from an eye that is at least a little above it. `clear` is the distance at which air begins to hide the ground.
+// The ground or sky along a ray. Raises an eye that is too low. `clear` is the distance at which air begins to hide the ground.
 Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     vec3 sun = sun_of(ground);
     eye.y = max(eye.y, hills_at(ground, eye.xz, 0.0).height + ground.reach + 0.02);
@@ -137,7 +137,7 @@ Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
 }
 
 // A camera that looks at the origin from distance 1: its position and its rays. `yaw` and `pitch` are (cosine, sine) of its
-// angles. `place` is the offset from the middle of the picture, in units of its focal length, with y growing downwards.
+// angles. `place` is the offset from the middle of the picture, in units of the focal length, with y growing downwards.
 vec3 camera_at(vec2 yaw, vec2 pitch) {
     return vec3(pitch.x * yaw.x, pitch.y, pitch.x * yaw.y);
 }

@@ -1,6 +1,6 @@
-// Lights a material by a lamp and by its surroundings. The constant `environment` is 0 for a room with a window, 1 for an
-// overcast sky, and 2 for darkness. The surface is the plane z = 0; y points down the picture. Surfaces reflect light as in
-// glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction through rough
+// Lights a material with a lamp and the light of its surroundings. The constant `environment` is 0 for a room with a window, 1
+// for an overcast sky, and 2 for darkness. The surface is the plane z = 0; y points down the picture. Surfaces reflect light as
+// in glTF 2.0: Lambert's diffuse reflection and GGX microfacets (Walter et al., "Microfacet models for refraction through rough
 // surfaces", 2007). So the exported maps look the same in other renderers; see docs/gallery.md.
 
 // The room's light from direction `d`: dark walls and a window, blurred by the roughness of the surface that reflects
@@ -17,7 +17,7 @@ vec3 diffuse_room(vec3 n) {
     return walls + window * (0.304 - dot(vec2(0.085, 0.177), n.xy) - dot(vec3(0.182, 0.08, -0.087), vec3(n.xy * n.xy, n.x * n.y)));
 }
 
-// The standard overcast sky of the CIE, over ground that reflects a fifth of its light. `up` is the cosine of the angle to the
+// The CIE standard overcast sky, over ground that reflects a fifth of its light. `up` is the cosine of the angle to the
 // zenith. The mean over a hemisphere is exact (Moon and Spencer, 1942); the blur is within 0.03 of the integral over facets.
 const vec3 zenith = vec3(0.56, 0.6, 0.65);
 const float ground = 0.155556; // relative to the zenith
@@ -37,22 +37,22 @@ vec3 eye_above(vec2 place) {
     return normalize(vec3(-place, 1.8));
 }
 
-// The direction to the lamp, which is 2.5 away from the middle of the picture. `lamp` holds x and y of the unit vector from
-// there to the lamp.
+// The direction to the lamp. Its distance from the middle of the picture is 2.5 times the picture's longer side. `lamp` holds x
+// and y of the unit vector from the middle to the lamp.
 vec3 lamp_above(vec2 place, vec2 lamp) {
     return normalize(vec3(2.5 * lamp - place, 2.5 * sqrt(max(1.0 - dot(lamp, lamp), 0.0))));
 }
 
 const vec3 backdrop = vec3(0.016, 0.017, 0.019); // the colour behind a body
 
-// The sky, from the horizon at 0 to the picture's edge at 1.
+// The colour of the sky. `up` is 0 at the horizon and 1 at the picture's edge.
 vec3 sky_colour(float up) {
     return environment == 0   ? mix(vec3(0.62, 0.69, 0.76), vec3(0.27, 0.42, 0.62), up)
            : environment == 1 ? overcast(0.25 * up + 0.001, 0.0)
                               : backdrop;
 }
 
-// A surface that reflects light, with members of GaborMaterial.
+// The members of GaborMaterial that determine how a surface reflects light.
 struct Surface {
     vec3 colour;
     float roughness;

@@ -66,7 +66,7 @@ struct Values {
 
 const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(vec3(0.0), vec3(0.0)));
 
-// A pixel's position, and the distances to its neighbours along the picture's axes.
+// A pixel's position, and the steps to its neighbours along the picture's axes.
 struct Footprint {
     ivec2 pixel;
     vec2 from_camera; // position relative to the camera, in perspective

@@ -21,7 +21,7 @@ struct PixelsWave {
     vec2 radius;       // radii of its kernels along x and y, in kernel radii of the picture
     float amplitude;   // the square root of its share of the variance
     uint seed;
-    int table;       // index of the table that has its lines
+    int table;       // index of its table of lines
     vec2 weights[3]; // weights of (quadrature, noise) in the components of a colour
 };
 
@@ -35,7 +35,7 @@ GABOR_PUSH_CONSTANTS(PixelsPush) {
     float pixel;        // kernel radii per pixel; in perspective, the camera's height in kernel radii
     float focal_length; // focal length in pixels, in perspective
     int waves;
-    int tables; // number of tables of lines; for each column and row, their lines are adjacent
+    int tables; // number of tables of lines, interleaved: each column or row has one line per table
 };
 
 GABOR_INTERFACE_END

@@ -1,6 +1,6 @@
-// Puts a material on a surface in space. Include it after material_at(p, dx, dy), a material in the plane.
+// Puts a material on a surface in space. Include it after the definition of material_at(p, dx, dy), a material in the plane.
 
-// The material at a point of the surface, and the slope of its relief, in space.
+// The material at a point on the surface, and the slope of its relief, in space.
 struct Relief {
     GaborMaterial material;
     vec3 slope;
@@ -25,7 +25,7 @@ vec2 on_plane(vec3 v, Plane plane) {
 
 // The relief at p, in units of the material; dx and dy are the steps to the next pixels. For a body, the material is projected
 // from three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Slopes are
-// finite differences over a pixel's smaller side. The loop keeps compilers from inlining the material three times.
+// finite differences over a pixel's smaller side. The outer loop keeps compilers from inlining the material three times.
 Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
     vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
     facing /= facing.x + facing.y + facing.z;

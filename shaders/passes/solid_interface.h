@@ -24,14 +24,14 @@ struct SolidWave {
 // Lengths are in kernel radii of the picture.
 GABOR_PUSH_CONSTANTS(SolidPush) {
     GABOR_BAND
-    vec2 center; // center of the picture, in pixels from its corner
+    vec2 center; // centre of the picture, in pixels from its corner
     vec2 yaw;    // cosine and sine of the eye's angle around the z axis
     vec2 pitch;  // cosine and sine of the eye's angle above the plane z = 0
     float pixel; // side of a pixel: in kernel radii for a slice, otherwise in the plane at distance 1 from
                  // the eye
     float unit;  // radius of the sphere in kernel radii
     float depth; // z of the slice, in kernel radii
-    float share; // side of the filter's pixel on a body, relative to a pixel of the view, which may be coarse
+    float share; // side of the filter's pixel on a body, in pixels of the view: less than 1 if the view is coarse
     float time;
     int waves;
 };

@@ -16,7 +16,7 @@ GABOR_PUSH_CONSTANTS(TerrainPush) {
     vec2 period;    // period of a tile, 0 for none
     vec2 center;    // the pixel that the camera looks at
     vec2 yaw;       // cosine and sine of the camera's azimuth
-    vec2 pitch;     // cosine and sine of its elevation
+    vec2 pitch;     // cosine and sine of the camera's elevation
     vec2 sun;       // x and y of the unit vector to the sun
     float distance; // distance of the camera from the point that it looks at; 0 in the view from above
     float pixel;    // side of a pixel in kernel radii; in perspective, at distance 1 from the camera

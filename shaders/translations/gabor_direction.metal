@@ -46,7 +46,7 @@ struct GaborWaves {
 //     place's period.
 
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
-//     Noise, quadrature and both gradients at a place. gabor_stripes_of turns its value into stripes.
+//     Noise, quadrature and both gradients at a place. gabor_stripes_of turns the field's value into stripes.
 
 // ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
 
@@ -68,7 +68,7 @@ struct GaborWaves {
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c of each node c, windows h and amplitudes A as in gabor_lattice.metal,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.metal,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

@@ -1,7 +1,7 @@
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for WGSL.
 //
-// Digest of the GLSL and of this file: b79629ed2e66c9bb
+// Digest of the GLSL and of this file: 8512d29040009ff2
 // Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
@@ -42,7 +42,7 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     return (vec2<f32>(_e39) / place.radius);
 }
 
-// Noise, quadrature and both gradients at a place. gabor_stripes_of turns its value into stripes.
+// Noise, quadrature and both gradients at a place. gabor_stripes_of turns the field's value into stripes.
 fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
     var waves_1: GaborWaves;
     var salt_4: u32;
@@ -139,7 +139,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c of each node c, windows h and amplitudes A as in gabor_lattice.wgsl,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.wgsl,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for WGSL.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 6337746f29ffd141
+// Digest of the GLSL and of this file: 59444da2fe10d1fa
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -33,7 +33,7 @@ struct GaborErosion {
     branching: f32,
 }
 
-// Alpine ridges and valleys on the hills of gabor_terrain.
+// Parameters for alpine ridges and valleys on the hills of gabor_terrain.
 fn gabor_erosion() -> GaborErosion {
     return GaborErosion(5i, 1.5f, 0.12f, 2f, 0.5f, 0.5f, 1.5f, 2f, 0.1f, 0.1f, 0.5f, 1f);
 }
@@ -83,7 +83,8 @@ struct GaborGround {
     period: vec2<f32>,
 }
 
-// These combine a period, full precision far from the origin and, unless dx and dy are vec2(0.0), a filter.
+// The same with a period, a filter (unless dx and dy are vec2(0.0)), or both. Without a period, the result is
+// precise at any distance from the origin.
 fn gabor_terrain_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
@@ -343,7 +344,8 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The kernel radius is one unit of p.
+// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
+// p, so that wave vectors and derivatives are per unit of p.
 fn gabor_impl_ground(ground: GaborGround, nodes: f32) -> GaborPlace {
     var rounded: u32;
     var place_7: GaborPlace;
@@ -391,8 +393,8 @@ fn gabor_impl_ground(ground: GaborGround, nodes: f32) -> GaborPlace {
     return _e140;
 }
 
-// Computes the cubic B-splines of the four nodes around a point, at t in [0, 1) between the middle two, and their
-// derivatives.
+// Computes the cubic B-splines of the four nodes around a point, and their derivatives. The point is t in [0, 1) node
+// spacings beyond the second node.
 fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     var u_1: f32;
 

@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 6c00e4fe02c7e975
+// Digest of the GLSL and of this file: c8625c2c4855f53a
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -30,7 +30,7 @@ const GABOR_NOISE_VERSION: u32 = 20000u;
 // 3, 2 or 4: change it here, or give it to the pipeline as a constant.
 override GABOR_TAPS: i32 = 3;
 
-// The noise; it and its first derivatives are continuous.
+// The noise, with continuous first derivatives.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         let _e11 = gabor_kernel(frequency, orientation);
@@ -324,7 +324,7 @@ fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
     return _e7;
 }
 
-// A wave vector; gabor_kernel makes it.
+// A wave vector, returned by gabor_kernel or gabor_kernel_wave.
 struct GaborKernel {
     wave: vec2<f32>,
 }
@@ -510,7 +510,7 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     }
 }
 
-// Noise, quadrature and both gradients at a place. All other functions call it.
+// Noise, quadrature and both gradients at a place. All noise functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var kernel_1: GaborKernel;
@@ -712,8 +712,8 @@ fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
     return ((_e14 >> 8u) | 8388609u);
 }
 
-// The amplitude of a word. The real part comes from the whole word, the imaginary part from its low 20 bits; they are
-// independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
+// Computes an amplitude from a word: the real part from the whole word, the imaginary part from its low 20 bits. They
+// are independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
 // (1 + 0.623 u^2) are nearly proportional to those of a normal distribution. The noise's Cramer-von Mises index
 // [TNVT19] is 0.001 on average. At the worst point, a node, it is 0.03, because 79 % of the power there comes from that
 // node's amplitude.

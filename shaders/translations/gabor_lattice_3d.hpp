@@ -28,7 +28,7 @@
 
 // float gabor_noise_3d(vec3 p, float frequency, vec3 direction, uint seed)
 // float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction, uint seed)
-//     The noise; it and its first derivatives are continuous.
+//     The noise, with continuous first derivatives.
 
 // float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 direction, uint seed)
 // vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed)
@@ -40,11 +40,11 @@
 //     subtract the gradient's component along the normal.
 
 // vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 direction, uint seed)
-//     (noise, removed): the noise averaged over a pixel, and the share of its variance that the average removed. The
-//     error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel radius,
-//     and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs it costs 1.4 times as much as
-//     gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most 6.6
-//     times (125 nodes).
+//     (noise, removed): the noise averaged over a pixel, and the share of its variance that averaging removed. The
+//     error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
 // ---- Isotropic solid noise -----------------------------------------------------------------------------------------
 
@@ -59,15 +59,15 @@
 
 // vec2 gabor_noise_3d_isotropic_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, uint seed)
 //     Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
-//     exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii,
-//     and 3 % at 0.4. For larger pixels, only the variance is right.
+//     exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel
+//     radii, and 3 % at 0.4. For larger pixels, only the variance is right.
 
 // ---- Noise on a surface --------------------------------------------------------------------------------------------
 
 // float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed)
-//     Noise at point p of a surface, with waves along the projection of a direction onto the tangent plane. As the
-//     angle between direction and normal falls from 30 to 14 degrees, a second noise, with waves at right angles, takes
-//     over; in between, both are computed. On a curved surface, waves bend within each kernel.
+//     Noise at point p on a surface, with waves along the projection of a direction onto the tangent plane. As the
+//     angle between direction and normal falls from 30 to 14 degrees, a second noise, whose direction is perpendicular
+//     to the given one, takes over; in between, both are computed. On a curved surface, waves bend within each kernel.
 
 // float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed)
 //     Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
@@ -95,7 +95,7 @@ struct GaborField3d {
     gabor_vec3 gradient;
     float quadrature; // in isotropic noise, independent of the noise at each point, but not of the noise's gradient
     gabor_vec3 quadrature_gradient;
-    float removed; // share of the variance that the average over the pixel removed
+    float removed; // share of the variance that averaging over the pixel removed
 };
 
 // GaborPlace3d gabor_place_3d(ivec3 cell, vec3 local)
@@ -106,7 +106,7 @@ struct GaborField3d {
 // GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
 // GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed)
 // GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency, uint seed)
-//     The noises above, for a GaborPlace3d. All other functions call these four.
+//     The noises above, for a GaborPlace3d. All noise functions call these four.
 
 // ====================================================================================================================
 // Private implementation
@@ -130,9 +130,9 @@ GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-// Adds slice k of nodes. `sum` receives the noise and, in zw, the window's part of its derivative along x; `slopes`
-// receives this part of its derivatives along y and z. The filter adds mixed derivatives, weighted by its covariances
-// yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the
+// window; `slopes` receives the same part of its derivatives along y and z. The filter adds mixed derivatives, weighted
+// by its covariances yz, zx, xy.
 GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
                           int k, gabor_vec3 mixed) {
     for (int j = 0; j < 3; ++j)
@@ -182,8 +182,8 @@ GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field
     sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
 }
 
-// The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it, in units of
-// GABOR_RADIUS node spacings.
+// The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
+// for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
 struct GaborPixelAxes {
     gabor_vec3 major;
     gabor_vec3 minor;
@@ -215,7 +215,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_spread(GaborPixelAxes pixel) {
     return 1.0f + 1.6449341f * gabor_vec2(gabor_cpp_dot(pixel.major, pixel.major), gabor_cpp_dot(pixel.minor, pixel.minor));
 }
 
-// The share of its variance that a lobe keeps under a pixel's filter.
+// The share of a lobe's variance that a pixel's filter keeps.
 GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborPixelAxes pixel) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 k = gabor_vec2(gabor_cpp_dot(wave, pixel.major), gabor_cpp_dot(wave, pixel.minor));
@@ -325,7 +325,7 @@ struct GaborTangents {
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
 // along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
-// surface. In space the first vector also rises, and the other two turn around it within a quarter of a circle.
+// surface. In space, the first vector also tilts along z, and the other two turn around it within a quarter circle.
 GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, GaborPlace3d place, GaborMatrix pixel,
                          gabor_vec3 scale, GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     std::uint32_t word = column * row.w;
@@ -392,10 +392,10 @@ GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatr
     return sum;
 }
 
-// The share of its variance that isotropic noise keeps, within 0.008: the mean, over all directions u, of the share
-// that a lobe keeps. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2).
-// If q_1 is the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean over a circle
-// with q = (1 - E[u_1^2]) q_2, where E weights directions by exp(-q_1 u_1^2).
+// The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
+// share, exp(-q_1 u_1^2 - q_2 u_2^2) / sqrt(d_1 d_2). Along each axis of the pixel, q = 4 pi^2 F^2 S / d with d from
+// gabor_impl_spread. If q_1 is the larger, the mean of the exponential over the sphere is nearly the mean of
+// exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
 GABOR_INLINE float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
     gabor_vec2 d = gabor_impl_spread(pixel);
     gabor_vec2 unit = gabor_cpp_min(9.8696044f * frequency * frequency, 1.0e6f) / d;

@@ -9,7 +9,7 @@
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
-// One unit of p shows a characteristic piece of a material; a picture of four by four units shows it well.
+// One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -23,7 +23,7 @@
 #define GABOR_MATERIALS_HLSL
 
 struct GaborMaterial {
-    float3 colour;     // base colour of physically based shading: linear, Rec. 709 primaries, within [0, 1]
+    float3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
     float height;    // height in units of p
     float roughness; // roughness as in glTF
     float metalness; // 0 or 1
@@ -41,11 +41,11 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float roughness, flo
 
 // ---- Where to draw -------------------------------------------------------------------------------------------------
 
-// A position and its pixel.
+// A position and the pixel around it.
 struct GaborPixel {
     float2 p;
-    float2 dx;       // change of p to the pixel on the right
-    float2 dy;       // change of p to the pixel below
+    float2 dx;       // change in p to the pixel on the right
+    float2 dy;       // change in p to the pixel below
     bool filtered; // whether to average over the pixel
     float2 period;   // period of p, 0 for none
 };
@@ -70,7 +70,7 @@ GaborPixel GaborPixel_of(float2 p, float2 dx, float2 dy, bool filtered, float2 p
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, float2 period)
 //     The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
-//     threads; scratches and hair take directions that repeat with it.
+//     threads; scratches and hair snap to directions that repeat with it.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -216,7 +216,7 @@ GaborSand GaborSand_of(float3 trough, float3 crest, float ripples, float relief,
 struct GaborRipples {
     float3 deep;       // colour of the troughs
     float3 shallow;    // colour of the crests
-    float waves;     // longest waves per unit, 0.1 to 5
+    float waves;     // number of the longest waves per unit, 0.1 to 5
     float direction; // direction of the wind, -6.2832 to 6.2832 radians
     float spread;    // range of the waves' directions, 0 to 6.2832 radians
     float relief;    // height of the longest waves, in units, 0 to 0.2
@@ -243,7 +243,7 @@ GaborRipples GaborRipples_of(float3 deep, float3 shallow, float waves, float dir
 // Streaks along x [5 noises; period 5 x 1].
 struct GaborBrushedMetal {
     float3 colour;     // colour of the metal
-    float streaks;   // widest streaks per unit, 1 to 50
+    float streaks;   // number of the widest streaks per unit, 1 to 50
     float contrast;  // contrast of the streaks, 0 to 0.5
     float relief;    // height of the widest streaks, in units, 0 to 0.01
     float roughness; // 0 to 1
@@ -328,7 +328,7 @@ struct GaborBark {
     float3 furrow;     // colour of the furrows
     float3 moss;       // colour of the moss
     float furrows;   // furrows per unit, 0.5 to 10
-    float cover;     // cover of moss, 0 to 1
+    float cover;     // amount of moss, 0 to 1
     float depth;     // depth of the furrows, in units, 0 to 0.4
     float roughness; // 0 to 1
 };
@@ -423,8 +423,8 @@ GaborPlace gabor_impl_place(GaborPixel pixel, float2 density) {
     return gabor_place((int2)(0), GABOR_RADIUS * density * pixel.p);
 }
 
-// Returns two independent noises, the parts of a complex noise, and the share of the variance that the filter removed.
-// `density` is in kernel radii per unit along x and y.
+// Returns two independent noises, the quadrature and noise of one field, and the share of the variance that the filter
+// removed. `density` is in kernel radii per unit along x and y.
 float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, density);
     GaborKernel kernel_ = gabor_kernel(frequency, orientation);
@@ -442,7 +442,7 @@ float3 gabor_impl_spots(GaborPixel pixel, float2 density, uint seed) {
     return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
 }
 
-// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes are multiplied by `gain`.
+// A sum of octaves of spots. Each octave has spots of about half the previous size, and `gain` times the amplitude.
 float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, float gain, uint seed) {
     float3 sum = (float3)(0.0);
     float power = 0.0;
@@ -466,10 +466,10 @@ GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, u
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle. With a period, the new x axis takes one of 24 directions near that angle: those of lines
-// that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of periods. So
-// p repeats after the line's length along the new x axis, and after the distance between neighbouring lines along the
-// new y axis. The axes are then not quite at right angles, which long kernels hide.
+// Turns the axes by an angle. With a period, the new x axis snaps to one of 24 directions near that angle: those of
+// lines that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of
+// periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring lines
+// along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     float2 turn = gabor_impl_wave(0.15915494 * angle);
     float2 x = turn;
@@ -533,7 +533,7 @@ float gabor_impl_rise_integral(float x) {
     return 0.33333333 * (turns + t * t * t);
 }
 
-// The mean of the square of a sawtooth over the (phase, width) of gabor_impl_phase_of.
+// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
 float gabor_impl_rise(float2 phase) {
     float3 ends = gabor_impl_ends(phase.x, phase.y);
     return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
@@ -554,7 +554,7 @@ GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
     GaborPixel years = gabor_impl_warp(board, float2(6.5, 0.08), float2(0.455 / wood.rings, 0.0), gabor_lobe_seed(seed, 2));
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0).x;
     float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
-    float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // share of the wave that a Gaussian filter keeps
+    float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // amplitude of the rings' wave after a Gaussian filter
     float ring = gabor_impl_rise(float2(rings * years.p.x, gabor_impl_phase_of(float2(kept, 0.0)).y));
     float3 pore = gabor_impl_spots(pixel, float2(90.0, 4.5), gabor_lobe_seed(seed, 3));
     float3 fibre = gabor_impl_spots(pixel, float2(150.0, 2.0), gabor_lobe_seed(seed, 4));
@@ -614,7 +614,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     return gabor_impl_material(colour, height, fabric.roughness, 0.0);
 }
 
-// Two phases and their sum are the phases of three waves. Their crests meet in a lattice of cells with defects.
+// Two phases and their sum are the phases of three waves. Their crests meet in the middle of each cell.
 GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, (float2)(0.9), (float2)(0.07 * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, (float2)(4.0), (float2)(0.014 * leather.wrinkles), gabor_lobe_seed(seed, 1));
@@ -691,8 +691,8 @@ GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed) {
     return gabor_impl_material(colour, height, sand.roughness, 0.0);
 }
 
-// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The harmonic of the
-// removed part has mean 0.
+// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
+// the filter removed does not change the mean of the harmonic.
 GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed) {
     float height = 0.0;
     float crest = 0.0;
@@ -758,7 +758,7 @@ GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed) {
     float3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), gabor_lobe_seed(seed, 3));
     float3 tone = gabor_impl_spots(pixel, (float2)(1.2), gabor_lobe_seed(seed, 4));
 
-    float intensity = length(stripe.xy); // where it is small, stripe.x has a small slope, so the edge is wide
+    float intensity = length(stripe.xy); // small where stripe.x is flat, where a constant softness would blur the edge
     float ragged = 0.1 * zebra.hair;
     float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0,
                                   0.01 + 0.09 * intensity);
@@ -825,7 +825,7 @@ GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed) {
     float3 lamina = gabor_impl_spots(rock, float2(0.6, 8.3333333) * layers, gabor_lobe_seed(seed, 6));
     float3 grain = gabor_impl_octaves(pixel, float2(16.0, 24.0), 4, 0.8, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // the soft layers, which wash out
+    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // the soft layers, which erode
     float3 colour = lerp(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0, 0.5));
     colour = lerp(colour, strata.red, 0.8 * soft);
     colour = lerp(colour, strata.pale, 0.75 * gabor_impl_above(thin.x, thin.z, 1.0, 0.2));

@@ -10,7 +10,7 @@
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
-// One unit of p shows a characteristic piece of a material; a picture of four by four units shows it well.
+// One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -24,7 +24,7 @@
 #define GABOR_MATERIALS_HPP
 
 struct GaborMaterial {
-    gabor_vec3 colour;     // base colour of physically based shading: linear, Rec. 709 primaries, within [0, 1]
+    gabor_vec3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
     float height;    // height in units of p
     float roughness; // roughness as in glTF
     float metalness; // 0 or 1
@@ -32,11 +32,11 @@ struct GaborMaterial {
 
 // ---- Where to draw -------------------------------------------------------------------------------------------------
 
-// A position and its pixel.
+// A position and the pixel around it.
 struct GaborPixel {
     gabor_vec2 p;
-    gabor_vec2 dx;       // change of p to the pixel on the right
-    gabor_vec2 dy;       // change of p to the pixel below
+    gabor_vec2 dx;       // change in p to the pixel on the right
+    gabor_vec2 dy;       // change in p to the pixel below
     bool filtered; // whether to average over the pixel
     gabor_vec2 period;   // period of p, 0 for none
 };
@@ -50,7 +50,7 @@ struct GaborPixel {
 
 // GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period)
 //     The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
-//     threads; scratches and hair take directions that repeat with it.
+//     threads; scratches and hair snap to directions that repeat with it.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
@@ -135,7 +135,7 @@ struct GaborSand {
 struct GaborRipples {
     gabor_vec3 deep;       // colour of the troughs
     gabor_vec3 shallow;    // colour of the crests
-    float waves;     // longest waves per unit, 0.1 to 5
+    float waves;     // number of the longest waves per unit, 0.1 to 5
     float direction; // direction of the wind, -6.2832 to 6.2832 radians
     float spread;    // range of the waves' directions, 0 to 6.2832 radians
     float relief;    // height of the longest waves, in units, 0 to 0.2
@@ -149,7 +149,7 @@ struct GaborRipples {
 // Streaks along x [5 noises; period 5 x 1].
 struct GaborBrushedMetal {
     gabor_vec3 colour;     // colour of the metal
-    float streaks;   // widest streaks per unit, 1 to 50
+    float streaks;   // number of the widest streaks per unit, 1 to 50
     float contrast;  // contrast of the streaks, 0 to 0.5
     float relief;    // height of the widest streaks, in units, 0 to 0.01
     float roughness; // 0 to 1
@@ -196,7 +196,7 @@ struct GaborBark {
     gabor_vec3 furrow;     // colour of the furrows
     gabor_vec3 moss;       // colour of the moss
     float furrows;   // furrows per unit, 0.5 to 10
-    float cover;     // cover of moss, 0 to 1
+    float cover;     // amount of moss, 0 to 1
     float depth;     // depth of the furrows, in units, 0 to 0.4
     float roughness; // 0 to 1
 };
@@ -253,8 +253,8 @@ GABOR_INLINE GaborPlace gabor_impl_place(GaborPixel pixel, gabor_vec2 density) {
     return gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
 }
 
-// Returns two independent noises, the parts of a complex noise, and the share of the variance that the filter removed.
-// `density` is in kernel radii per unit along x and y.
+// Returns two independent noises, the quadrature and noise of one field, and the share of the variance that the filter
+// removed. `density` is in kernel radii per unit along x and y.
 GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_impl_place(pixel, density);
     GaborKernel kernel = gabor_kernel(frequency, orientation);
@@ -272,7 +272,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_spots(GaborPixel pixel, gabor_vec2 density, s
     return gabor_impl_layer(pixel, density, 0.0f, 0.0f, seed);
 }
 
-// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes are multiplied by `gain`.
+// A sum of octaves of spots. Each octave has spots of about half the previous size, and `gain` times the amplitude.
 GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density, int count, float gain, std::uint32_t seed) {
     gabor_vec3 sum = gabor_vec3(0.0f);
     float power = 0.0f;
@@ -296,10 +296,10 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, ga
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period};
 }
 
-// Turns the axes by an angle. With a period, the new x axis takes one of 24 directions near that angle: those of lines
-// that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of periods. So
-// p repeats after the line's length along the new x axis, and after the distance between neighbouring lines along the
-// new y axis. The axes are then not quite at right angles, which long kernels hide.
+// Turns the axes by an angle. With a period, the new x axis snaps to one of 24 directions near that angle: those of
+// lines that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of
+// periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring lines
+// along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;
@@ -363,7 +363,7 @@ GABOR_INLINE float gabor_impl_rise_integral(float x) {
     return 0.33333333f * (turns + t * t * t);
 }
 
-// The mean of the square of a sawtooth over the (phase, width) of gabor_impl_phase_of.
+// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
 GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase) {
     gabor_vec3 ends = gabor_impl_ends(phase.x, phase.y);
     return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
@@ -384,7 +384,7 @@ GABOR_INLINE GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, std::
     GaborPixel years = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), gabor_lobe_seed(seed, 2));
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0f).x;
     float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
-    float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * steps, 40.0f)); // share of the wave that a Gaussian filter keeps
+    float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * steps, 40.0f)); // amplitude of the rings' wave after a Gaussian filter
     float ring = gabor_impl_rise(gabor_vec2(rings * years.p.x, gabor_impl_phase_of(gabor_vec2(kept, 0.0f)).y));
     gabor_vec3 pore = gabor_impl_spots(pixel, gabor_vec2(90.0f, 4.5f), gabor_lobe_seed(seed, 3));
     gabor_vec3 fibre = gabor_impl_spots(pixel, gabor_vec2(150.0f, 2.0f), gabor_lobe_seed(seed, 4));
@@ -444,7 +444,7 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     return gabor_impl_material(colour, height, fabric.roughness, 0.0f);
 }
 
-// Two phases and their sum are the phases of three waves. Their crests meet in a lattice of cells with defects.
+// Two phases and their sum are the phases of three waves. Their crests meet in the middle of each cell.
 GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f * leather.wrinkles), gabor_lobe_seed(seed, 1));
@@ -521,8 +521,8 @@ GABOR_INLINE GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, std::
     return gabor_impl_material(colour, height, sand.roughness, 0.0f);
 }
 
-// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The harmonic of the
-// removed part has mean 0.
+// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
+// the filter removed does not change the mean of the harmonic.
 GABOR_INLINE GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, std::uint32_t seed) {
     float height = 0.0f;
     float crest = 0.0f;
@@ -588,7 +588,7 @@ GABOR_INLINE GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, st
     gabor_vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), gabor_lobe_seed(seed, 3));
     gabor_vec3 tone = gabor_impl_spots(pixel, gabor_vec2(1.2f), gabor_lobe_seed(seed, 4));
 
-    float intensity = gabor_cpp_length(stripe.xy()); // where it is small, stripe.x has a small slope, so the edge is wide
+    float intensity = gabor_cpp_length(stripe.xy()); // small where stripe.x is flat, where a constant softness would blur the edge
     float ragged = 0.1f * zebra.hair;
     float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0f,
                                   0.01f + 0.09f * intensity);
@@ -655,7 +655,7 @@ GABOR_INLINE GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata,
     gabor_vec3 lamina = gabor_impl_spots(rock, gabor_vec2(0.6f, 8.3333333f) * layers, gabor_lobe_seed(seed, 6));
     gabor_vec3 grain = gabor_impl_octaves(pixel, gabor_vec2(16.0f, 24.0f), 4, 0.8f, gabor_lobe_seed(seed, 7));
 
-    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // the soft layers, which wash out
+    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // the soft layers, which erode
     gabor_vec3 colour = gabor_cpp_mix(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0f, 0.5f));
     colour = gabor_cpp_mix(colour, strata.red, 0.8f * soft);
     colour = gabor_cpp_mix(colour, strata.pale, 0.75f * gabor_impl_above(thin.x, thin.z, 1.0f, 0.2f));

@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: a96d40b96b3650aa
+// Digest of the GLSL and of this file: 542ba43b54d71fab
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -10,7 +10,7 @@
 //     oak.rings = 20.0;
 //     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
 //
-// One unit of p shows a characteristic piece of a material; a picture of four by four units shows it well.
+// One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -21,7 +21,7 @@ struct GaborMaterial {
     metalness: f32,
 }
 
-// A position and its pixel.
+// A position and the pixel around it.
 struct GaborPixel {
     p: vec2<f32>,
     dx: vec2<f32>,
@@ -42,7 +42,7 @@ fn gabor_pixel_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>) -> GaborPixe
 }
 
 // The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
-// threads; scratches and hair take directions that repeat with it.
+// threads; scratches and hair snap to directions that repeat with it.
 fn gabor_pixel_tiled(pixel: GaborPixel, period: vec2<f32>) -> GaborPixel {
     return GaborPixel((pixel.p - (period * floor((pixel.p / period)))), pixel.dx, pixel.dy, pixel.filtered, period);
 }
@@ -1508,8 +1508,8 @@ fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
     return _e20;
 }
 
-// Returns two independent noises, the parts of a complex noise, and the share of the variance that the filter removed.
-// `density` is in kernel radii per unit along x and y.
+// Returns two independent noises, the quadrature and noise of one field, and the share of the variance that the filter
+// removed. `density` is in kernel radii per unit along x and y.
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
     var density_2: vec2<f32>;
     var place_24: GaborPlace;
@@ -1553,7 +1553,7 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
     return _e5;
 }
 
-// A sum of octaves of spots. From one octave to the next, spots shrink by half, and amplitudes are multiplied by `gain`.
+// A sum of octaves of spots. Each octave has spots of about half the previous size, and `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
     var density_5: vec2<f32>;
     var sum_15: vec3<f32> = vec3(0f);
@@ -1621,10 +1621,10 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
     return GaborPixel((pixel.p + (amplitude * _e23.value)), ((pixel.dx + (pixel.dx.x * _e30)) + (pixel.dx.y * _e35)), ((pixel.dy + (pixel.dy.x * _e41)) + (pixel.dy.y * _e46)), pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle. With a period, the new x axis takes one of 24 directions near that angle: those of lines
-// that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of periods. So
-// p repeats after the line's length along the new x axis, and after the distance between neighbouring lines along the
-// new y axis. The axes are then not quite at right angles, which long kernels hide.
+// Turns the axes by an angle. With a period, the new x axis snaps to one of 24 directions near that angle: those of
+// lines that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of
+// periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring lines
+// along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;
@@ -1792,7 +1792,7 @@ fn gabor_impl_rise_integral(x: f32) -> f32 {
     return (0.33333334f * (_e7 + ((_e8 * _e9) * _e11)));
 }
 
-// The mean of the square of a sawtooth over the (phase, width) of gabor_impl_phase_of.
+// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
 fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
     var ends_4: vec3<f32>;
 

@@ -20,7 +20,7 @@
 
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
-// ---- Macros, to define before the file. The defaults are the recipe `one`; docs/recipes.md lists others ------------
+// ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 
 #ifndef GABOR_IMPULSES
 #define GABOR_IMPULSES 1 // N, the number of impulses per cell: an int, at least 1
@@ -54,9 +54,8 @@
 // ---- Functions -----------------------------------------------------------------------------------------------------
 
 // float gabor_noise(float2 p, float frequency, float orientation, uint seed)
-//     Gabor noise at p, with mean 0 and variance 1 at every point; it and its first derivatives are continuous. Values
-//     pooled over all points are nearly normal; those at a fixed position in the cells are less so: see
-//     docs/recipes.md.
+//     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
+//     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
 //       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
@@ -95,7 +94,7 @@
 
 // ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
-// A wave and its normalization; gabor_kernel makes it.
+// A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
     float2 wave;             // wave vector, cycles per kernel radius
     float amplitude;       // K
@@ -156,7 +155,7 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
 //     axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     Noise, quadrature and both gradients at a place. All other functions call it.
+//     Noise, quadrature and both gradients at a place. All noise functions call it.
 
 // float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel, uint seed)
 //     The noise at gabor_place(cell, local).
@@ -236,8 +235,8 @@ GaborImpulse gabor_impl_impulse(uint word) {
                         rate < 0.0 ? rate : rate + 1.0, int(word) < 0 ? 1.0 : GABOR_WEIGHT_FLOOR);
 }
 
-// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. It is within 3e-7 in [-1, 1]; beyond that, the
-// rounding of t adds to the error.
+// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
+// the rounding of t adds to it.
 float gabor_impl_sine(float t) {
     t = frac(t) - 0.5;
     float s = t * t;
@@ -397,7 +396,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
                 GaborImpulse impulse = gabor_impl_impulse(word);
                 // The sum in the inner brackets is exact, so only one rounding remains.
                 float2 d = (local - (impulse.position_plus_one + (first + float2(float(i), float(j))))) * cell_side;
-                // Only half of the impulses reach this point. The branch also keeps CPU compilers from spilling
+                // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (max(abs(d.x), abs(d.y)) < 1.0) {
                     float turns = dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * time;

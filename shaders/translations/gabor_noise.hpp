@@ -326,7 +326,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
-// ---- Macros, to define before the file. The defaults are the recipe `one`; docs/recipes.md lists others ------------
+// ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 
 #ifndef GABOR_IMPULSES
 #define GABOR_IMPULSES 1 // N, the number of impulses per cell: an int, at least 1
@@ -360,9 +360,8 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 // ---- Functions -----------------------------------------------------------------------------------------------------
 
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
-//     Gabor noise at p, with mean 0 and variance 1 at every point; it and its first derivatives are continuous. Values
-//     pooled over all points are nearly normal; those at a fixed position in the cells are less so: see
-//     docs/recipes.md.
+//     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
+//     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
 //       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                    steps of 0.008
 //       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
@@ -401,7 +400,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 
 // ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
-// A wave and its normalization; gabor_kernel makes it.
+// A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
     gabor_vec2 wave;             // wave vector, cycles per kernel radius
     float amplitude;       // K
@@ -433,7 +432,7 @@ struct GaborField {
 //     axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     Noise, quadrature and both gradients at a place. All other functions call it.
+//     Noise, quadrature and both gradients at a place. All noise functions call it.
 
 // float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 //     The noise at gabor_place(cell, local).
@@ -503,8 +502,8 @@ GABOR_INLINE GaborImpulse gabor_impl_impulse(std::uint32_t word) {
                         rate < 0.0f ? rate : rate + 1.0f, int(word) < 0 ? 1.0f : GABOR_WEIGHT_FLOOR};
 }
 
-// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. It is within 3e-7 in [-1, 1]; beyond that, the
-// rounding of t adds to the error.
+// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
+// the rounding of t adds to it.
 GABOR_INLINE float gabor_impl_sine(float t) {
     t = gabor_cpp_fract(t) - 0.5f;
     float s = t * t;
@@ -655,7 +654,7 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::u
                 GaborImpulse impulse = gabor_impl_impulse(word);
                 // The sum in the inner brackets is exact, so only one rounding remains.
                 gabor_vec2 d = (local - (impulse.position_plus_one + (first + gabor_vec2(float(i), float(j))))) * cell_side;
-                // Only half of the impulses reach this point. The branch also keeps CPU compilers from spilling
+                // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (gabor_cpp_max(gabor_cpp_abs(d.x), gabor_cpp_abs(d.y)) < 1.0f) {
                     float turns = gabor_cpp_dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * time;

@@ -1,7 +1,7 @@
 // gabor_noise.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for WGSL.
 //
-// Digest of the GLSL and of this file: 77ed06a95501d2a2
+// Digest of the GLSL and of this file: 9681194e1d4d2727
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
@@ -15,9 +15,8 @@
 
 const GABOR_NOISE_VERSION: u32 = 20000u;
 
-// Gabor noise at p, with mean 0 and variance 1 at every point; it and its first derivatives are continuous. Values
-// pooled over all points are nearly normal; those at a fixed position in the cells are less so: see
-// docs/recipes.md.
+// Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
+// all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
 //   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
 //                steps of 0.008
 //   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
@@ -140,7 +139,7 @@ fn gabor_unorm(noise: f32) -> f32 {
     return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
 
-// A wave and its normalization; gabor_kernel makes it.
+// A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
     wave: vec2<f32>,
     amplitude: f32,
@@ -222,7 +221,7 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
 }
 
-// Noise, quadrature and both gradients at a place. All other functions call it.
+// Noise, quadrature and both gradients at a place. All noise functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     var kernel_3: GaborKernel;
     var visited: i32 = 3i;
@@ -493,8 +492,8 @@ fn gabor_impl_impulse(word: u32) -> GaborImpulse {
     return GaborImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
 }
 
-// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. It is within 3e-7 in [-1, 1]; beyond that, the
-// rounding of t adds to the error.
+// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
+// the rounding of t adds to it.
 fn gabor_impl_sine(t: f32) -> f32 {
     var t_1: f32;
     var s: f32;

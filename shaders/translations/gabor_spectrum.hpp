@@ -78,8 +78,8 @@ struct GaborLobes {
 //     its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
 //         2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
 //         (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
-//     both rounded down: 10 directions for isotropic noise of frequency 2. For a fifth of all arguments, just before
-//     one of these numbers changes, the lobes of the old and the new number are summed.
+//     both rounded down: 10 directions for isotropic noise of frequency 2. Just before one of these numbers changes,
+//     for a fifth of all arguments, the noise is a sum of both sets of lobes, the old and the new.
 
 // vec3 gabor_noise_spread_gradient(vec2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
@@ -111,7 +111,7 @@ struct GaborLobes {
 // ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
 // vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
-//     (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that the average removed.
+//     (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that averaging removed.
 //     A material can add the removed share, which is lost contrast, to its roughness.
 //       dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
 //               filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
@@ -120,7 +120,7 @@ struct GaborLobes {
 //     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
 //     is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
 //     radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
-//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where compilers run both sides of a
+//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
 //     branch, the cost is 3 for small pixels and 5 for larger ones.
 
 // vec4 gabor_noise_filtered_gradient(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
@@ -176,7 +176,7 @@ struct GaborLobes {
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 // GaborPlace gabor_place_stretched(GaborPlace place, vec2 radius)
-//     The same place, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
+//     The same position, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
 //     along x and y. The position is rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
@@ -191,7 +191,7 @@ struct GaborLobes {
 //     noise, but not of the noise's gradient.
 
 #if GABOR_TAPS == 3
-// The filter of a pixel; gabor_footprint makes it.
+// The filter of a pixel, returned by gabor_footprint.
 struct GaborFootprint {
     gabor_vec3 covariance; // xx, yy, xy in kernel radii^2
     gabor_vec3 resolved;   // the same, limited to standard deviations of 1/2, the most that the windows allow
@@ -199,7 +199,7 @@ struct GaborFootprint {
 #endif
 
 // GaborFootprint gabor_footprint(vec2 dx, vec2 dy)
-//     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
+//     The footprint of a pixel, from dx and dy as in gabor_noise_filtered.
 
 // vec4 gabor_stripes_filtered_at(GaborPlace place, vec2 wave, GaborFootprint footprint, float sharpness, uint seed)
 //     gabor_stripes_filtered at a place, with a footprint as in gabor_field_filtered.
@@ -263,9 +263,10 @@ GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, st
 // ---- Spreads -------------------------------------------------------------------------------------------------------
 
 // A range of waves is cut into equal pieces of at most 0.7 cycles per kernel radius, with a lobe in the middle of each.
-// The power of Hann's window has a standard deviation of 1/sqrt(12) cycles per kernel radius, so the sum is even. The
-// number of pieces is the integer part of a number c. As the fraction of c goes from 0.8 to 1, these pieces fade out
-// and a set with one more piece fades in, so that the noise is continuous in frequency and spread.
+// The power of Hann's window has a standard deviation of 1/sqrt(12) cycles per kernel radius, so the sum of the lobes
+// is nearly flat. The number of pieces is the integer part of a number c. As the fraction of c goes from 0.8 to 1,
+// these pieces fade out and a set with one more piece fades in, so that the noise is continuous in frequency and
+// spread.
 
 // The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
 // square roots, with infinite slopes at the ends.
@@ -330,10 +331,11 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
 // waves gradually replace three. All of this is for GABOR_TAPS 3.
 //
 // The factor exp(-4 pi^2 S_xy q_x q_y) couples the axes. It acts like exp(S_xy d/dx d/dy): for three waves, 1 + S_xy
-// d/dx d/dy is enough. For seven waves, we use that H is nearly a Gaussian: H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2),
-// where v = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF 18.18.28) then separates the axes: with M = S +
-// v, the center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho /
-// (1 + r) and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
+// d/dx d/dy is enough. For seven waves, we use the fact that H is nearly a Gaussian:
+// H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF
+// 18.18.28) then separates the axes: with M = S + v, the centre c = -M^-1 S F of the filtered lobe,
+// rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and
+// z = sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
 //                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...).
@@ -346,7 +348,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix, gabor_vec2 v) {
     return matrix.xy() * v + matrix.z * v.yx();
 }
 
-// The share of its variance that a lobe keeps under a filter of covariance S. If we approximate the lobe's power by a
+// The share of a lobe's variance that a filter of covariance S keeps. If we approximate the lobe's power by a
 // Gaussian with the variance 1/12 of Hann's window along each axis, and d is the determinant of 1 + 2/3 pi^2 S, this is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance) {
@@ -356,7 +358,7 @@ GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance
     return gabor_cpp_exp(-gabor_cpp_clamp(exponent, 0.0f, 80.0f)) * gabor_cpp_inversesqrt(d);
 }
 
-// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), approximated by the root of a rational function.
+// Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
 GABOR_INLINE float gabor_impl_mean_angle(float q) {
     return gabor_cpp_sqrt((1.0f + q * (0.19075951f + 0.0865599f * q))
                 / (1.0f + q * (1.1907595f + q * (0.60787136f + 0.27193595f * q))));
@@ -431,7 +433,7 @@ struct GaborBand {
 };
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
-// axis. `m` is r M.
+// axis. `m` is r M in the plane and D in space.
 GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, std::uint32_t salt, gabor_vec2 step) {
     GaborBand b;
     b.reach = gabor_cpp_clamp(0.35f + 5.0f * deviation, 2.0f, 2.5f);
@@ -563,7 +565,7 @@ GABOR_INLINE GaborFactors gabor_impl_next(GaborFactors f) {
     return GaborFactors{gabor_vec3(f.real.yz(), 0.0f), gabor_vec3(f.imaginary.yz(), 0.0f)};
 }
 
-// The sum over the factors of both axes.
+// The weighted sum of the products of two axes' factors.
 GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, gabor_vec3 weights) {
     return gabor_vec2(gabor_cpp_dot(weights, a.real * b.real - a.imaginary * b.imaginary),
                 gabor_cpp_dot(weights, a.real * b.imaginary + a.imaginary * b.real));
@@ -589,9 +591,9 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     GaborColumns columns = gabor_impl_columns(across);
     GaborLine line = gabor_impl_line_before(
         along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
-    int rows = wanted ? along.count : 0; // because some compilers run both sides of a branch
+    int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f);
-    int j = 0; // tested after each row, because some compilers run the body once more when a test before it fails
+    int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
         GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.animated, place.time);
@@ -600,8 +602,8 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
         next_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
     } while (++j < rows);
     float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c));
-    // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis, (q - c) f_n
-    // is f_(n + 1), which is missing for the last one, plus n / 4g times f_(n - 1).
+    // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
+    // (q - c) f_n = f_(n + 1) + n / 4g f_(n - 1); f_3 is left out.
     gabor_vec2 mean = wave + c, before = lambda * gabor_cpp_sqrt(m.yx() / m);
     gabor_vec2 x = 6.2831853f * (mean.x * value + next_x - before.x * next_y);
     gabor_vec2 y = 6.2831853f * (mean.y * value + next_y - before.y * next_x);
@@ -674,14 +676,15 @@ GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y, and their components those along x.
+// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y, and their components are the factors
+// along x. `w` is the coupling of y and z, z and x, x and y.
 GABOR_INLINE gabor_vec3 gabor_impl_along_z(gabor_vec3 y_0, gabor_vec3 y_1, gabor_vec3 y_2, gabor_vec3 w) {
     return gabor_vec3(y_0.x + w.z * (y_1.y + 0.5f * w.z * y_2.z),
                 w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
                 0.5f * (w.y * w.y * y_0.z + w.x * w.x * y_2.x) + w.x * w.y * (y_1.y + w.z * y_2.z));
 }
 
-// The sum over the factors of three axes.
+// The weighted sum of the products of three axes' factors.
 GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, GaborFactors y_2, GaborFactors z, gabor_vec3 w) {
     GaborFactors slice = GaborFactors{gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
                                       gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w)};
@@ -869,7 +872,7 @@ GABOR_INLINE GaborField gabor_field_isotropic(GaborPlace place, float frequency,
 }
 
 #if GABOR_TAPS == 3
-// The share of its variance that isotropic noise keeps: the mean of gabor_impl_transmitted over all directions.
+// The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 GABOR_INLINE float gabor_impl_transmitted_isotropic_2d(float frequency, gabor_vec3 covariance) {
     float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z);
     float d = 1.0f + 6.5797363f * (covariance.x + covariance.y + area);
@@ -1046,8 +1049,8 @@ GABOR_INLINE gabor_vec4 gabor_stripes_filtered(gabor_vec2 p, gabor_vec2 dx, gabo
 }
 #endif // GABOR_TAPS == 3
 
-// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends,
-// divided by the width. Each whole turn adds the integral of one period.
+// The mean of a profile over [phase - width / 2, phase + width / 2] is the change of its integral from one end to
+// the other, divided by the width. Each whole turn adds the integral of one period.
 GABOR_INLINE gabor_vec3 gabor_impl_ends(float phase, float width) {
     width = gabor_cpp_clamp(width, 0.001f, 1.0f);
     phase -= gabor_cpp_floor(phase);

@@ -81,8 +81,8 @@ struct GaborLobes {
 //     its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
 //         2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
 //         (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
-//     both rounded down: 10 directions for isotropic noise of frequency 2. For a fifth of all arguments, just before
-//     one of these numbers changes, the lobes of the old and the new number are summed.
+//     both rounded down: 10 directions for isotropic noise of frequency 2. Just before one of these numbers changes,
+//     for a fifth of all arguments, the noise is a sum of both sets of lobes, the old and the new.
 
 // float3 gabor_noise_spread_gradient(float2 p, float frequency, float orientation, float frequency_spread,
 //                                  float orientation_spread, uint seed)
@@ -114,7 +114,7 @@ struct GaborLobes {
 // ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
 
 // float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
-//     (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that the average removed.
+//     (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that averaging removed.
 //     A material can add the removed share, which is lost contrast, to its roughness.
 //       dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
 //               filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
@@ -123,7 +123,7 @@ struct GaborLobes {
 //     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
 //     is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
 //     radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
-//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where compilers run both sides of a
+//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
 //     branch, the cost is 3 for small pixels and 5 for larger ones.
 
 // float4 gabor_noise_filtered_gradient(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
@@ -179,7 +179,7 @@ struct GaborLobes {
 
 // GaborPlace gabor_place_scaled(GaborPlace place, float radius)
 // GaborPlace gabor_place_stretched(GaborPlace place, float2 radius)
-//     The same place, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
+//     The same position, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
 //     along x and y. The position is rounded to a float, within the period if there is one.
 
 // GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed)
@@ -194,7 +194,7 @@ struct GaborLobes {
 //     noise, but not of the noise's gradient.
 
 #if GABOR_TAPS == 3
-// The filter of a pixel; gabor_footprint makes it.
+// The filter of a pixel, returned by gabor_footprint.
 struct GaborFootprint {
     float3 covariance; // xx, yy, xy in kernel radii^2
     float3 resolved;   // the same, limited to standard deviations of 1/2, the most that the windows allow
@@ -202,7 +202,7 @@ struct GaborFootprint {
 #endif
 
 // GaborFootprint gabor_footprint(float2 dx, float2 dy)
-//     The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
+//     The footprint of a pixel, from dx and dy as in gabor_noise_filtered.
 
 // float4 gabor_stripes_filtered_at(GaborPlace place, float2 wave, GaborFootprint footprint, float sharpness, uint seed)
 //     gabor_stripes_filtered at a place, with a footprint as in gabor_field_filtered.
@@ -266,9 +266,10 @@ inline GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint see
 // ---- Spreads -------------------------------------------------------------------------------------------------------
 
 // A range of waves is cut into equal pieces of at most 0.7 cycles per kernel radius, with a lobe in the middle of each.
-// The power of Hann's window has a standard deviation of 1/sqrt(12) cycles per kernel radius, so the sum is even. The
-// number of pieces is the integer part of a number c. As the fraction of c goes from 0.8 to 1, these pieces fade out
-// and a set with one more piece fades in, so that the noise is continuous in frequency and spread.
+// The power of Hann's window has a standard deviation of 1/sqrt(12) cycles per kernel radius, so the sum of the lobes
+// is nearly flat. The number of pieces is the integer part of a number c. As the fraction of c goes from 0.8 to 1,
+// these pieces fade out and a set with one more piece fades in, so that the noise is continuous in frequency and
+// spread.
 
 // The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
 // square roots, with infinite slopes at the ends.
@@ -333,10 +334,11 @@ inline GaborField gabor_field_spread(GaborPlace place, float frequency, float or
 // waves gradually replace three. All of this is for GABOR_TAPS 3.
 //
 // The factor exp(-4 pi^2 S_xy q_x q_y) couples the axes. It acts like exp(S_xy d/dx d/dy): for three waves, 1 + S_xy
-// d/dx d/dy is enough. For seven waves, we use that H is nearly a Gaussian: H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2),
-// where v = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF 18.18.28) then separates the axes: with M = S +
-// v, the center c = -M^-1 S F of the filtered lobe, rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho /
-// (1 + r) and, for each axis, g = 2 pi^2 r M and z = sqrt(2 g) (q - c),
+// d/dx d/dy is enough. For seven waves, we use the fact that H is nearly a Gaussian:
+// H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF
+// 18.18.28) then separates the axes: with M = S + v, the centre c = -M^-1 S F of the filtered lobe,
+// rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and
+// z = sqrt(2 g) (q - c),
 //
 //     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
 //                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...).
@@ -349,7 +351,7 @@ inline float2 gabor_impl_symmetric(float3 matrix_, float2 v) {
     return matrix_.xy * v + matrix_.z * v.yx;
 }
 
-// The share of its variance that a lobe keeps under a filter of covariance S. If we approximate the lobe's power by a
+// The share of a lobe's variance that a filter of covariance S keeps. If we approximate the lobe's power by a
 // Gaussian with the variance 1/12 of Hann's window along each axis, and d is the determinant of 1 + 2/3 pi^2 S, this is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 inline float gabor_impl_transmitted(float2 wave, float3 covariance) {
@@ -359,7 +361,7 @@ inline float gabor_impl_transmitted(float2 wave, float3 covariance) {
     return exp(-clamp(exponent, 0.0, 80.0)) * rsqrt(d);
 }
 
-// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), approximated by the root of a rational function.
+// Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
 inline float gabor_impl_mean_angle(float q) {
     return sqrt((1.0 + q * (0.19075951 + 0.0865599 * q))
                 / (1.0 + q * (1.1907595 + q * (0.60787136 + 0.27193595 * q))));
@@ -434,7 +436,7 @@ struct GaborBand {
 };
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
-// axis. `m` is r M.
+// axis. `m` is r M in the plane and D in space.
 inline GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
     GaborBand b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
@@ -566,7 +568,7 @@ inline GaborFactors gabor_impl_next(GaborFactors f) {
     return GaborFactors{float3(f.real.yz, 0.0), float3(f.imaginary.yz, 0.0)};
 }
 
-// The sum over the factors of both axes.
+// The weighted sum of the products of two axes' factors.
 inline float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weights) {
     return float2(dot(weights, a.real * b.real - a.imaginary * b.imaginary),
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
@@ -592,9 +594,9 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     GaborColumns columns = gabor_impl_columns(across);
     GaborLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
-    int rows = wanted ? along.count : 0; // because some compilers run both sides of a branch
+    int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     float2 value = float2(0.0), next_x = float2(0.0), next_y = float2(0.0);
-    int j = 0; // tested after each row, because some compilers run the body once more when a test before it fails
+    int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
         GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.time);
@@ -603,8 +605,8 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
         next_y += gabor_impl_contracted(row, gabor_impl_next(line_.window), weights);
     } while (++j < rows);
     float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
-    // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis, (q - c) f_n
-    // is f_(n + 1), which is missing for the last one, plus n / 4g times f_(n - 1).
+    // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
+    // (q - c) f_n = f_(n + 1) + n / 4g f_(n - 1); f_3 is left out.
     float2 mean = wave + c, before = lambda * sqrt(m.yx / m);
     float2 x = 6.2831853 * (mean.x * value + next_x - before.x * next_y);
     float2 y = 6.2831853 * (mean.y * value + next_y - before.y * next_x);
@@ -677,14 +679,15 @@ inline uint gabor_impl_slice_word(uint row, uint slice) {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y, and their components those along x.
+// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y, and their components are the factors
+// along x. `w` is the coupling of y and z, z and x, x and y.
 inline float3 gabor_impl_along_z(float3 y_0, float3 y_1, float3 y_2, float3 w) {
     return float3(y_0.x + w.z * (y_1.y + 0.5 * w.z * y_2.z),
                 w.y * (y_0.y + w.z * y_1.z) + w.x * (y_1.x + w.z * y_2.y),
                 0.5 * (w.y * w.y * y_0.z + w.x * w.x * y_2.x) + w.x * w.y * (y_1.y + w.z * y_2.z));
 }
 
-// The sum over the factors of three axes.
+// The weighted sum of the products of three axes' factors.
 inline float2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, GaborFactors y_2, GaborFactors z, float3 w) {
     GaborFactors slice = GaborFactors{gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w),
                                       gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w)};
@@ -872,7 +875,7 @@ inline GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint 
 }
 
 #if GABOR_TAPS == 3
-// The share of its variance that isotropic noise keeps: the mean of gabor_impl_transmitted over all directions.
+// The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 inline float gabor_impl_transmitted_isotropic_2d(float frequency, float3 covariance) {
     float area = 6.5797363 * (covariance.x * covariance.y - covariance.z * covariance.z);
     float d = 1.0 + 6.5797363 * (covariance.x + covariance.y + area);
@@ -1049,8 +1052,8 @@ inline float4 gabor_stripes_filtered(float2 p, float2 dx, float2 dy, float2 wave
 }
 #endif // GABOR_TAPS == 3
 
-// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends,
-// divided by the width. Each whole turn adds the integral of one period.
+// The mean of a profile over [phase - width / 2, phase + width / 2] is the change of its integral from one end to
+// the other, divided by the width. Each whole turn adds the integral of one period.
 inline float3 gabor_impl_ends(float phase, float width) {
     width = clamp(width, 0.001, 1.0);
     phase -= floor(phase);

@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: d40ff69c73a89e70
+// Digest of the GLSL and of this file: d8219748b40c5f0c
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -155,8 +155,8 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 // its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
 //     2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
 //     (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
-// both rounded down: 10 directions for isotropic noise of frequency 2. For a fifth of all arguments, just before
-// one of these numbers changes, the lobes of the old and the new number are summed.
+// both rounded down: 10 directions for isotropic noise of frequency 2. Just before one of these numbers changes,
+// for a fifth of all arguments, the noise is a sum of both sets of lobes, the old and the new.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
     if GABOR_TAPS == 2 {
         var place_14: GaborPlace;
@@ -358,7 +358,7 @@ fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fr
     return vec2<f32>(_e19.value.y, _e22);
 }
 
-// (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that the average removed.
+// (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that averaging removed.
 // A material can add the removed share, which is lost contrast, to its roughness.
 //   dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
 //           filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
@@ -367,7 +367,7 @@ fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fr
 // radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
 // is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
 // radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
-// nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where compilers run both sides of a
+// nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
 // branch, the cost is 3 for small pixels and 5 for larger ones.
 fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
     var field_10: vec4<f32>;
@@ -749,7 +749,7 @@ fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
     }
 }
 
-// The same place, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
+// The same position, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
 // along x and y. The position is rounded to a float, within the period if there is one.
 fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
     let _e3 = gabor_place_stretched(place, vec2(radius));
@@ -1127,13 +1127,13 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
     }
 }
 
-// The filter of a pixel; gabor_footprint makes it.
+// The filter of a pixel, returned by gabor_footprint.
 struct GaborFootprint {
     covariance: vec3<f32>,
     resolved: vec3<f32>,
 }
 
-// The footprint of a pixel from the steps dx and dy of gabor_noise_filtered.
+// The footprint of a pixel, from dx and dy as in gabor_noise_filtered.
 fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var dx_1: vec2<f32>;
     var dy_1: vec2<f32>;
@@ -1384,7 +1384,7 @@ fn gabor_impl_symmetric(matrix: vec3<f32>, v: vec2<f32>) -> vec2<f32> {
     return ((matrix.xy * v) + (matrix.z * v.yx));
 }
 
-// The share of its variance that a lobe keeps under a filter of covariance S. If we approximate the lobe's power by a
+// The share of a lobe's variance that a filter of covariance S keeps. If we approximate the lobe's power by a
 // Gaussian with the variance 1/12 of Hann's window along each axis, and d is the determinant of 1 + 2/3 pi^2 S, this is
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
 fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
@@ -1404,7 +1404,7 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     return (exp(-(clamp(_e32, 0f, 80f))) * inverseSqrt(_e38));
 }
 
-// The mean of exp(-q cos^2) over all angles, exp(-q / 2) I_0(q / 2), approximated by the root of a rational function.
+// Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
 fn gabor_impl_mean_angle(q: f32) -> f32 {
     return sqrt(((1f + (q * (0.19075951f + (0.0865599f * q)))) / (1f + (q * (1.1907595f + (q * (0.60787135f + (0.27193594f * q))))))));
 }
@@ -1554,7 +1554,7 @@ struct GaborBand {
 }
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
-// axis. `m` is r M.
+// axis. `m` is r M in the plane and D in space.
 fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
     var b_2: GaborBand;
     var local_16: i32;
@@ -1878,7 +1878,7 @@ fn gabor_impl_next(f: GaborFactors) -> GaborFactors {
     return GaborFactors(vec3<f32>(_e2.x, _e2.y, 0f), vec3<f32>(_e8.x, _e8.y, 0f));
 }
 
-// The sum over the factors of both axes.
+// The weighted sum of the products of two axes' factors.
 fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
 }
@@ -2161,12 +2161,13 @@ fn gabor_impl_slice_word(row: u32, slice: u32) -> u32 {
     return (((row * slice) >> 8u) | 8388609u);
 }
 
-// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y, and their components those along x.
+// The multiplier of each factor along z. y_0, y_1 and y_2 are the factors along y, and their components are the factors
+// along x. `w` is the coupling of y and z, z and x, x and y.
 fn gabor_impl_along_z(y_0: vec3<f32>, y_1: vec3<f32>, y_2: vec3<f32>, w: vec3<f32>) -> vec3<f32> {
     return vec3<f32>((y_0.x + (w.z * (y_1.y + ((0.5f * w.z) * y_2.z)))), ((w.y * (y_0.y + (w.z * y_1.z))) + (w.x * (y_1.x + (w.z * y_2.y)))), ((0.5f * (((w.y * w.y) * y_0.z) + ((w.x * w.x) * y_2.x))) + ((w.x * w.y) * (y_1.y + (w.z * y_2.z)))));
 }
 
-// The sum over the factors of three axes.
+// The weighted sum of the products of three axes' factors.
 fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFactors, z: GaborFactors, w: vec3<f32>) -> vec2<f32> {
     var slice_1: GaborFactors;
 
@@ -3185,7 +3186,7 @@ fn gabor_impl_scaled_field(field: GaborField, scale: f32) -> GaborField {
     return GaborField((scale * field.value), (scale * field.slope_x), (scale * field.slope_y));
 }
 
-// The share of its variance that isotropic noise keeps: the mean of gabor_impl_transmitted over all directions.
+// The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) -> f32 {
     var area_1: f32;
     var d_5: f32;
@@ -3211,8 +3212,8 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
     return ((exp(-(clamp((_e51 * _e52), 0f, 80f))) * _e64) * inverseSqrt(_e66));
 }
 
-// The mean of a profile over [phase - width / 2, phase + width / 2] is the difference of its integral at both ends,
-// divided by the width. Each whole turn adds the integral of one period.
+// The mean of a profile over [phase - width / 2, phase + width / 2] is the change of its integral from one end to
+// the other, divided by the width. Each whole turn adds the integral of one period.
 fn gabor_impl_ends(phase: f32, width: f32) -> vec3<f32> {
     if GABOR_TAPS == 2 {
         var phase_2: f32;

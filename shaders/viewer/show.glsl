@@ -3,14 +3,14 @@
 #include "viewer/show_interface.h"
 #include "viewer/colours.glsl"
 
-// These are specialization constants because CPUs run every branch. The outputs are 0 value, 1 gradient, 2 phase, 3 intensity,
-// 4 variance, 5 stripes, 6 lit height, 7 lit stripes, 8 colours and, for materials, 9 lit, 10 colour, 11 height, 12 normal,
-// 13 roughness, 14 metalness.
+// These are specialization constants because CPU drivers run every branch. The outputs are 0 value, 1 gradient, 2 phase,
+// 3 intensity, 4 variance, 5 stripes, 6 lit height, 7 lit stripes, 8 colours and, for materials, 9 lit, 10 colour, 11 height,
+// 12 normal, 13 roughness, 14 metalness.
 layout(constant_id = 0) const int output_shown = 0;
 layout(constant_id = 1) const int colours = 0;      // the colour map
 layout(constant_id = 2) const int channels = 1;
 layout(constant_id = 3) const int companion = 0;    // the first channel that the output needs besides the noise
-layout(constant_id = 4) const int normal_at = -1;   // first channel of a body's normal and gradient.z, -1 for none
+layout(constant_id = 4) const int normal_at = -1;   // first of four channels, a body's normal and gradient.z, or -1
 layout(constant_id = 5) const int coverage_at = -1; // channel of the coverage, -1 for none
 layout(constant_id = 6) const bool coarse = false;  // whether the grid is coarser than the pixels
 layout(constant_id = 7) const bool tiles = false;   // whether to repeat the canvas two by two
@@ -20,7 +20,7 @@ layout(constant_id = 10) const int environment = 0; // what surrounds a lit surf
 
 #include "passes/light.glsl"
 
-// A channel at a pixel.
+// The value of a channel at a pixel.
 float value_at(vec2 pixel, int channel);
 
 vec3 three_at(vec2 pixel, int first) {
@@ -41,8 +41,8 @@ vec3 mapped(float share) {
     return colour;
 }
 
-// Lights a surface of the given colour. `slope` is along x and y of the view or, for a body, in space. A body has its own
-// normal, stored after the gradient.
+// Lights a surface of the given colour. `slope` is along x and y of the view and, for a body, towards the eye. A body has its
+// own normal, stored after the gradient.
 vec3 lit_surface(vec2 pixel, vec3 colour, vec3 slope) {
     vec3 normal = vec3(0.0, 0.0, 1.0);
     if (normal_at >= 0) {

@@ -28,13 +28,13 @@ class Bench(ProgramTest):
             self.assertLessEqual(row["seconds"], row["seconds_high"])
             self.assertGreater(row["pipeline_seconds"], 0)
             self.assertEqual(row["cvm"] is None, name in ("Perlin noise", "simplex noise", "writing alone"))
-        # 2^20 samples tell good noises from bad ones. With 16 times as many, the cvm of the published noises is 0.49 and 0.37.
+        # 2^20 samples tell good noises from bad. With 16 times as many, the published noises' cvm is 0.49 and 0.37.
         for name in published:
             cvm = rows[name]["cvm"]
             self.assertTrue(cvm["low"] < 0.55 and cvm["high"] > 0.33, f"{name}: {cvm}")
         self.assertLess(rows["gabor_noise, one"]["cvm"]["high"], 0.3)
         self.assertEqual(len(report["trends"]), 16)
-        self.assertRegex(text, r"(?m)^\| .* \| Vulkan \|( [\d.e+-]+ \|){6}$")  # the row of docs/benchmark.html
+        self.assertRegex(text, r"(?m)^\| .* \| Vulkan \|( [\d.e+-]+ \|){6}$")  # docs/benchmark.html prints such a row
         self.check_page(report)
 
     def check_page(self, report):
@@ -60,7 +60,7 @@ class Bench(ProgramTest):
     def test_an_unwritable_report_is_refused(self):
         self.assert_fails(2, ["nowhere"], "bench", "--quick", "--json", "nowhere/bench.json")
 
-    @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe, which lacks statistics")
+    @unittest.skipUnless(LAVAPIPE, "needs Mesa's lavapipe, a driver without statistics")
     def test_isa_needs_a_driver_with_statistics(self):
         self.assert_fails(2, ["VK_KHR_pipeline_executable_properties"], "bench", "--isa", "--json", "isa.json",
                           env={"VK_ICD_FILENAMES": LAVAPIPE, "VK_DRIVER_FILES": None})

@@ -1,5 +1,5 @@
-"""Checks that the cost of the shaders on an AMD Navi 21, which RADV's compiler estimates without the GPU, is at most 5 %
-above the table in docs/performance.md, which tools/performance writes."""
+"""Checks that the shaders cost at most 5 % more on an AMD Navi 21 than the table in docs/performance.md says. RADV's compiler
+estimates the cost without the GPU; tools/performance writes the table."""
 
 import json
 import os
@@ -19,7 +19,7 @@ with tempfile.TemporaryDirectory() as folder:
     measured = json.loads(measured_file.read_text())
 
 if measured["driver"] != driver:
-    print(f"skipped: the table was recorded with {driver}, and this is {measured['driver']}")
+    print(f"skipped: the table was recorded with {driver}, but this is {measured['driver']}")
     sys.exit(77)
 
 now = {code["name"]: code for code in measured["code"]}
@@ -28,7 +28,7 @@ for name, *before in recorded:
     if name not in now:
         worse.append(f"{name}: gone")
         continue
-    # The table rounds, and registers come in steps of eight.
+    # The table is rounded, and registers are allocated in steps of eight.
     for figure, was, slack in zip(("instructions", "inverse_throughput", "registers"), map(int, before), (0.5, 0.5, 8)):
         if now[name][figure] > slack + (was if figure == "registers" else 1.05 * was):
             worse.append(f"{name}: {figure} {now[name][figure]:.1f}, recorded {was}")

@@ -34,7 +34,7 @@ def check_files(test, folder, complete, older):
             test.assertEqual(path.read_bytes(), complete[hidden[1]], f"{path.name} is not complete")
             path.unlink()
     files = {path.name: path.read_bytes() for path in folder.iterdir()}
-    test.assertLessEqual(files.keys(), names, "an unexpected file is left")
+    test.assertLessEqual(files.keys(), names, "an unexpected file was left")
     for name, content in complete.items():
         test.assertTrue(files.get(name) in [content, b"older" if older else None], f"{name} is not complete")
     return [name for name in files if files[name] == complete[name]]

@@ -28,8 +28,8 @@ class Exr:
         row = np.dtype([("y", "<i4"), ("size", "<i4")] + [(name, kind, (width,)) for name, kind in self.types.items()])
         offsets = np.frombuffer(data, "<u8", height, at)
         start = at + offsets.nbytes
-        assert np.array_equal(offsets, start + row.itemsize * np.arange(height, dtype="u8")), "wrong table of offsets"
-        assert len(data) == start + row.itemsize * height, "wrong length of the file"
+        assert np.array_equal(offsets, start + row.itemsize * np.arange(height, dtype="u8")), "wrong offset table"
+        assert len(data) == start + row.itemsize * height, "wrong file length"
         rows = np.frombuffer(data, row, height, start)
         assert np.array_equal(rows["y"], np.arange(top, bottom + 1)) and (rows["size"] == row.itemsize - 8).all()
         self.channels = {name: rows[name] for name in self.types}

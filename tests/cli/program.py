@@ -25,7 +25,7 @@ def environment(**changes):
 
 
 def gabor(*arguments, cwd, command=(PROGRAM,), env={}, stdout=subprocess.PIPE):
-    """Runs the program to its end. command: the program, or a wrapper around it; env: changes to its environment."""
+    """Runs the program to completion. command: the program, or a wrapper around it; env: changes to its environment."""
     return subprocess.run([*command, *arguments], cwd=cwd, env=environment(**env), stdout=stdout,
                           stderr=subprocess.PIPE, text=True, errors="replace", timeout=900)
 
@@ -44,24 +44,24 @@ class ProgramTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def files(self):
-        """The contents of the folder: the bytes of each file, and None for each folder."""
+        """Returns the contents of the folder: the bytes of each file, and None for each folder."""
         return {str(path.relative_to(self.folder)): None if path.is_dir() else path.read_bytes()
                 for path in self.folder.rglob("*")}
 
     def succeed(self, *arguments, **options):
-        """Runs the program, which must succeed in silence on stderr; returns its stdout."""
+        """Runs the program, which must succeed and print nothing on stderr; returns its stdout."""
         result = gabor(*arguments, cwd=self.folder, **options)
         self.assertEqual((result.returncode, result.stderr), (0, ""), f"{NAME} {arguments}")
         return result.stdout
 
     def assert_fails(self, status, words, *arguments, **options):
-        """Runs the program, which must end with this status, say these words in one line on stderr and nothing on
-        stdout, and leave the folder as it was."""
+        """Runs the program, which must exit with this status, print one line on stderr that contains these words and
+        nothing on stdout, and leave the folder as it was."""
         before = self.files()
         self.assert_failed(status, words, gabor(*arguments, cwd=self.folder, **options), before)
 
     def assert_failed(self, status, words, result, before):
-        """Checks the result of a run in the same way. before: the contents of the folder before the run."""
+        """Checks the result of a run as `assert_fails` does. before: the contents of the folder before the run."""
         case = f"{NAME} {result.args[1:]}: {result.stderr!r}"
         self.assertEqual(result.returncode, status, case)
         self.assertRegex(result.stderr, rf"\A{NAME}: [^\n]+\n\Z", case)

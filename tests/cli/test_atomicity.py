@@ -30,7 +30,7 @@ class Atomicity(ProgramTest):
         self.complete = self.files()
 
     def moment(self):
-        """Returns a random moment of the run, half of the time near its end, when the files appear."""
+        """Returns a random time during a run. Half of these times are near its end, when the files appear."""
         return self.duration * self.random.choice([self.random.uniform(0, 1), self.random.uniform(0.7, 1.1)])
 
     def begin(self, older):

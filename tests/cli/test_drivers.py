@@ -1,6 +1,5 @@
 """Checks that a request gives the same pixels however lavapipe divides its work, and the same within the documented tolerance
-on another driver, SwiftShader. GABOR_OTHER_PROGRAM can name the program built by another compiler, which must give the same
-bytes."""
+on another driver, SwiftShader. GABOR_OTHER_PROGRAM can name a build by another compiler, which must give the same bytes."""
 
 import glob
 import os
@@ -13,7 +12,7 @@ from program import LAVAPIPE, ProgramTest
 
 SWIFTSHADER = next(iter(glob.glob("/usr/lib/chromium/vk_swiftshader_icd.json")), None)
 
-# With more channels than the noise, and partial cells at each edge.
+# Adds channels to the noise. The size leaves partial cells at the right and lower edges.
 COMMON = ("--size=300x200", "--scale=21.7", "--orientation=33", "--seed=7", "--quadrature", "--gradient")
 REQUESTS = [*(("--recipe", recipe) for recipe in ("one", "pure", "paper")), ("--tileable",), ("--time=0.3",),
             ("--frequency=9.5",), ("--region=10,20,111,77",)]
@@ -31,14 +30,14 @@ class Drivers(ProgramTest):
             for width, threads in (("128", "0"), ("256", "0"), ("256", "1"), ("128", "4")):
                 self.render(*options, env={"VK_ICD_FILENAMES": LAVAPIPE, "LP_NATIVE_VECTOR_WIDTH": width,
                                            "LP_NUM_THREADS": threads})
-                channels = Exr(self.folder / "out.exr").channels  # without the header, which names the driver and its width
+                channels = Exr(self.folder / "out.exr").channels  # without the header, which names the vector width
                 pixels.add(tuple((name, values.tobytes()) for name, values in sorted(channels.items())))
             self.assertEqual(len(pixels), 1, options)
 
     @unittest.skipUnless(LAVAPIPE and SWIFTSHADER, "needs lavapipe and SwiftShader")
     def test_two_drivers_agree(self):
-        """Each driver is within 2e-5 of the exact noise up to frequency 4. Above, its error is proportional to the frequency, as
-        render/request.hpp says."""
+        """Each driver is within 2e-5 of the exact noise up to frequency 4. Above that, its error is proportional to the
+        frequency, as render/request.hpp says."""
         for options in REQUESTS:
             pixels = []
             for driver in (LAVAPIPE, SWIFTSHADER):

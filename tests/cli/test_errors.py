@@ -206,7 +206,7 @@ class Devices(ErrorTest):
             self.assert_refused(["no Vulkan", "mesa-vulkan-drivers"], "devices", env=none)
 
     def test_no_loader(self):
-        # The program finds these unreadable files first, so they hide the real loader.
+        # The program finds these empty files first, so they hide the real loader.
         for name in ("libvulkan.so", "libvulkan.so.1"):
             (self.folder / name).touch()
         hidden = {"LD_LIBRARY_PATH": str(self.folder)}
@@ -215,7 +215,7 @@ class Devices(ErrorTest):
 
 
 class Disk(ErrorTest):
-    """A valid request that fails during its work exits with status 1."""
+    """A valid request that fails while it runs exits with status 1."""
 
     def test_a_full_device(self):
         self.assert_fails(1, ["/dev/full", "No space"], "render", "-o", "/dev/full", "--size=64x64")
@@ -223,7 +223,7 @@ class Disk(ErrorTest):
 
     def test_a_file_that_grows_too_large(self):
         (self.folder / "old.exr").write_text("older")
-        limited = ["sh", "-c", "ulimit -f 1024; exec \"$0\" \"$@\"", PROGRAM] # blocks of 512 or 1024 bytes
+        limited = ["sh", "-c", "ulimit -f 1024; exec \"$0\" \"$@\"", PROGRAM] # in blocks of 512 or 1024 bytes
         for output in ("old.exr", "new.exr"):
             self.assert_fails(1, [output, "File too large"], "render", "-o", output, "--size=1024x1024",
                               command=limited)

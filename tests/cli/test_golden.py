@@ -1,5 +1,5 @@
-"""Checks the pixels of this version: 8 x 8 for each recipe, drawn in blocks and pixel by pixel, in the first and the last
-corner of the largest picture, and small pictures of other kinds with all channels. On lavapipe from Mesa 22.3 (Debian 12),
+"""Checks the pixels of this version: for each recipe, 8 x 8 pixels in the first and last corners of the largest picture, drawn
+in blocks and pixel by pixel, and small pictures of other kinds with all channels. On lavapipe from Mesa 22.3 (Debian 12),
 their hashes must match tests/golden/pixels.txt; on other drivers, the sums of rows must agree within the tolerance in
 render/request.hpp, or 2e-4 for terrain, materials and bodies. Changing pixels requires a new version. After an intended
 change, regenerate the file with this command and review the diff:
@@ -60,7 +60,7 @@ class Golden(ProgramTest):
             GOLDEN.write_text("\n".join([f"version {VERSION}", *(line(*each) for each in self.rendered())]) + "\n")
             self.fail(f"wrote {GOLDEN}: review what changed, then run the test without GABOR_GOLDEN")
         version, *lines = GOLDEN.read_text().splitlines()
-        self.assertEqual(version, f"version {VERSION}", "these are the pixels of another version")
+        self.assertEqual(version, f"version {VERSION}", "the file has the pixels of another version")
         same_driver = "Mesa 22.3" in self.succeed("devices").split("\n1 ")[0]
         for (name, values), expected in zip(self.rendered(), lines, strict=True):
             if same_driver:
@@ -78,7 +78,7 @@ def line(name, values):
 
 
 def sums(name, values):
-    """Returns the sum of each row, with a different weight for each column. Of phases, sums the sines."""
+    """Returns a weighted sum of each row; neighbouring columns have different weights. For phases, sums the sines."""
     values = np.sin(2 * np.pi * values.astype(float)) if name.endswith("phase") else values.astype(float)
     return values @ np.resize([1, -0.9, 0.8, -0.7, 0.6, -0.5, 0.4, -0.3], values.shape[1])
 

@@ -79,7 +79,7 @@ class Help(ProgramTest):
         self.assertGreater(len(blocks), 0)
         for index, block in enumerate(blocks):
             self.assertRegex(block, rf"\A{index}  \S")
-            for limit in ("kind", "driver", "Vulkan", "memory", "storage buffer", "workgroup", "GPU times"):
+            for limit in ("kind", "driver", "Vulkan", "memory", "storage buffer", "workgroup", "GPU timing"):
                 self.assertRegex(block, rf"(?m)^   {limit} +\S")
             self.assertRegex(block, r"(?m)^   memory +\d{2,7} MiB$")
 

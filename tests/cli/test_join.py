@@ -1,4 +1,4 @@
-"""Checks that regions joined by `gabor join` equal, byte for byte, the picture rendered at once."""
+"""Checks that regions joined by `gabor join` equal, byte for byte, the picture rendered in one piece."""
 
 import pathlib
 import unittest

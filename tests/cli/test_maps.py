@@ -43,7 +43,7 @@ class Maps(RenderTest):
         self.assertTrue(((maps["occlusion"] > 0) & (maps["occlusion"] <= 1)).all())
 
     def test_normals_match_the_height(self):
-        """In normals, x points right and y points up. At this scale, the height is smooth between pixels."""
+        """A normal's x axis points right and its y axis up. At this scale, the height is smooth between pixels."""
         scale = 1500
         _, maps = self.maps(f"--scale={scale}")
         down, right = np.gradient(maps["height"], 1 / scale)
@@ -88,7 +88,7 @@ class Maps(RenderTest):
         self.assertEqual(Exr(folder / "maps.exr").attributes["oiio:ColorSpace"][1], b"lin_rec709")
 
     def test_levels_reflect_a_light_as_their_pixels_do(self):
-        """Compares the GGX highlight on a mip level with the mean of the highlights on the pixels that it averages."""
+        """Compares the GGX highlight on each pixel of a mip level with the mean highlight on the fine pixels that it covers."""
         side, block = 256, 16
         self.succeed("render", "--material=leather", f"--size={side}x{side}", "--maps", "set", "--texture")
         levels = Texture(self.folder / "set" / "maps.exr").levels

@@ -28,7 +28,7 @@ class Readme(ProgramTest):
         stats = json.loads(self.succeed("stats", "noise.exr", "--json", "-"))
         for name, truth in (("mean", 0), ("variance", 1)):
             self.assert_plausible(stats[f"{name}_interval"], truth, name)
-        self.assertLess(abs(stats["cvm"]["value"]), 1.25 * stats["smallest_cvm"])  # at most 1.04 in 40 pictures
+        self.assertLess(abs(stats["cvm"]["value"]), 1.25 * stats["smallest_cvm"])  # the ratio is at most 1.04 in 40 pictures
 
     def test_the_cycles_of_recipes_match_the_performance_page(self):
         performance = (ROOT / "docs" / "performance.md").read_text()
@@ -40,7 +40,7 @@ class Readme(ProgramTest):
 
 class Engines(ProgramTest):
     def test_the_reference_of_the_engines_is_the_noise(self):
-        """Compares the reference in tests/engines with the program, which other tests compare with that in tests/reference."""
+        """Compares tests/engines/reference.py with the program, which other tests compare with tests/reference."""
         side, degrees = reference.WIDTH, np.degrees(reference.ORIENTATION)
         self.succeed("render", "-o", "noise.exr", f"--size={side}x{side}", "--scale=32", f"--frequency={reference.FREQUENCY}",
                      f"--orientation={degrees}", f"--seed={reference.SEED}", "--recipe=one")
@@ -57,7 +57,7 @@ class Engines(ProgramTest):
             self.assertEqual(place, (256, 3))
 
     def test_every_snippet_draws_the_readmes_picture(self):
-        """Evaluates each snippet's position, with rows counted as its engine does, and the noise there."""
+        """Evaluates each snippet's position, counting rows as its engine does, and the noise there."""
         side = 96
         self.succeed("render", "-o", "noise.exr", f"--size={side}x{side}", "--scale=32", "--frequency=4",
                      "--orientation=45", "--seed=7")

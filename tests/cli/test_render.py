@@ -17,7 +17,7 @@ DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "s
             "material": "none"}
 LOBES = [{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5}, {"frequency": 5, "orientation": -70, "radius": 0.6},
          {"frequency": 1, "orientation_spread": 90, "power": 0.5, "radius": 1.7, "stretch": 0.7}]
-# Members that only some requests have.
+# Parameters that only some requests have.
 OF_SOME = {"lobes": None, "depth": 0, "solid": False, "yaw": 0, "pitch": 30, "zoom": 1, "light_azimuth": -135,
            "light_elevation": 38, "environment": "room"}
 
@@ -81,7 +81,7 @@ class Files(RenderTest):
 
 class Regions(RenderTest):
     def test_a_region_has_the_pixels_of_the_whole(self):
-        """Compares every channel, also of pictures with several bands of 16 MiB."""
+        """Compares every channel, including those of pictures with several bands of 16 MiB."""
         (self.folder / "lobes.json").write_text(json.dumps(LOBES))
         some, many = [(21, 13, 33, 17)], [(0, 0, 1, 1), (2499, 3999, 1, 1), (1, 1700, 2499, 333), (777, 13, 9, 3987)]
         wave = {"scale": 20, "frequency": 3, "orientation": 20}

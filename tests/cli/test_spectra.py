@@ -17,12 +17,12 @@ LOBES = [{"frequency": 3.2, "orientation": 0, "power": 3}, {"frequency": 3.2, "o
 
 
 def power(values):
-    """The power spectrum, normalized so that variance 1 gives mean 1."""
+    """Returns the power spectrum, normalized so that variance 1 gives mean 1."""
     return np.abs(np.fft.fft2(values - values.mean())) ** 2 / values.size
 
 
 def frequencies(side, scale):
-    """The x and y frequency of each sample of the spectrum, in cycles per kernel radius."""
+    """Returns the x and y frequency of each sample of the spectrum, in cycles per kernel radius."""
     return np.meshgrid(np.fft.fftfreq(side, 1 / scale), np.fft.fftfreq(side, 1 / scale))
 
 
@@ -82,7 +82,7 @@ class Spectra(SpectraTest):
             normal /= np.linalg.norm(normal)
             up = cosine * normal[2] + sine * np.cos(turn) * np.hypot(*normal[:2])
             mean = 2 * (cosine * np.where(up > 0, (1 + 2 * up) / 3, 0.2 * 7 / 9)).mean()
-            share = 0.0113 # share of the light that a rough surface reflects without its colour
+            share = 0.0113 # share of the light that a rough surface reflects uncoloured
             colour = (1 - share) * sky["G"][y, x] + share
             self.assertAlmostEqual(sky["lit.G"][y, x] - dark["lit.G"][y, x], 0.6 * mean * colour, delta=0.015 * mean)
         self.assertEqual(self.render("--like=out.exr", output="again.exr").parameters["environment"], "dark")
@@ -90,7 +90,7 @@ class Spectra(SpectraTest):
 
     def test_a_body_has_all_of_a_material_on_every_side(self):
         metal = self.render(material="brushed-metal", view="sphere", size="80x60", scale=20).channels
-        np.testing.assert_allclose(metal["metalness"][metal["A"] == 1], 1, atol=0.02)  # a blend of up to three planes
+        np.testing.assert_allclose(metal["metalness"][metal["A"] == 1], 1, atol=0.02)  # blended from up to three planes
 
     def test_contradictory_requests(self):
         good = self.write_lobes(LOBES)
@@ -131,7 +131,7 @@ class Spectra(SpectraTest):
 
 class Filter(SpectraTest):
     def test_it_works_with_time_and_tiles(self):
-        # The filter changes the noise of such small pixels by at most 2 %; a larger difference means that it ignores time or tiles.
+        # The filter changes noise of this scale by at most 2 %; a larger difference means that it ignores time or tiles.
         options = {"frequency": 2, "scale": 40, "size": "100x100", "seed": 5}
         for more in ([], ["--time=0.3"], ["--tileable"], ["--tileable", "--time=0.3"]):
             with self.subTest(more):
@@ -200,10 +200,10 @@ class Space(SpectraTest):
         self.assertAlmostEqual(slices[0].var(), 1, delta=0.06)
 
     def test_spectra_in_space(self):
-        """A sum of lobes equals the sum of the lobes rendered alone, each with its own kernel radius."""
+        """A picture of two lobes equals the weighted sum of a picture of each."""
         lobes = [{"frequency": 2, "orientation": 20, "power": 3}, {"frequency": 3, "orientation": 110, "power": 1}]
         for view, ratio in ((["--view=slice", "--depth=1.3"], 3), (["--view=sphere"], 1), (["--view=torus", "--solid"], 2)):
-            # Alone, a lobe would have another seed than in the sum, so the other lobe stays, with almost no power.
+            # A lobe rendered alone would get a different seed than in the sum, so the other lobe stays, with hardly any power.
             second, both, first = (self.render(*view, "--gradient", size="120x100", scale=12, lobes=self.write_lobes(
                 [{**lobes[0], "power": of_first}, lobes[1]])).pixels for of_first in (0, ratio, 1e9))
             share = ratio / (ratio + 1)
@@ -262,7 +262,7 @@ class Channels(SpectraTest):
             np.testing.assert_allclose(even, plain, atol=4e-5)
 
     def test_paint_changes_without_a_seam(self):
-        """The paint changes from one noise to another across its middle third, from left to right or from top to bottom."""
+        """The paint changes from one noise to another across its middle quarter, from left to right or from top to bottom."""
         frequency = np.repeat(np.array([[2, 2, 5, 5]], "<f4"), 2, axis=0)
         for size, turned in (("400x200", np.asarray), ("200x400", np.transpose)):
             picture = {"size": size, "scale": 40}

@@ -105,7 +105,7 @@ class Rendered(StatsTest):
             self.assertEqual(self.stats("packed.exr"), plain, compression)
 
     def test_the_peak_is_where_requested(self):
-        # Angles turn from right to down. Turning the other way, 20, 120 and -60 degrees would be measured as 160, 60 and 60.
+        # Angles turn from right to down. If they turned the other way, 20, 120 and -60 degrees would read as 160, 60 and 60.
         for frequency, scale, orientation in [(4, 16, 0), (4, 16, 20), (4, 16, 45), (4, 16, 90), (4, 16, 120),
                                               (4, 16, -60), (3, 32, 200), (6, 13, 150)]:
             with self.subTest(frequency=frequency, scale=scale, orientation=orientation):
@@ -145,8 +145,8 @@ class Rendered(StatsTest):
 
 
 class Distributions(StatsTest):
-    """Tests which normal distribution a channel is compared with: that of theory if the header gives it, otherwise the measured
-    one."""
+    """Tests which normal distribution a channel is compared with: the theoretical one if the header determines it, otherwise
+    the measured one."""
 
     def render(self, *options, size="512x512", scale=16):
         self.succeed("render", "-o", "in.exr", f"--size={size}", f"--scale={scale}", *options)
@@ -176,8 +176,8 @@ class Distributions(StatsTest):
         self.assert_known(1, "Y")
 
     def test_filtered(self):
-        """The variance is the product over both axes of the energy of the blurred windowed wave, or of its derivative, divided
-        by the window's energy."""
+        """The variance is a product over both axes: for each, the energy of the blurred windowed wave, or of its derivative,
+        divided by the window's energy."""
         x = np.arange(-8, 8, 1 / 512)
         window = np.where(np.abs(x) < 1, (1 + np.cos(np.pi * x)) / 2, 0)
         def left(frequency, scale):
@@ -234,7 +234,7 @@ class Distributions(StatsTest):
         self.render()
         least = self.stats()["smallest_cvm"]
         self.assertGreater(least, 0.5)
-        side = 2 ** int(np.ceil(np.log2(512 * np.sqrt(least / 0.5))))  # the smallest cvm falls with the number of pixels
+        side = 2 ** int(np.ceil(np.log2(512 * np.sqrt(least / 0.5))))  # smallest_cvm is inversely proportional to the area
         self.assertIn(f"too small to test its distribution; render at least {side} x {side} pixels", self.succeed("stats", "in.exr"))
         self.render("--frequency=1", scale=3, size="1024x1024")
         self.assertLess(self.stats()["smallest_cvm"], 0.5)
@@ -265,8 +265,8 @@ class Foreign(StatsTest):
         return self.random.normal(3, 2, (height, width)).astype("f4")
 
     def test_reports_are_those_of_this_version(self):
-        """Tests pixels that correlate over a distance of 2, which give 16 x 16 blocks, and over 10, which give 8 x 8 blocks and
-        have a known distribution."""
+        """Tests pixels that correlate over a distance of 2, divided into 16 x 16 blocks, and over 10, divided into 8 x 8
+        blocks; the latter have a known distribution."""
         white = self.random.normal(size=(200, 240))
         wave = np.sin(np.arange(240) * 0.9 + np.arange(200)[:, None] * 0.4)
         radius = np.hypot(np.fft.fftfreq(240), np.fft.fftfreq(200)[:, None])

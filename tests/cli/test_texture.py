@@ -74,7 +74,7 @@ class Levels(TextureTest):
 
 class Joined(TextureTest):
     def levels(self, width, height, options, strips=3):
-        """Renders level 0 in uneven strips and all other levels whole, down to a single line."""
+        """Renders level 0 in uneven strips and the other levels whole, down to the one whose shorter side is 1."""
         regions = []
         for level in range(min(width, height).bit_length()):
             rows = [height * k // strips for k in range(strips + 1)] if level == 0 else [0, height >> level]

@@ -1,5 +1,5 @@
-"""Runs Slurm on this machine alone, without systemd or a database: munged, slurmctld and slurmd run while it is in use.
-Needs root, Debian's munge, slurmctld, slurmd and slurm-client, and a machine without its own Slurm, because clients
+"""Runs Slurm on this machine alone, without systemd or a database: `cluster` starts and stops munged, slurmctld and
+slurmd. Needs root, Debian's munge, slurmctld, slurmd and slurm-client, and a machine without its own Slurm, because clients
 read only /etc/slurm/slurm.conf."""
 
 import contextlib
@@ -35,7 +35,7 @@ PartitionName=farm Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 
 
 def missing():
-    """The reason why Slurm cannot run here, or an empty string."""
+    """Returns the reason why Slurm cannot run here, or an empty string."""
     if os.getuid() != 0:
         return "needs root"
     if absent := [name for name in ("munged", "slurmctld", "slurmd", "squeue") if not shutil.which(name)]:
@@ -77,7 +77,7 @@ def output(*command):
 
 
 def jobs(*states):
-    """The numbers of the jobs in these states, by default all jobs in the queue."""
+    """Returns the numbers of the jobs in these states, by default all jobs in the queue."""
     return output("squeue", "--noheader", "--format=%i", *(["--states=" + ",".join(states)] if states else [])).split()
 
 

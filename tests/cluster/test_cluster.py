@@ -1,7 +1,7 @@
-"""Checks that tools/cluster, on this machine and on a real Slurm, makes the same bytes as a single run, runs nothing
-twice and leaves no job.
+"""Checks that tools/cluster, on this machine and on a real Slurm, writes the same bytes as a single run, runs nothing
+twice and leaves no job behind.
 
-tools/test-long farm runs it; GABOR_PROGRAM and GABOR_LAB are the programs. It prints its measurements.
+tools/test-long farm runs this file, which also prints times; GABOR_PROGRAM and GABOR_LAB are the programs.
 """
 
 import collections
@@ -101,7 +101,7 @@ class FarmTest(ProgramTest):
         self.assertEqual([name for name in files if "strips." in name or name.startswith("grain.exr.")], [], "strips are left")
 
     def assert_nothing_done_twice(self, but=0):
-        """Checks that no task ran twice, except at most `but` tasks of cancelled jobs, which may finish before they record it."""
+        """Checks that no task ran twice, except at most `but` tasks of cancelled jobs, which may finish unrecorded."""
         counts = collections.Counter(self.ended())
         self.assertLessEqual(sum(counts.values()) - len(counts), but, counts)
         self.assertEqual(len(set(self.begun())), TASKS)

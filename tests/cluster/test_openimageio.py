@@ -1,7 +1,7 @@
-"""Checks textures with OpenImageIO, which most renderers use: every level has the variance that `removed` leaves, but
-maketx's levels do not.
+"""Checks textures with OpenImageIO, which most renderers use: every level has the variance that `removed` leaves, unlike
+the levels of maketx.
 
-tools/test-long farm runs it, by a Python that has OpenImageIO; GABOR_PROGRAM is the program.
+tools/test-long farm runs this file with a Python that has OpenImageIO; GABOR_PROGRAM is the program.
 """
 
 import pathlib
@@ -23,7 +23,7 @@ def noise(side):
 
 
 def variances(path):
-    """The mean square of Y for each level, and the mean of `removed` if it exists."""
+    """Returns the mean square of Y for each level, and the mean of `removed` if it exists."""
     source = oiio.ImageInput.open(str(path))
     levels = []
     while source.seek_subimage(0, len(levels)):
@@ -62,7 +62,7 @@ class OpenImageIO(ProgramTest):
                       "oiio:AverageColor", "MIP-map levels: 1024x1024 512x512 256x256", " 2x2 1x1\n"):
             self.assertIn(words, said)
 
-        # A pixel that covers one texel, and a distant one that covers 64 x 64 and shows only the mean.
+        # Samples a pixel that covers one texel, and a distant one that covers 64 x 64 texels and shows only the mean.
         texture, options = oiio.TextureSystem(), oiio.TextureOpt()
         for pixels, smallest, largest, removed in ((1, 1, 5, 0.466), (64, -0.01, 0.01, 1)):
             seen = [texture.texture(str(self.folder / "ours.exr"), options, u / 97, 0.4, pixels / side, 0, 0, pixels / side, 2)

@@ -17,8 +17,8 @@ class Text(ctypes.Structure):
 
 
 def method(pointer, number, result, *types):
-    """Returns an object's method by its index after the common ones, which outside Windows are three methods and two
-    destructors."""
+    """Returns an object's method by its index in the vtable, after the five common entries: IUnknown's three methods
+    and, outside Windows, two destructors."""
     table = ctypes.cast(pointer, ctypes.POINTER(ctypes.POINTER(ctypes.c_void_p)))[0]
     call = ctypes.CFUNCTYPE(result, ctypes.c_void_p, *types)(table[5 + number])
     return lambda *arguments: call(pointer, *arguments)

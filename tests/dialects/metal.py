@@ -18,6 +18,6 @@ def is_gcc(compiler):
 
 
 def options(compiler):
-    """The options that make constants without a suffix float, as in Metal."""
+    """Returns compiler options that make literals without a suffix single precision, as in Metal."""
     single = ["-fsingle-precision-constant"] if is_gcc(compiler) else ["-Xclang", "-cl-single-precision-constant"]
     return ["-std=c++20", *single, "-I", HERE, "-I", HERE.parents[1] / "tools"]

@@ -33,7 +33,7 @@ def pasted(scene, text, ending):
 
 
 def included(path):
-    """A file's text with its includes expanded, which are relative to the file or to the repository."""
+    """Returns a file's text with its includes expanded; their paths are relative to the file or to the repository."""
     def contents(match):
         return included(next(file for file in (path.parent / match[1], HERE.parents[1] / match[1]) if file.exists()))
     return re.sub(r'^#include "(.*)"$', contents, path.read_text(), flags=re.MULTILINE)

@@ -1,6 +1,6 @@
-// Runs a shader in the Open Shading Language as C++: scene_osl VALUES.raw. The file GABOR_OSL defines the
-// shader as a function of its parameters. Writes Noise, Gradient, Value, Phase and Intensity for each place,
-// first in the plane, then in space.
+// Runs an Open Shading Language shader as C++: scene_osl VALUES.raw. The file GABOR_OSL defines the shader as
+// a function of its parameters. Writes Noise, Gradient, Value, Phase and Intensity at each point, first in
+// the plane, then in space.
 #include "osl.hpp"
 
 #include <fstream>

@@ -1,5 +1,5 @@
-// Runs gabor_erosion.osl as C++ and the drop-in's translation: scene_osl_erosion VALUES.raw. Writes both
-// results' Height, Ridge and Slope for each place.
+// Runs gabor_erosion.osl as C++ and the drop-in's translation: scene_osl_erosion VALUES.raw. Writes the
+// Height, Ridge and Slope of both at each point.
 #include "osl.hpp"
 
 #include <fstream>

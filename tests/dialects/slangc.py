@@ -1,4 +1,4 @@
-"""Runs the Slang compiler from the library in Python's slangpy: slangc.py FILE.slang ENTRY STAGE FILE.spv"""
+"""Runs the Slang compiler from the library in the Python package slangpy: slangc.py FILE.slang ENTRY STAGE FILE.spv"""
 
 import ctypes
 import importlib.util
@@ -9,7 +9,7 @@ SPIRV, SLANG, STAGES = 6, 1, {"vertex": 1, "fragment": 5, "compute": 6} # values
 
 
 def library():
-    """The library's path, or None if slangpy is not installed."""
+    """Returns the library's path, or None if slangpy is not installed."""
     found = importlib.util.find_spec("slangpy")
     return next(pathlib.Path(found.origin).parent.glob("libslang-compiler.so*"), None) if found else None
 

@@ -1,4 +1,4 @@
-"""Checks that Unity graphs refer only to existing things, and that hand-written ports to other languages give the same
+"""Checks that Unity graphs refer only to existing objects, and that hand-written ports to other languages give the same
 noise as the GLSL. This test runs the ports on the CPU; tools/test-engines runs them in renderers and browsers."""
 
 import json

@@ -25,7 +25,7 @@ FILES = ["gabor_lattice", "gabor_spectrum", "gabor_direction", "gabor_lattice_3d
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
-CALLS = {  # each call's function, a column of the matrix in docs/engines.md
+CALLS = {  # each call, and its column in the matrix of docs/engines.md
     "gabor_noise(p, 4.0, 0.7854, 7u)": "noise",
     "gabor_noise_gradient(p, 4.0, 0.7854, 7u).y": "gradient",
     "gabor_noise_complex(p, 4.0, 0.7854, 7u).x": "complex",
@@ -187,7 +187,7 @@ def banded(shader, calls):
 
 
 def bands(values, calls):
-    """The picture's values, by call."""
+    """Returns the picture's values, by call."""
     rows = 256 // len(calls)
     return dict(zip(calls, np.fromfile(values, "<f4").reshape(257, 256)[:rows * len(calls)].reshape(len(calls), -1)))
 
@@ -221,7 +221,7 @@ class Translations(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def drawn(self, source, ending, *compiler):
-        """The values of a shader. The command's arguments are the shader's file and the SPIR-V file."""
+        """Returns the values of a shader. `compiler` is a command that takes the shader's file and the SPIR-V file."""
         shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
         shader.write_text(source)
         subprocess.run([*compiler, shader, spirv], check=True, stdout=subprocess.DEVNULL)
@@ -239,7 +239,7 @@ class Translations(unittest.TestCase):
         return self.drawn(text, "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
 
     def compare(self, translated, calls=tuple(CALLS)):
-        """Compares each call with GLSL, materials less strictly, because their edges magnify differences in rounding."""
+        """Compares each call with GLSL; colours and heights less strictly, because they magnify differences in rounding."""
         errors = {}
         for call in calls:
             with self.subTest(call):
@@ -273,7 +273,7 @@ class Translations(unittest.TestCase):
     def test_wgsl_by_naga(self):
         if not shutil.which("naga"):
             self.skipTest("naga is not installed")
-        # lavapipe takes minutes to compile naga's loops, but a second after spirv-opt.
+        # lavapipe takes minutes to compile naga's loops, but only a second after spirv-opt.
         command = ["sh", "-c", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"']
         self.compare(lambda call: self.drawn(
             self.pasted("wgsl", call, WGSL.replace("CALL", call.replace("vec2", "vec2f").replace("vec3", "vec3f")), before=""), "wgsl",
@@ -326,8 +326,8 @@ class Translations(unittest.TestCase):
         self.compare(lambda call: drawn[call])
 
     def test_cpp_vectors(self):
-        """Checks that the compiler vectorizes a loop over points, that values equal the shader's within 1e-6, and that words are
-        equal. With a constant frequency, the shader compiler would reorder products, so + unknown hides it."""
+        """Checks that the compiler vectorizes a loop over points, that its noise equals the shader's within 1e-6, and that the
+        lattice's hash words are equal. Without `+ unknown`, the shader compiler would fold constants and reorder products."""
         values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
                                 *["-fopt-info-vec"] * GCC)
         if GCC:

@@ -72,5 +72,5 @@ export const Fn = body => {
     call.setLayout = () => call;
     return call;
 };
-// Derivatives and mesh data are only for surface normals, which only three.js draws.
+// Derivatives and mesh data stay undefined: only surface normals need them, and only three.js draws those.
 export const [cross, dFdx, dFdy, normalView, positionView] = [];

@@ -1,4 +1,4 @@
-"""The calls of reference.FUNCTIONS, for languages that name vectors differently."""
+"""The functions of reference.FUNCTIONS as GLSL calls. For other languages, tests rename the vectors."""
 
 import os
 import pathlib

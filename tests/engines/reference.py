@@ -38,7 +38,7 @@ def impulse_word(column, row, seed):
 
 
 def one(cell, x, y):
-    """The `one` recipe at cell + (x, y), in kernel radii; a cell is one radius wide."""
+    """Returns the `one` recipe at cell + (x, y), in kernel radii; a cell is one radius wide."""
     energy = (WINDOW**2).integ()
     variance = (1 + FLOOR**2) / 2 * (energy(1) - energy(-1)) ** 2 / 2
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
@@ -58,12 +58,12 @@ def salt(seed):
 
 
 def lobe_seed(seed, index):
-    """The seed of part `index` of a sum."""
+    """Returns the seed of part `index` of a sum."""
     return int(mix(words([(seed + index * 0x85ebca6b) & 0xffffffff]), np.uint32(0x9e3779b1))[0])
 
 
 def line_word(index, axis, seed=SEED):
-    """The word of a column (axis 0), a row (1) or a slice (2) of the lattice."""
+    """Returns the hash word of a column (axis 0), a row (1) or a slice (2) of the lattice."""
     word = words(index) * np.uint32(SPREAD) + (salt(seed) ^ np.uint32((0, 0x5bd1e995, 0x27d4eb2f)[axis]))
     return (word * (word ^ (word >> 15)) >> 8) | np.uint32(0x800001)
 
@@ -77,8 +77,8 @@ DEVIATION = np.sqrt(np.mean(law((np.arange(2**20) + 0.5) / 2**20) ** 2))
 
 
 def amplitude(word, time=0.0):
-    """A node's amplitude: one part from the whole word, one from its low 20 bits, each with variance 1; with time, a mix
-    of three amplitudes."""
+    """Returns a node's complex amplitude: the real part from the whole word, the imaginary part from its low 20 bits, each with
+    variance 1; with time, a mix of three amplitudes."""
     if time:
         second = (word ^ (word >> 15)) * np.uint32(0xd35a2d97)
         third = (second ^ (second >> 15)) * np.uint32(0xd35a2d97)
@@ -90,7 +90,7 @@ def amplitude(word, time=0.0):
 
 
 def window(d, taps):
-    """Hann's window, or for two taps a window whose shifted squares sum to 1. It ends where d is 1 or -1."""
+    """Returns Hann's window or, for two taps, a window whose shifted squares sum to 1. It ends where d is 1 or -1."""
     if taps > 2:
         return np.where(abs(d) < 1, (1 + np.cos(np.pi * d)) / 2, 0)
     x = np.minimum(abs(d), 1)
@@ -100,9 +100,9 @@ def window(d, taps):
 
 def complex_lattice(cell, x, y, taps=3, period=(2**32, 2**32), seed=SEED, time=0.0, radius=(None, None),
                     wave=WAVE, amplitudes=None):
-    """The lattice's noise (imaginary part) and its quadrature (real part) at cell + (x, y), in node spacings. `radius` is the
-    kernel radius in spacings, and `period` the spacings after which the noise repeats. `amplitudes`, a function of column
-    and row, replaces the nodes' amplitudes."""
+    """Returns the lattice's noise (imaginary part) and its quadrature (real part) at cell + (x, y), in node spacings. `radius`
+    is the kernel radius in spacings, and `period` the number of spacings after which the noise repeats. `amplitudes`, a
+    function of column and row, replaces the nodes' amplitudes."""
     reach = taps / 2
     energy = 1 if taps == 2 else 3 / 8 * taps  # the sum of the squared windows along one axis
     scale_x, scale_y = (each or reach for each in radius)
@@ -124,7 +124,7 @@ def lattice(cell, x, y, taps=3, period=2**32):
 
 
 def complex_lattice_3d(x, y, z, direction):
-    """The lattice's noise and quadrature in space, with three taps; x, y and z are in kernel radii."""
+    """Returns the lattice's noise and quadrature in space, with three taps; x, y and z are in kernel radii."""
     wave = FREQUENCY * np.array(direction) / np.linalg.norm(direction)
     x, y, z = np.broadcast_arrays(1.5 * x, 1.5 * y, 1.5 * z)
     first = [np.floor(each).astype(np.int64) for each in (x, y, z)]
@@ -160,7 +160,7 @@ def four(x, y):
 
 
 def tiled(x, y):
-    """The periods of 2 and 1 kernel radii have 3 nodes each, so the second has narrower windows."""
+    """Returns noise with periods of 2 and 1 kernel radii. Each has 3 nodes, so the second has narrower windows."""
     return complex_lattice((0, 0), 1.5 * x, 3 * y, period=(3, 3), radius=(1.5, 3)).imag
 
 
@@ -208,7 +208,7 @@ SCENES = {
     "lattice": ("gabor_lattice", {}, lattice, 1.5),
     "lattice 2": ("gabor_lattice", {"GABOR_TAPS": 2}, functools.partial(lattice, taps=2), 1),
     "lattice 4": ("gabor_lattice", {"GABOR_TAPS": 4}, functools.partial(lattice, taps=4), 2),
-    "tile of 8": ("gabor_lattice", {}, functools.partial(lattice, period=12), 1.5),  # 8 kernel radii, for nodes that tile
+    "tile of 8": ("gabor_lattice", {}, functools.partial(lattice, period=12), 1.5),  # 12 / 1.5 = 8 kernel radii
 }
 
 
@@ -222,7 +222,7 @@ def values(scene, rows=HEIGHT):
 
 
 def largest_difference(scene, drawn):
-    """The largest difference from the scene or the function, with its row and column; a NaN counts as the largest.
+    """Returns the largest difference from the scene or the function, with its row and column; a NaN counts as the largest.
     The row of gabor_noise_at may be missing; a function needs only its first 32 rows."""
     drawn = np.asarray(drawn, np.float64).reshape(-1, WIDTH)
     if len(drawn) not in (HEIGHT - 1, HEIGHT) and not (scene in FUNCTIONS and 32 <= len(drawn) < HEIGHT):

@@ -20,7 +20,7 @@ Function next(VkDevice device, const char* name) {
     return reinterpret_cast<Function>(next_device_function(device, name));
 }
 
-// Whether this call must fail.
+// Returns whether this call must fail.
 bool fails(std::string_view name) {
     static const std::string fault = [] {
         const char* value = std::getenv("GABOR_FAULT");

@@ -15,14 +15,14 @@ FOUR_BANDS = ("--size=2200x4000", "--compression=none")
 
 
 def broken(function, call):
-    """The environment for this fault, without validation, which would print a line about the missing device."""
+    """Returns the environment for this fault, without validation, whose messages would add lines to stderr."""
     return {"GABOR_VALIDATION": None, "VK_ADD_LAYER_PATH": LAYER, "VK_INSTANCE_LAYERS": "VK_LAYER_GABOR_fault",
             "GABOR_FAULT": f"{function}:{call}"}
 
 
 class Device(ProgramTest):
     def fail_at_every_call(self, function, words, least, *arguments):
-        """Makes the first call fail, then the second, and so on, until the program makes no such call."""
+        """Fails all calls from the first on, then from the second on, and so on, until none is left to fail."""
         for call in range(1, 100):
             before = self.files()
             result = gabor(*arguments, cwd=self.folder, env=broken(function, call))

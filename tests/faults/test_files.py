@@ -42,7 +42,7 @@ class Folders(ProgramTest):
             self.assertEqual(self.files(), {})
 
     def open_files(self, process):
-        """The names of the files that a running process has open."""
+        """Yields the names of the files that a running process has open."""
         for link in pathlib.Path(f"/proc/{process.pid}/fd").glob("*"):
             with contextlib.suppress(FileNotFoundError):
                 yield os.readlink(link)
@@ -71,7 +71,7 @@ class Streams(ProgramTest):
                 self.assertEqual(self.files(), before)
 
     def test_printed_text_never_ends_up_in_the_file(self):
-        """If a standard stream is closed, the first file to be opened would take its place."""
+        """If a standard stream is closed, the first file that the program opens could get its descriptor."""
         self.succeed("render", "-o", "out.exr", "--size=64x64", "--frames=2")
         whole = self.files()
         for closed in ("<&-", ">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-"):

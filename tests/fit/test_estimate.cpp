@@ -36,7 +36,8 @@ double integrated_correlation(double t) {
     return sum / squares;
 }
 
-// E |sum_p w(p) n(p) e^(-2 pi i k p)|^2 of a noise with autocovariance g(t / radius) e^(2 pi i frequency t).
+// The expected power E |sum_p w(p) n(p) e^(-2 pi i k p)|^2 / sum_p w(p)^2 of a noise n with autocovariance
+// g(t / radius) e^(2 pi i frequency t), where w is Hann's window and g is integrated_correlation.
 double expected_power(double k, double frequency, double radius) {
     std::vector<double> correlations;
     for (int t = 0; t < 64; ++t)
@@ -79,7 +80,7 @@ Eigen::VectorXcd weights(std::initializer_list<std::complex<double>> values) {
     return result;
 }
 
-// Returns the fitted wave that is nearest to this one or to its mirror image, which is equivalent.
+// Returns the wave whose frequency is nearest to that of `to` or of its mirror image, which is equivalent.
 const Wave& nearest(const std::vector<Wave>& waves, const Wave& to) {
     const auto distance = [&](const Wave& wave) {
         return std::min((wave.frequency - to.frequency).norm(), (wave.frequency + to.frequency).norm());
@@ -88,15 +89,15 @@ const Wave& nearest(const std::vector<Wave>& waves, const Wave& to) {
                              [&](const Wave& a, const Wave& b) { return distance(a) < distance(b); });
 }
 
-// The mean square of a lobe's frequencies along an axis: the power of Hann's window has the variance 1/12 /
-// radius^2.
+// The mean square of a lobe's frequencies along an axis: the power spectrum of Hann's window has variance 1 /
+// (12 radius^2).
 double mean_square(const Wave& wave, int axis) {
     return std::pow(wave.frequency[axis], 2) + 1 / (12 * std::pow(wave.radius[axis], 2));
 }
 
 } // namespace
 
-TEST_CASE("the correlation of kernels equals the integral of their windows") {
+TEST_CASE("the correlation of kernels equals the integrated autocorrelation of Hann's window") {
     gabor::test::Largest largest;
     for (double t = -2.5; t <= 2.5; t += 0.05)
         largest.see(kernel_correlation(t), integrated_correlation(t), 1e-6,
@@ -130,10 +131,11 @@ TEST_CASE("atoms equal the expected windowed spectra of a wave") {
 
 TEST_CASE("atoms of averaged samples equal their expected windowed spectra") {
     // The last scale has samples four pixels apart, each a weighted average of eight. The expected spectra
-    // are sums by brute force over every pair of pixels that contribute to two samples of a window.
+    // are brute-force sums over every pair of pixels that contribute to two samples of a window.
     const std::vector<Scale> scales = scales_of(2400, 2400);
     REQUIRE(scales.size() == 3);
-    for (const Scale& each : scales) // its measures add up to its whole grid, in cells of the first scale
+    // A scale's weights add up to the area of its whole grid, in cells of the first scale.
+    for (const Scale& each : scales)
         CHECK(measures({each}).sum() == Approx(std::pow(2.0 * window_side / each.spacing, 2)));
     const Scale& scale = scales.back();
     REQUIRE(scale.spacing == 4);
@@ -170,17 +172,18 @@ TEST_CASE("a grey texture's lobes are found from its spectrum") {
         {{0.11, 0.07}, {12, 5}, weights({0.7})},
         {{-0.21, 0.173}, {6, 18}, weights({0.45})},
         {{0.025, -0.0433}, {7.2, 7.2}, weights({0.45})}, // close to its mirror image
-        {{0.0, 0.0}, {25, 25}, weights({0.324})}};       // powers add up to 1, as fitted ones do
+        {{0.0, 0.0}, {25, 25}, weights({0.324})}};       // powers add up to 1, like fitted powers
     const FittedNoise fitted = fit(exemplar_of(waves, 1 << 14), 16, [](double) {});
     for (const Wave& known : waves) {
         const Wave& found = nearest(fitted.waves, known);
         const double apart =
             std::min((found.frequency - known.frequency).norm(), (found.frequency + known.frequency).norm());
         INFO("frequency " << known.frequency.transpose() << ": off by " << apart << ", radius "
-                          << found.radius.transpose() << " for " << known.radius.transpose() << ", power "
-                          << found.weight.squaredNorm() << " for " << known.weight.squaredNorm());
+                          << found.radius.transpose() << " instead of " << known.radius.transpose()
+                          << ", power " << found.weight.squaredNorm() << " instead of "
+                          << known.weight.squaredNorm());
         CHECK(found.weight.squaredNorm() == Approx(known.weight.squaredNorm()).epsilon(0.1));
-        if (known.frequency.isZero()) { // a lobe and its mirror image look like one with a smaller radius
+        if (known.frequency.isZero()) { // a lobe and its mirror image look like one lobe of smaller radius
             for (int axis : {0, 1})
                 CHECK(mean_square(found, axis) == Approx(mean_square(known, axis)).epsilon(0.01));
             continue;
@@ -210,7 +213,7 @@ TEST_CASE("the errors show that a model's long waves are too strong") {
     swell.weight *= std::sqrt(1.5);
     const FitError error = compare(exemplar, {noise, swell});
     CHECK(error.l1 == Approx(0.5 * 0.36).epsilon(0.01));
-    CHECK(error.low == Approx(0.5).epsilon(0.01)); // no other long waves exist
+    CHECK(error.low == Approx(0.5).epsilon(0.01)); // the swell is the only long wave
 }
 
 TEST_CASE("phases between channels are found from cross-spectra") {
@@ -282,7 +285,7 @@ TEST_CASE("the spectrum estimated from white noise is flat and has the noise's v
     }
 }
 
-TEST_CASE("a histogram's polynomial reproduces its distribution, rises, and has mean 0 and variance 1") {
+TEST_CASE("a histogram's polynomial is increasing, matches the distribution, and has mean 0 and variance 1") {
     const auto check = [](const std::array<double, 6>& c, double tolerance, auto law) {
         const auto value = [&](double z) {
             double sum = 0;
@@ -386,7 +389,7 @@ TEST_CASE("structure distinguishes edges and ridges from waves and from normal n
     CHECK(structure([](int x, int y) { return (x / 8 + y / 16) % 2; }) > Structure::limit);
     const auto edge = [](int x, int) { return x / 64; };
     CHECK(structure([&](int x, int y) { return edge(y, x); }) > Structure::limit);
-    CHECK(structure(edge, 4) > Structure::limit); // the fewest rows with derivatives
+    CHECK(structure(edge, 4) > Structure::limit); // derivatives need at least four rows
     CHECK(structure(edge, 3) == 0);
     // Kurtosis cannot tell four waves from their absolute value, which has creases.
     const auto waves = [](int x, int y) {

@@ -46,10 +46,10 @@ class FitTest(ProgramTest):
         return Exr(self.folder / "fit.exr")
 
     def test_known_lobes_are_found(self):
-        # The lobes have 1.5 and 1.2 cycles per kernel radius of their own. From a picture of this size, the rms error of
-        # any unbiased estimate of the second frequency is at least 0.00009 to 0.00014 (the Cramér-Rao bounds that use
-        # power above 1 % and above 10 % of the mean). At 0.36 cycles per radius, where a lobe and its mirror image
-        # merge, it is at least 0.00027 to 0.00036.
+        # The lobes have 1.5 and 1.2 cycles per kernel radius. For a picture of this size, the Cramér-Rao bound on the rms
+        # error of the second frequency is 0.00009 cycles per pixel if it uses power above 1 % of the mean, and 0.00014 if it
+        # uses power above 10 %. For 0.36 cycles per radius, where a lobe and its mirror image merge, these bounds are 0.00027
+        # and 0.00036.
         known = [dict(frequency=3, orientation=30, radius=0.5, power=1), dict(frequency=3, orientation=-60, radius=0.4, power=0.6)]
         scale = 24
         (self.folder / "lobes.json").write_text(json.dumps(known))
@@ -70,9 +70,9 @@ class FitTest(ProgramTest):
             self.assertLess(abs(radius - 1), 0.03)
             self.assertLess(abs(power - 1), 0.1)
 
-    def test_a_fit_is_that_of_this_version(self):
-        """Compares every number of two presets, of their GLSL and of their reports."""
-        colour = np.exp(3 * (colour_noise(300)[:224] - 1))  # one component is weak, and a part transparent
+    def test_a_fit_has_the_recorded_values(self):
+        """Compares every number in two presets, their GLSL and their reports with those in fits.txt."""
+        colour = np.exp(3 * (colour_noise(300)[:224] - 1))  # one component is weak, and some pixels are transparent
         colour[..., 2] = 0.5 * colour[..., 0] + 0.4 * colour[..., 1] + 0.1 * colour[..., 2]
         alpha = np.hypot(*np.ogrid[-60:164, -200:100]) > 30
         grey = colour_noise(840)[:800, :, 0]
@@ -93,7 +93,7 @@ class FitTest(ProgramTest):
                      "-o", "small.exr")
         small = Exr(self.folder / "small.exr").channels["Y"].astype(float)
         spectrum = np.fft.fftshift(np.fft.fft2(small))
-        large = 16 * np.fft.ifft2(np.fft.ifftshift(np.pad(spectrum, 384))).real  # four times as large, no frequency added
+        large = 16 * np.fft.ifft2(np.fft.ifftshift(np.pad(spectrum, 384))).real  # four times as large, no new frequencies
         write_exr(self.folder / "large.exr", {"Y": large.astype("f4")})
         places, shapes, powers, errors = [], [], [], []
         expected = welch(without_trend(small[..., None]))
@@ -127,14 +127,14 @@ class FitTest(ProgramTest):
             self.assertLessEqual(len(fitted["lobes"]), 16)
             self.assertIn("edges or objects", self.said) # blades, stones, bricks
             exemplar = without_trend(read_grey_png(path)[..., None] / 255.0)
-            fitted["colour"]["histogram"][0] = [0, 1, 0, 0, 0, 0] # the histogram changes the spectrum, brick's by 0.03 (L1)
+            fitted["colour"]["histogram"][0] = [0, 1, 0, 0, 0, 0] # no histogram: it changes the spectrum (brick: L1 0.03)
             (self.folder / "fit.json").write_text(json.dumps(fitted))
             noise = self.render("--size", "1024x1024").channels["G"][..., None].astype(float)
             noise -= noise.mean()
             expected = welch(exemplar)
             l1, l2 = relative_errors(welch(noise), expected)
             print(f"{name}: {len(fitted['lobes'])} lobes, L1 {l1:.3f}, L2 {l2:.3f} of a sample of 1024 x 1024")
-            # In a sample of this size, chance gives an L1 error of 0.44 x 64 / 1024, and a larger L2 error.
+            # In a sample of this size, chance alone causes an L1 error of 0.44 x 64 / 1024, and a larger L2 error.
             self.assertLess(l1, l1_most + 0.03)
             self.assertLess(l2, l2_most + 0.04)
 
@@ -163,7 +163,7 @@ class FitTest(ProgramTest):
 
     def test_a_wide_photograph_and_a_tall_one_give_the_lobes_of_both(self):
         square = colour_noise(256)
-        picture = np.concatenate([square, square.swapaxes(0, 1)], 1)  # its halves have swapped axes
+        picture = np.concatenate([square, square.swapaxes(0, 1)], 1)  # the axes of its right half are swapped
         lobes = {}
         for name, pixels in (("wide", picture), ("tall", picture.swapaxes(0, 1))):
             write_png(self.folder / f"{name}.png", pixels)
@@ -175,7 +175,7 @@ class FitTest(ProgramTest):
         np.testing.assert_allclose(lobes["wide"], mirrored, atol=0.06)
 
     def drawn(self, main, width, height):
-        """Returns the picture that a main function draws after the drop-ins and sea.glsl."""
+        """Returns the picture drawn by `main`, a main function that is compiled after the drop-ins and sea.glsl."""
         import draw
         values, _ = draw.drawn("#version 330 core\n", DROP_INS + (self.folder / "sea.glsl").read_text() + main, (width, height), 4)
         return np.frombuffer(values, "f4").reshape(height, width, 4)
@@ -216,7 +216,7 @@ void main()
         self.assertLess(abs(kept + removed.mean() - 1), 0.03)
 
     def test_a_pixel_that_covers_everything_removes_all_of_the_variance(self):
-        """The variance shares of components and polynomial degrees sum to 1."""
+        """Checks that the variance shares of all components and polynomial degrees sum to 1."""
         write_png(self.folder / "colour.png", colour_noise(256))
         self.fit("colour.png", "--lobes", "4", "--glsl", "sea.glsl")
         values = self.drawn("""
@@ -262,7 +262,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assert_refused(["cut.jpg"], "fit", "cut.jpg", "-o", "fit.json")
 
     def assert_same_colours(self, found, expected, most):
-        """Compares means and deviations of components, within `most` of the first deviation."""
+        """Checks that the mean and the mixing differ by less than `most` times the first component's deviation."""
         first = np.linalg.norm(np.array(expected["mixing"])[:, 0])
         for name in ("mean", "mixing"):
             self.assertLess(np.abs(np.array(found[name]) - expected[name]).max(), most * first, name)
@@ -312,7 +312,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         write_png(self.folder / "lit.png", even * light, bits=16)
         write_png(self.folder / "added.png", even + 0.2 * light, bits=16)
         expected = self.fit("even.png", "--lobes", "4")["colour"]
-        # Light from 0.4 to 1.6 raises the deviation of a normal texture by a factor of 1.06, and its excess kurtosis to 1.2.
+        # Uncorrected, light from 0.4 to 1.6 would multiply a normal texture's deviation by 1.06, and raise its kurtosis by 1.2.
         for name in ("lit", "added"):
             found = self.fit(f"{name}.png", "--lobes", "4")["colour"]
             self.assertLess(abs(found["mixing"][0][0] / expected["mixing"][0][0] - 1), 0.02, name)
@@ -346,7 +346,7 @@ void main() { value = sea_filtered(gl_FragCoord.xy, vec2(1.0e5, 0.0), vec2(0.0, 
         self.assertNotIn("Large features", self.said)
         grain = np.random.default_rng(1).standard_normal((256, 256)) + 0.5 * np.sin(np.arange(256) * 2 * np.pi / 100)
         write_png(self.folder / "waves.png", 0.5 + 0.1 * grain, bits=16)
-        self.fit("waves.png", "--lobes", "1")  # the grain, without the long waves
+        self.fit("waves.png", "--lobes", "1")  # the only lobe fits the grain, not the long waves
         self.assertIn("Large features", self.said)
         self.assertNotIn("edges or objects", self.said)
         write_png(self.folder / "noise.png", colour_noise(256))

@@ -1,4 +1,4 @@
-"""Textures whose answers are known, and the photographs of scikit-image's wheel."""
+"""Textures with known answers, and photographs from scikit-image's wheel."""
 
 import os
 import pathlib
@@ -15,7 +15,7 @@ WHEEL = "scikit-image==0.25.2"
 
 
 def photograph(name):
-    """The path of a photograph from the wheel of scikit-image, which is downloaded once. Raises OSError if the download
+    """Returns the path of a photograph from scikit-image's wheel, which is downloaded once. Raises OSError if the download
     fails."""
     path = WHEELS / f"{name}.png"
     if not path.exists():
@@ -33,7 +33,7 @@ ADAM7 = (0, 0, 8, 8), (0, 4, 8, 8), (4, 0, 8, 4), (0, 2, 4, 4), (2, 0, 4, 2), (0
 
 
 def write_png(path, values, bits=8, alpha=False, interlaced=False):
-    """Writes grey values, height x width, or colours, height x width x 3, from 0 to 1."""
+    """Writes grey values (height x width) or colours (height x width x 3) from 0 to 1 to a PNG."""
     values = values[..., None] if values.ndim == 2 else values
     if alpha:
         values = np.concatenate([values, np.ones_like(values[..., :1])], -1)
@@ -52,7 +52,7 @@ def write_png(path, values, bits=8, alpha=False, interlaced=False):
 
 
 def colour_noise(side, seed=1):
-    """Returns two lobes of normal noise, filtered from white noise, with different phases in red, green and blue."""
+    """Returns two lobes of normal noise as a picture, with different phases in red, green and blue."""
     generator = np.random.default_rng(seed)
     fx = np.fft.fftfreq(side)[None, :]
     fy = np.fft.fftfreq(side)[:, None]
@@ -67,7 +67,7 @@ def colour_noise(side, seed=1):
 
 
 def welch(channels, side=64, hop=32):
-    """Returns the cross-spectra of channels, height x width x count, under Hann windows: side x side x count x count."""
+    """Returns the cross-spectra (side x side x count x count) of channels (height x width x count) under Hann windows."""
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(side) / side)
     window = np.outer(window, window)
     window /= np.sqrt((window**2).sum())

@@ -57,7 +57,7 @@ class Draw {
     std::mt19937 random_;
 };
 
-/// Draws a place up to 10^6 from the origin, or in any cell. One coordinate in four is on or next to a
+/// Draws a position up to 10^6 from the origin, or in any cell. One coordinate in four is on or next to a
 /// multiple of 1/2, where windows and cells may end.
 template <std::size_t N>
 noise::Place<N> any_place(Draw& draw) {
@@ -123,7 +123,7 @@ void see(Largest& largest, const auto& vector, const std::array<double, count>& 
 /// a smooth function equals the mean of the steps before and after it, to second order.
 template <typename Value>
 void check_path(Differences& of, int path, int steps, const Value& value) {
-    Largest& largest = of[path % 3 == 0 ? "in place" : path % 3 == 1 ? "in size" : "in rotation"];
+    Largest& largest = of[path % 3 == 0 ? "in position" : path % 3 == 1 ? "in size" : "in rotation"];
     std::array<double, 4> last{};
     for (int i = 0; i < steps; ++i) {
         last = {last[1], last[2], last[3], double{value(static_cast<double>(i) / steps)}};

@@ -1,7 +1,7 @@
 #pragma once
 
 // gabor_lattice.glsl and the drop-ins that need it, translated to C++. Each class has the functions for one
-// number of taps as members. tests/golden checks that devices and translations give the same values.
+// number of taps as members. tests/render/test_golden.cpp checks that the device computes the same values.
 
 #include "compare.hpp"
 #include "reference/sum.hpp"
@@ -43,7 +43,7 @@ struct Lattice3 {
 
 #include "gabor_lattice_3d.hpp"
 
-    /// A direction map that jumps along the line x + y = 1.
+    /// A direction map with a jump across the line x + y = 1.
     static gabor_vec2 map_at(gabor_vec2 p) {
         return p.x + p.y > 1 ? gabor_vec2(1.5f, 0.25f * p.y) : gabor_vec2(-0.5f * p.x, 2);
     }
@@ -74,7 +74,7 @@ noise::Vector<N> random_unit(Draw& draw) {
     return noise::unit(v);
 }
 
-/// Converts lobes to those of the reference.
+/// Converts lobes to the reference's type.
 inline std::vector<noise::SpectrumLobe> reference_lobes(const Lattice3::GaborLobes& lobes,
                                                         std::uint32_t seed) {
     std::vector<noise::SpectrumLobe> all;
@@ -92,7 +92,7 @@ auto place_of(Functions&, const noise::Place<2>& place) {
                                           {period[0], period[1]}, animated,      static_cast<float>(time)};
 }
 
-/// The same in space, for the noise or, with `filtered`, for its mean over a pixel with the steps dx and dy.
+/// Converts a place in space. With `filtered`, the noise is averaged over a pixel with the steps dx and dy.
 template <typename Functions>
 typename Functions::GaborPlace3d place_of(Functions&, const noise::Place<3>& place, bool filtered = false,
                                           gabor_vec3 dx = {0, 0, 0}, gabor_vec3 dy = {0, 0, 0}) {
@@ -133,8 +133,8 @@ auto lattice_tile(int taps, const Vector& p, const Vector& tile) {
     return place;
 }
 
-/// Draws a place near the origin or in any cell, with or without a period, at rest or at any time. One
-/// coordinate in four is on or next to a cell border, where a window ends.
+/// Draws a position near the origin or in any cell, with or without a period, still or animated. Nearly half
+/// of all coordinates are on or next to a multiple of 1/2, where windows and cells may end.
 inline noise::Place<2> any_lattice_place(Draw& draw, int taps) {
     noise::Place<2> place;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -153,8 +153,8 @@ inline noise::Place<2> any_lattice_place(Draw& draw, int taps) {
     return place;
 }
 
-/// The standard deviation of one component of the gradient of isotropic noise in the plane. To its square,
-/// the waves contribute half of 4 pi^2 F^2, and the windows pi^2 / 3.
+/// The standard deviation of one component of the gradient of isotropic noise in the plane. The waves
+/// contribute 2 pi^2 F^2 to its square, and the windows pi^2 / 3.
 inline double isotropic_slope(double frequency) {
     using std::numbers::pi;
     return std::sqrt(2 * pi * pi * frequency * frequency + pi * pi / 3);

@@ -4,7 +4,7 @@
 
 namespace gabor::test {
 
-/// Arguments of functions in space.
+/// Arguments for the functions of noise in space.
 struct Sample3d {
     noise::Place<3> place;
     gabor_vec3 p{0, 0, 0}; ///< position in kernel radii, for functions that take no place

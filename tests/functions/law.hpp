@@ -49,7 +49,7 @@ inline Statistic sum_of(std::string name, double deviation, std::vector<Term> te
             }};
 }
 
-/// Compares statistics with the normal distribution, using a share of the samples. Each call of
+/// Compares statistics with the normal distribution over `share` times law_samples() samples. Each call of
 /// `instance()` returns the numbers of another instance as an array.
 template <typename Instance>
 void check_laws(double share, const Instance& instance, const std::vector<Statistic>& statistics) {
@@ -80,8 +80,8 @@ void check_laws(double share, const Instance& instance, const std::vector<Statis
     }
 }
 
-/// Compares the covariance of complex noise at two places with theory. An instance's numbers 0 and 1 are the
-/// parts at one place, and 2 and 3 those at the other.
+/// Compares the covariance of complex noise at two points with theory. An instance's numbers 0 and 1 are the
+/// parts at one point, and 2 and 3 those at the other.
 template <typename Instance>
 void check_covariance(Largest& largest, const Instance& instance, double expected, const std::string& name) {
     statistics::Moments products;
@@ -95,7 +95,7 @@ void check_covariance(Largest& largest, const Instance& instance, double expecte
     CHECK(error < 0.01);
 }
 
-/// Offsets of side^N places in a cell from its corner, which is the first place.
+/// Offsets from a cell's corner to side^N evenly spaced points; the first point is the corner.
 template <std::size_t N>
 std::vector<std::array<double, N>> places_of_cell(std::size_t side) {
     std::vector<std::array<double, N>> places(static_cast<std::size_t>(std::pow(side, N)));
@@ -109,18 +109,18 @@ std::vector<std::array<double, N>> places_of_cell(std::size_t side) {
     return places;
 }
 
-/// Collects the same number of values for each place of a cell or each normal of a surface. In theory, all
+/// Collects the same number of values for each point of a cell or each normal of a surface. In theory, all
 /// values are standard normal.
 class Laws {
   public:
-    /// `each` has the places or normals, which fmt::format turns into names.
+    /// `each` has the points or normals, which fmt::format turns into names.
     template <typename Each>
     explicit Laws(const std::vector<Each>& each) : moments_(each.size()), laws_(each.size()) {
         for (const Each& one : each)
             names_.push_back(fmt::format("{}", one));
     }
 
-    /// Adds values. `instance(k)` returns an array of an instance's numbers at the k-th place or normal.
+    /// Adds values. `instance(k)` returns an array of an instance's numbers at the k-th point or normal.
     template <typename Instance>
     void add(double count, const Instance& instance) {
         for (std::size_t i = 0; static_cast<double>(i) < count; ++i) {
@@ -171,7 +171,8 @@ class Laws {
         CHECK(std::abs(means - 1) < 5 * std::sqrt(2 / count));
         CHECK(std::abs(variances - 1) < 5 * std::sqrt(2 / count));
         CHECK(cvms.mean() - 4 * error < 0.05);
-        // The largest T - 1/6 of 2304 normal samples is about 1.2, and exceeds 2 in one case of 75.
+        // The largest of 2304 Cramér-von Mises statistics T of normal samples exceeds their mean of 1/6 by
+        // about 1.2, and in one case of 75 by more than 2.
         CHECK(cvms.maximum() < 0.5 + 2 * statistics::cvm_scale / n);
     }
 

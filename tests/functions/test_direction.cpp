@@ -25,7 +25,7 @@ std::string to_string(const Sample& s) {
 
 using Vectors = std::array<noise::Vector<2>, 9>;
 
-// The positions of the nine nodes around a place, row by row.
+// The positions of the nine nodes around a point, row by row.
 Vectors nodes_around(const noise::Place<2>& place) {
     Vectors nodes{};
     for (int k = 0; k < 9; ++k) {
@@ -51,7 +51,7 @@ noise::Field<2> along_map(const noise::Place<2>& place, std::uint32_t seed) {
     return noise::map_noise(waves, seed).field(place);
 }
 
-// Whether rounding can select other nodes around the place.
+// Whether rounding can select other nodes around the point.
 bool is_between_nodes(const noise::Place<2>& place) {
     return std::ranges::any_of(
         place.local, [](double local) { return std::abs(local + 0.5 - std::round(local + 0.5)) < 1e-4; });
@@ -66,12 +66,12 @@ bool is_ambiguous(const noise::Place<2>& place) {
 
 } // namespace
 
-TEST_CASE("noise along a map agrees with the reference in any cell, with any period, at any time",
+TEST_CASE("noise along a direction map agrees with the reference in any cell, with any period, at any time",
           "[direction][oracle]") {
     constexpr int count = 1 << 15;
     Draw draw(71);
     Differences of;
-    // Waves have up to 6 cycles per kernel radius, and a position of 8 radii is rounded by about 1e-6.
+    // Within 8 radii of the origin, waves have up to 6 cycles per radius, and p is rounded by about 1e-6.
     constexpr double tight = 3e-5, loose = 5e-4;
     int left_out = 0;
     for (int i = 0; i < count; ++i) {

@@ -18,9 +18,9 @@ namespace {
 struct Sample {
     std::int32_t column = 0, row = 0;
     gabor_vec2 local{0, 0}, period{0, 0}, dx{0, 0}, dy{0, 0};
-    std::optional<Terrain> base; // replaces the hills; exact in floats
+    std::optional<Terrain> base; // replaces the hills; exactly representable in floats
     std::uint32_t seed = 7;
-    noise::Erosion erosion; // exact in floats
+    noise::Erosion erosion; // exactly representable in floats
 
     noise::Ground ground() const { return {{column, row}, {local.x, local.y}, {period.x, period.y}}; }
     Sample beside(float x, float y) const {
@@ -116,7 +116,7 @@ Sample drawn(Draw& draw) {
     return s;
 }
 
-// Samples at random places, each in its own terrain.
+// Samples at random points, each in its own terrain.
 std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
     Draw draw(seed);
     std::vector<Sample> samples(count);
@@ -127,7 +127,7 @@ std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
     return samples;
 }
 
-// Samples of one octave of gullies, each on a plane that falls in a random direction.
+// Samples of one octave of gullies, each on a plane that slopes in a random direction.
 std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
     std::vector<Sample> samples = anywhere(count, seed);
     Draw draw(seed + 1);
@@ -142,7 +142,7 @@ std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
 // ---- Measures of a terrain. docs/performance.md has their values.
 
 // The largest step of the height over an interval of 1/64 that is halved 12 times. Each time, the half with
-// the larger step remains, so a jump keeps its size.
+// the larger step is kept, so a jump does not shrink.
 double largest_step(auto terrains) {
     double largest = 0;
     for (Sample left : anywhere(1 << 14, 1)) {
@@ -206,8 +206,8 @@ double pits(auto terrains) {
     return count / (8 * std::pow((side - 2) / 64.0, 2));
 }
 
-// The ratio of the largest curvature of gullies on planes to its root mean square. It shows spikes, which
-// could appear where waves cancel.
+// The largest curvature of gullies on planes, divided by the RMS curvature. A high ratio reveals spikes,
+// which could appear where waves cancel.
 double spikes(auto terrains) {
     constexpr float step = 1.0f / 64;
     double largest = 0, square = 0;
@@ -222,7 +222,7 @@ double spikes(auto terrains) {
     return largest / std::sqrt(square / static_cast<double>(samples.size()));
 }
 
-// How much more power slopes have along the axes than along the diagonals, as a share of all power.
+// How much more power the slopes have along the axes than along the diagonals, as a share of the total.
 double axes(auto terrains) {
     double fourfold = 0, power = 0;
     for (const Sample& s : anywhere(1 << 18, 5)) {
@@ -234,8 +234,8 @@ double axes(auto terrains) {
     return fourfold / power;
 }
 
-// How much the mean square of gullies on planes depends on the place in a cell of their lattice, which is
-// `cell` wide: (largest - least) / mean over 4 x 4 places.
+// How much the mean square of gullies on planes varies over a cell of their lattice, which is `cell` wide:
+// (largest - least) / mean over 4 x 4 parts of the cell.
 double cells(auto terrains, double cell) {
     std::array<statistics::Moments, 16> squares;
     for (const Sample& s : on_planes(1 << 18, 7)) {
@@ -250,7 +250,7 @@ double cells(auto terrains, double cell) {
     return (means.maximum() - means.minimum()) / means.mean();
 }
 
-// The RMS difference between the slope and finite differences of the height, divided by the RMS of these
+// The RMS difference between the slope and finite differences of the height, divided by the RMS of the finite
 // differences.
 double slope_error(auto terrains) {
     constexpr float step = 1.0f / 2048;
@@ -325,7 +325,7 @@ void check_properties(Terrains<Functions> terrains) {
     at_most("spikes", spikes(terrains), 9);
     at_most("axes", std::abs(axes(terrains)), 0.015);
     at_most("cells", cells(terrains, 2 / (0.8 * taps * 1.5)), 0.05);
-    at_most("error of the slope", slope_error(terrains), 0.64);
+    at_most("slope error", slope_error(terrains), 0.64);
 }
 
 template <typename Functions>
@@ -353,7 +353,7 @@ void check_tiles(Terrains<Functions> terrains) {
 
 } // namespace
 
-// Rounding in one octave turns the gullies of the next, so the tolerances are larger than the rounding.
+// Rounding in one octave rotates the gullies of the next, so the tolerances exceed the rounding errors.
 TEST_CASE("hills and erosion agree with the reference", "[erosion][oracle]") {
     compare(Terrains<test::Lattice2>());
     compare(Terrains<test::Lattice3>());
@@ -402,7 +402,8 @@ TEST_CASE("filtering gullies keeps the mean height", "[erosion]") {
     }
 }
 
-// The filter is normal, with a deviation of half the pixel's side. Only the mean remains in the last pixel.
+// The filter is Gaussian, with a deviation of half the pixel's side. The last pixel is so large that only the
+// mean remains.
 TEST_CASE("filtered hills are close to the mean of the hills over each pixel, and have the same overall mean",
           "[erosion]") {
     Terrains<test::Lattice3> terrains;
@@ -430,8 +431,8 @@ TEST_CASE("filtered hills are close to the mean of the hills over each pixel, an
         }
         error = std::sqrt(error / power);
         bias = std::abs(bias) / std::sqrt(power);
-        fmt::print("pixel {:.3f}: off by {:.4f} of the hills' deviation, by {:.4f} on average\n", pixel,
-                   error, bias);
+        fmt::print("pixel {:.3f}: rms error {:.4f} of the hills' deviation, bias {:.4f}\n", pixel, error,
+                   bias);
         CHECK(error < limit);
         CHECK(bias < 0.01);
     }

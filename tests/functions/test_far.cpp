@@ -1,5 +1,5 @@
-// Tests places far from the origin with fused products, which GPU compilers also use. Their different
-// rounding must not move a place out of its cell.
+// Tests points far from the origin with fused multiply-adds, which GPU compilers also use. Their different
+// rounding must not move a point out of its cell.
 
 #include "lattice_3d.hpp"
 
@@ -31,13 +31,13 @@ void check_variance(Functions n) {
 
 } // namespace
 
-TEST_CASE("the variance is 1 at any distance", "[far]") {
+TEST_CASE("the variance is 1 at any distance from the origin", "[far]") {
     check_variance(test::Lattice2());
     check_variance(test::Lattice3());
     check_variance(test::Lattice4());
 }
 
-TEST_CASE("the variance of solid noise is 1 at any distance", "[far]") {
+TEST_CASE("the variance of noise in space is 1 at any distance from the origin", "[far]") {
     constexpr int count = 20000;
     test::Lattice3 n;
     for (const double reach : {16.0, 1e5, 1e7, 3e7, 1e8, 1e9, 1.43e9}) {

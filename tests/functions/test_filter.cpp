@@ -43,7 +43,7 @@ Plane<N> random_plane(Draw& draw) {
         return plane_across(random_unit<3>(draw));
 }
 
-// Turns the plane by an angle: in the plane itself or, in space, around its second vector.
+// Rotates the two vectors by an angle: within the plane or, in space, around the second vector.
 Plane<2> turned(const Plane<2>& plane, double angle) {
     return {sum(std::cos(angle), plane[0], std::sin(angle), plane[1]),
             sum(-std::sin(angle), plane[0], std::cos(angle), plane[1])};
@@ -52,7 +52,7 @@ Plane<3> turned(const Plane<3>& plane, double angle) {
     return {sum(std::cos(angle), plane[0], std::sin(angle), cross(plane[0], plane[1])), plane[1]};
 }
 
-// The arguments of a filtered noise. All vectors are exact in floats.
+// The arguments of a filtered noise. All vectors are exactly representable in floats.
 template <std::size_t N>
 struct Sample {
     noise::Place<N> place;
@@ -100,8 +100,8 @@ Sample<N> somewhere(Draw& draw, double frequency) {
     return s;
 }
 
-// The result of a filtered function: the noise with its gradient, then the quadrature with its own, if the
-// function returns it.
+// The result of a filtered function: the noise with its gradient and, if the function returns it, the
+// quadrature with its gradient.
 template <std::size_t N>
 struct Filtered {
     std::vector<std::array<double, N + 1>> parts;
@@ -178,7 +178,8 @@ constexpr Function<3> isotropic_surface{
     },
     [](const auto& s) { return noise::isotropic_surface_noise(unit(s.normal), s.frequency, s.seed); }};
 
-// Variance of the gradient: a wave contributes 4 pi^2 F^2, and the window pi^2 / 3 along each axis.
+// The variance of the gradient: a wave contributes 4 pi^2 F^2, and the windows pi^2 / 3 along each axis that
+// has 1.5 nodes per kernel radius.
 template <std::size_t N>
 double gradient_variance(double frequency, const Vector<N>& nodes) {
     double variance = 4 * pi * pi * frequency * frequency;
@@ -235,7 +236,7 @@ struct Bounds {
     double value, slope;
 };
 
-// Checks random pixels. Those with a deviation up to 1/6 have other bounds than those up to 1/2.
+// Checks random pixels, with separate bounds for deviations up to 1/6 and up to 1/2.
 template <std::size_t N>
 void check_pixels(const Function<N>& function, bool periodic, Bounds of_small, Bounds of_large) {
     Draw draw(36);
@@ -260,7 +261,7 @@ struct Size {
     double deviation, bound, slope_bound = 0.1;
 };
 
-// Checks `count` places with pixels of each size and shape in a plane.
+// Checks pixels of each size and shape in a plane, at `count` points each.
 template <std::size_t N>
 void check_table(const Function<N>& function, int count, std::initializer_list<Size> sizes,
                  std::initializer_list<Shape> shapes, std::initializer_list<double> frequencies,
@@ -281,8 +282,8 @@ void check_table(const Function<N>& function, int count, std::initializer_list<S
             }
 }
 
-// Checks that the noise has no jumps as a pixel moves, grows or turns. Along a path that is as dense as
-// single precision allows, a change is the slope times the step, rounding, or a jump.
+// Checks that the noise has no jumps as a pixel moves, grows or turns. Paths are sampled as densely as single
+// precision allows, so a change that neither the slope nor rounding explains is a jump.
 template <std::size_t N>
 void check_paths(const Function<N>& function, int paths, int steps) {
     Draw draw(33);
@@ -299,7 +300,7 @@ void check_paths(const Function<N>& function, int paths, int steps) {
         test::check_path(of, path, steps, [&](double t) {
             Sample<N> s = sample;
             s.set_pixel(plane, angle, deviation, ratio);
-            if (path % 3 == 0) // 2 kernel radii
+            if (path % 3 == 0) // moves by 3 node spacings, or 2 kernel radii
                 s.place.local = wide(narrow(sum(1, s.place.local, 3 * t, direction)));
             else if (path % 3 == 1) // together, the paths cover all sizes from 1/256 to 2
                 s.set_pixel(plane, angle, std::exp2(-8 + 9 * (path / 3 + t) * 3 / paths), ratio);
@@ -426,7 +427,7 @@ TEST_CASE("functions of a position are filtered like fields", "[spectrum][space]
     test::check(of, 6);
 }
 
-TEST_CASE("the filter in the plane errs by at most 1 % up to a third of a radius, and 2 % up to a radius",
+TEST_CASE("the filter in the plane errs by at most 1 % for pixels up to 1/3 radius, and 2 % up to 1 radius",
           "[spectrum][filter][law]") {
     check_table(plane, 40, {{0.08, 0.01}, {1.0 / 6, 0.01}, {0.354, 0.02}, {0.5, 0.02}},
                 {{1, 0}, {0.3, pi / 8}, {0.3, 2}, {0, 0}, {0, pi / 8}, {0, pi / 4}}, {0, 0.25, 0.5, 1, 2},
@@ -435,9 +436,9 @@ TEST_CASE("the filter in the plane errs by at most 1 % up to a third of a radius
                 });
 }
 
-// Of all pixels, the diagonal line has the largest error: 1.81 % at frequency 0. Measured at 300 places, it
-// varies by 4 % of that.
-TEST_CASE("the filter in space errs by at most 1 % up to a third of a radius, and 2 % up to a radius",
+// Of all pixel shapes, a diagonal line has the largest error: 1.81 % at frequency 0. Estimates from 300
+// points vary by 4 % of that.
+TEST_CASE("the filter in space errs by at most 1 % for pixels up to 1/3 radius, and 2 % up to 1 radius",
           "[space][filter][law]") {
     check_table(space, 300, {{1.0 / 6, 0.01}, {0.5, 0.02}}, {{0, 0.8}, {1, 0.8}}, {0, 0.5, 2},
                 [](const auto&) {
@@ -445,9 +446,9 @@ TEST_CASE("the filter in space errs by at most 1 % up to a third of a radius, an
                 });
 }
 
-TEST_CASE(
-    "the filter of isotropic noise errs by at most 2 % up to 0.3 radii, and by 4 % up to 0.4 in the plane",
-    "[isotropic][space][filter]") {
+TEST_CASE("the filter of isotropic noise errs by at most 2 % for pixels up to 0.3 radii, and 4 % up to 0.4 "
+          "radii in the plane",
+          "[isotropic][space][filter]") {
     check_table(isotropic, 150, {{0.05, 0.006}, {0.15, 0.02}, {0.2, 0.04, 0.14}},
                 {{1, 0}, {0.3, 0.5}, {0.3, 2}}, {0, 1, 3}, [](const auto&) {
                     return Plane<2>{{{1, 0}, {0, 1}}};
@@ -464,8 +465,9 @@ TEST_CASE("the variance that the filter removes from isotropic noise is right fo
     check_removed(isotropic_surface);
 }
 
-// A lobe of variance 1/12 along each axis keeps the share d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F) of
-// its variance, where S is the pixel's covariance and d the determinant of 1 + 2/3 pi^2 S.
+// A Gaussian lobe of variance 1/12 along each axis keeps the share
+//     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F)
+// of its variance, where S is the pixel's covariance and d the determinant of 1 + 2/3 pi^2 S.
 TEST_CASE("the variance that the filter removes agrees with the formula", "[spectrum][filter][oracle]") {
     Draw draw(40);
     Largest removed;
@@ -483,7 +485,7 @@ TEST_CASE("the variance that the filter removes agrees with the formula", "[spec
     removed.check("removed variance");
 }
 
-// For a long, thin pixel, the exponent is a small difference of large products.
+// For a long, thin pixel, the exponent in the formula above is a small difference of large products.
 TEST_CASE("the variance that the filter removes is between 0 and 1 for pixels of any length",
           "[spectrum][filter]") {
     Draw draw(38);

@@ -28,7 +28,7 @@ struct Anywhere : Sample3d {
         seed = draw.word();
         place.time = here.time = draw.uniform(-2, 2);
         place.animated = here.animated = animated;
-        if (draw.one_in(4)) // near the normal, where another direction replaces this one
+        if (draw.one_in(4)) // near the normal, where the function switches to another direction
             direction = normal + draw.uniform<gabor_vec3>(-0.3, 0.3);
         for (std::size_t axis = 0; periodic && axis < 3; ++axis) {
             place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
@@ -48,7 +48,8 @@ double slope_tolerance(double frequency) {
 void see_field(Largest& largest, const test::Lattice3::GaborField3d& field, const noise::Field<3>& expected,
                const Anywhere& s) {
     const double tight = tolerance(s.frequency);
-    // Where a window ends, the derivative of its slope jumps by pi^2 / 2 within the rounding of `local`.
+    // Where a window ends, its second derivative jumps by pi^2 / 2, so the rounding of `local` changes the
+    // slope by up to 5 times as much.
     double loose = slope_tolerance(s.frequency);
     for (const double local : s.place.local)
         loose = std::max(loose, 5 * 0x1p-23 * std::abs(local));
@@ -62,7 +63,7 @@ void see_field(Largest& largest, const test::Lattice3::GaborField3d& field, cons
     largest.see(field.removed, 0, tight, s); // without the filter
 }
 
-// (noise, gradient)
+// Compares a noise and its gradient, given as (noise, gradient).
 void see_gradient(Largest& largest, gabor_vec4 found, const noise::Field<3>& expected, const Anywhere& s) {
     largest.see(found.x, expected.value.imag(), tolerance(s.frequency), s);
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -1,5 +1,5 @@
 // Checks over independent instances that the lattice's noises, in the plane, in space and on surfaces, are
-// normal at each place and jointly.
+// normal at each point and jointly.
 
 #include "lattice_3d.hpp"
 #include "law.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr double half = 0.5, quarter = 0.25; // shares of the samples
 
-// Checks noise of any direction, without and with periods, at side^N places of a cell. `values` returns the
+// Checks noise of any direction, with and without periods, at side^N points of a cell. `values` returns the
 // noise and its quadrature.
 template <std::size_t N>
 void check_cell(int taps, std::size_t side, auto values) {
@@ -152,7 +152,8 @@ std::array<float, 5> numbers_of(const test::Lattice3::GaborField3d& field) {
     return {field.quadrature, field.noise, field.gradient.x, field.gradient.y, field.gradient.z};
 }
 
-// The covariance of two places along the lattice's axes, from the nodes whose windows reach both.
+// The covariance of the noise at two points that are `lag` node spacings apart, from the nodes whose windows
+// reach both.
 double covariance(const Sample3d& sample, const std::array<double, 3>& lag) {
     double product = 1, turns = 0;
     const Vector direction = noise::unit(test::wide(sample.direction));
@@ -185,7 +186,7 @@ std::vector<Statistic> of_isotropic(double slope, const std::vector<test::Term>&
 
 } // namespace
 
-TEST_CASE("the lattice noise is normal at each of 16 x 16 places of a cell, and of 4 x 4 x 4 in space",
+TEST_CASE("the lattice noise is normal at each of 16 x 16 points of a cell, and of 4 x 4 x 4 in space",
           "[law]") {
     const auto in_plane = [](auto functions) {
         return [functions](const auto& place, float frequency, const auto& direction,
@@ -204,8 +205,8 @@ TEST_CASE("the lattice noise is normal at each of 16 x 16 places of a cell, and 
     });
 }
 
-TEST_CASE("the lattice noise, its gradient, quadrature and phasor, four noises, and pairs of places are "
-          "jointly normal",
+TEST_CASE("the lattice noise, its gradient, quadrature and phasor, the noises of gabor_noise_four, and "
+          "values at pairs of points are jointly normal",
           "[law]") {
     check_joint(test::Lattice3());
     check_joint(test::Lattice4());
@@ -237,7 +238,7 @@ TEST_CASE("surface noise on the lattice is normally distributed for every surfac
             Sample3d s = solid_sample(draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
             s.normal = {normals[k][0], normals[k][1], normals[k][2]};
             s.direction = test::narrow(test::random_unit<3>(draw));
-            if (draw.word() % 2) // near the normal, where another direction replaces this one
+            if (draw.word() % 2) // near the normal, where the function switches to another direction
                 s.direction = s.normal + 0.45f * s.direction;
             const auto field =
                 isotropic
@@ -249,16 +250,14 @@ TEST_CASE("surface noise on the lattice is normally distributed for every surfac
     }
 }
 
-TEST_CASE(
-    "noise on the lattice in space is jointly normal with its gradient and quadrature, at pairs of places, "
-    "and in four noises",
-    "[law]") {
+TEST_CASE("lattice noise in space is jointly normal with its gradient and quadrature, at pairs of points, "
+          "and in gabor_noise_3d_four",
+          "[law]") {
     Draw draw(41);
     for (const auto& place : {std::array{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0.0f}}) {
         const Vector wave = noise::unit(test::wide(solid_sample(draw, place).direction));
-        // sum h'^2 = pi^2 / 4 * 3/2 and sum h^2 = 9/8 along an axis, so a slope has the variance pi^2 / 3 +
-        // (2 pi F)^2, two slopes have the covariance 4 pi^2 F_x F_y, and d/dx and the quadrature have 2 pi
-        // F_x.
+        // sum h'^2 = pi^2 / 4 * 3/2 and sum h^2 = 9/8 along an axis, so d/dx has the variance pi^2 / 3 +
+        // (2 pi F_x)^2, the covariance 4 pi^2 F_x F_y with d/dy, and 2 pi F_x with the quadrature.
         const auto slope = [&](std::size_t axis) {
             return std::hypot(pi / std::sqrt(3), 2 * pi * wave[axis]);
         };
@@ -292,7 +291,7 @@ TEST_CASE(
                       sum_of("all four", 2, {{0}, {1}, {2}, {3}})});
 }
 
-TEST_CASE("isotropic noise in the plane and its gradient are normal at fixed places", "[law]") {
+TEST_CASE("isotropic noise in the plane and its gradient are normal at fixed points", "[law]") {
     Draw draw(62);
     for (const float frequency : {0.0f, 1.0f, 4.0f}) {
         for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, 0.0f}}) {
@@ -309,7 +308,7 @@ TEST_CASE("isotropic noise in the plane and its gradient are normal at fixed pla
     }
 }
 
-TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal at fixed places", "[law]") {
+TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal at fixed points", "[law]") {
     constexpr std::array node{0.0f, 0.0f, 0.0f}, middle{0.5f, 0.5f, 0.5f}, other{0.25f, 0.5f, 0.0f};
     struct Where {
         const char* name;
@@ -320,8 +319,8 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
          {Where{"in space, at a node", node}, Where{"in space, elsewhere", other},
           Where{"at a pole", node, {0, 0, 1}}, Where{"between two frames", middle, {0.6f, 0, 0.8f}}}) {
         Draw draw(42);
-        // To the variance of the derivative along an axis or a tangent, the waves contribute 4/3 pi^2 F^2 in
-        // space or 2 pi^2 F^2 on a surface, and the windows pi^2 / 3. One tangent is in the x-z plane, the
+        // The variance of the derivative along an axis or a tangent is pi^2 / 3 from the windows, plus 4/3
+        // pi^2 F^2 in space or 2 pi^2 F^2 on a surface from the waves. One tangent is in the x-z plane, the
         // other is the y axis.
         const bool on_surface = normal.z != 0;
         const double slope = std::sqrt(pi * pi / 3 + pi * pi * (on_surface ? 2 : 4.0 / 3));
@@ -339,9 +338,9 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
     }
 }
 
-// The covariance is that of the windows times the transform of the spectrum: J_0(t) for an even ring, and
-// sin(t) / t for an even shell, with t = 2 pi F |lag|.
-TEST_CASE("the covariance of isotropic noise is that of an even ring or shell of waves, in every direction",
+// The covariance is that of the windows times the transform of the spectrum: J_0(t) for a uniform ring, and
+// sin(t) / t for a uniform shell, with t = 2 pi F |lag|.
+TEST_CASE("the covariance of isotropic noise is that of a uniform ring or shell of waves, in every direction",
           "[law]") {
     Draw draw(35);
     test::Largest plane, space;
@@ -390,9 +389,9 @@ TEST_CASE("the covariance of isotropic noise is that of an even ring or shell of
     space.check("in space, in units of 4.5 standard errors");
 }
 
-// The value has variance 1, and the gradient the covariance sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum
-// h^2)^2.
-TEST_CASE("noise along a map that is read at the nodes is normal at every place", "[law]") {
+// The value has variance 1, and the gradient has the covariance
+//     sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2.
+TEST_CASE("noise with a different wave at each node is normal at every point", "[law]") {
     Draw draw(3);
     for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, -0.4f}, {-0.5f, 0.1f}}) {
         test::Lattice3::GaborWaves waves;

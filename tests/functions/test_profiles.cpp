@@ -102,13 +102,14 @@ TEST_CASE("filtered stripes are the mean of stripes over the removed noise", "[p
         const auto stripes_at = [&](const noise::Place<2>& place) {
             return noise::lattice_stripes(lattice.field(place).value, sharpness);
         };
-        see(of["of a point"], n.gabor_stripes_filtered(p, {0, 0}, {0, 0}, wave, sharpness, seed),
-            stripes_at(here), 2e-4, where);
+        see(of["gabor_stripes_filtered, pixel of size 0"],
+            n.gabor_stripes_filtered(p, {0, 0}, {0, 0}, wave, sharpness, seed), stripes_at(here), 2e-4,
+            where);
         const noise::Place<2> place = test::any_lattice_place(draw, 3);
         const gabor_vec4 placed = n.gabor_stripes_filtered_at(
             place_of(n, place), wave, n.gabor_footprint({0, 0}, {0, 0}), sharpness, seed);
-        see(of["gabor_stripes_filtered_at of a point"], placed, stripes_at(place), 2e-4, where);
-        of["gabor_stripes_filtered_at of a point"].see(placed.w, 0, 1e-6, where);
+        see(of["gabor_stripes_filtered_at, pixel of size 0"], placed, stripes_at(place), 2e-4, where);
+        of["gabor_stripes_filtered_at, pixel of size 0"].see(placed.w, 0, 1e-6, where);
     }
     test::check(of, 5);
 }

@@ -59,8 +59,8 @@ void compare(Functions n) {
     Draw draw(1);
     Differences of;
     for (int batch = 0; batch < 34; ++batch) {
-        // Frequencies cover 0.1 to 64 evenly in octaves. At the first, the shader switches from a power
-        // series to a recurrence.
+        // Frequencies cover 0.1 to 64 evenly in octaves. At the first frequency, the shader switches from a
+        // power series to a recurrence.
         const float frequency = batch == 0 ? 0.63662f : 0.1f * static_cast<float>(std::exp2(batch * 0.28281));
         const float orientation =
             batch % 4 == 0 ? static_cast<float>(batch / 4) * 0.78539816f : draw.uniform(-8, 8);
@@ -164,11 +164,11 @@ TEST_CASE("periods of the sparse noise in space and time agree with the referenc
     });
 }
 
-// A difference errs by h^2 / 6 times the third derivative, which is (2 pi F)^3 times a few sigma.
+// A central difference errs by h^2 / 6 times the third derivative, which is (2 pi F)^3 times a few sigma.
 template <std::size_t N>
 void check_gradient(Draw& draw, const auto& reference) {
     noise::Place<N> place;
-    for (std::size_t axis = 0; axis < N; ++axis) // often on the edge of a cell or window
+    for (std::size_t axis = 0; axis < N; ++axis) // sometimes on the edge of a cell or window
         place.local[axis] = std::floor(draw.uniform(-8, 8) * 256) / 256;
     for (std::size_t axis = 0; axis < N; ++axis) {
         constexpr double h = 0x1p-14;
@@ -202,9 +202,9 @@ TEST_CASE("frequencies outside the range are clamped", "[sparse]") {
     CHECK(std::isfinite(noise(std::numeric_limits<float>::infinity())));
 }
 
-// By quadrature of the characteristic functions, `one` and `pure` have a cvm of 0.01 and 0.007. That of
-// `paper` is 2^18 (kurtosis / 24)^2 0.1429, with the exact excess kurtosis by quadrature from Campbell's
-// theorem and the effect of stratification.
+// By quadrature of the characteristic functions, the cvm of `one` is 0.01 and that of `pure` 0.007. That of
+// `paper` is 2^18 (kurtosis / 24)^2 * 0.1429, where 0.1429 is the integral of (phi He_3)^2 dPhi. Its exact
+// excess kurtosis follows from Campbell's theorem, by quadrature, and from the effect of stratification.
 TEST_CASE("the sparse noises have variance 1, also in tiles, and the predicted kurtosis and cvm",
           "[sparse][law]") {
     const auto check = [](auto n, double excess_kurtosis, double most_cvm) {

@@ -46,7 +46,7 @@ std::string to_string(const Sample& s) {
         s.seed, lobes, test::to_string(s.place));
 }
 
-// Draws one wave at any place up to `reach`.
+// Draws one wave, and a point with coordinates up to `reach`.
 Sample somewhere(Draw& draw, double reach, double frequency) {
     Sample s;
     s.p = draw.uniform<gabor_vec2>(-reach, reach);
@@ -143,8 +143,8 @@ TEST_CASE("spreads, lobes and the filter agree with the reference in tiles, in f
         float removed;
         const auto filtered = n.gabor_field_filtered(place, n.gabor_kernel(s.frequency, s.orientation),
                                                      n.gabor_footprint({0, 0}, {0, 0}), s.seed, removed);
-        see(of["gabor_field_filtered without a footprint"],
-            of["gabor_field_filtered without a footprint, gradient"], filtered,
+        see(of["gabor_field_filtered, pixel of size 0"],
+            of["gabor_field_filtered, pixel of size 0, gradient"], filtered,
             noise::wave_noise(3, noise::wave_along(s.frequency, s.orientation), s.seed).field(s.place), 1e-4,
             3e-3, s);
         if (place.cell.x < 16 && place.cell.y < 16)
@@ -173,7 +173,7 @@ TEST_CASE("isotropic noise agrees with the reference in any cell, with any perio
         float removed;
         const auto filtered = n.gabor_field_isotropic_filtered(
             place_of(n, s.place), s.frequency, n.gabor_footprint({0, 0}, {0, 0}), s.seed, removed);
-        of["filtered by a point"].see(filtered.value.y, field.value.y, few, s);
+        of["gabor_field_isotropic_filtered, pixel of size 0"].see(filtered.value.y, field.value.y, few, s);
         const auto here = reference.field(s.here());
         of["gabor_noise_isotropic"].see(n.gabor_noise_isotropic(s.p, s.frequency, s.seed), here.value.imag(),
                                         far, s);

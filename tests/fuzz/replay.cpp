@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
         for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::absolute(argv[i]))) {
             std::ifstream file(entry.path(), std::ios::binary);
             const std::string input(std::istreambuf_iterator<char>(file), {});
-            std::fprintf(stderr, "%s\n", entry.path().c_str()); // after a failure, the last name is at fault
+            std::fprintf(stderr, "%s\n", entry.path().c_str()); // after a crash, the last name is the culprit
             LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
             ++inputs;
         }

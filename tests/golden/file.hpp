@@ -15,7 +15,7 @@
 
 namespace gabor::test {
 
-/// The calls that a file lists.
+/// Returns the calls that a golden file lists.
 inline std::vector<std::string> calls(const std::string& path) {
     std::vector<std::string> calls;
     std::ifstream file(path);
@@ -30,7 +30,7 @@ inline std::vector<std::string> calls(const std::string& path) {
 inline bool is_in_range(const std::string& call, int point, float value) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
     const int kind = std::abs(point) % 5;                       // as in functions.glsl
-    const bool is_sine = has("noise_complex(s.p, s.frequency"); // its quadrature grows at low frequency
+    const bool is_sine = has("noise_complex(s.p, s.frequency"); // a sine's quadrature grows at low frequency
     if (kind == 0 && has("isotropic_filtered"))                 // no promise above frequency 10^6
         return true;
     if (has("gabor_footprint(s.dx, s.dy).") ||
@@ -44,19 +44,19 @@ inline bool is_in_range(const std::string& call, int point, float value) {
            std::bit_cast<std::uint32_t>(unlimited ? std::numeric_limits<float>::max() : 200.0f);
 }
 
-/// The results of calls at 64 points, to compare with the file of this version's results.
+/// The results of calls at 64 points, for comparison with a golden file.
 class Rows {
   public:
     static constexpr int points = 64;
     static constexpr int numbers = 16; ///< per line of the file, each a sum over every 16th point
 
-    /// Starts a point, to which the values seen from now on belong.
+    /// Starts a point: the values seen from now on belong to it.
     void begin(int point) {
         point_ = point;
         call_ = 0;
     }
 
-    /// `call` may be empty if it is unknown.
+    /// Records the point's next value. `call` may be empty if it is unknown.
     void see(const std::string& call, double value) {
         if (call_ == rows_.size())
             rows_.push_back({call, {}});
@@ -65,8 +65,8 @@ class Rows {
     }
 
     /// Whether the file at `path` has the same calls and the same sums within `tolerance`, or within `far`
-    /// for the last quarter of the points, which are far from the origin. Prints the differences. With
-    /// GABOR_GOLDEN=write in the environment, writes the file instead and fails.
+    /// for the last quarter of a line's sums, whose points are far from the origin. Prints the differences.
+    /// With GABOR_GOLDEN=write in the environment, writes the file instead and fails.
     bool compare(const std::string& path, double tolerance, double far) const {
         const char* mode = std::getenv("GABOR_GOLDEN");
         if (mode && std::string(mode) == "write")

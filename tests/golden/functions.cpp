@@ -1,7 +1,7 @@
 // `functions FILE` compares the results of the drop-ins' C++ translations with a file in this folder, or
 // writes the file if GABOR_GOLDEN=write. It also checks that results for arbitrary arguments are finite. A
-// line of the file has a call and 16 numbers, each a sum over 4 points. `functions FIRST COUNT` writes the
-// results at COUNT points from FIRST on to stdout, as floats, call after call at each point.
+// line of the file has a call and 16 numbers, each a sum over 4 points. `functions FIRST COUNT` writes floats
+// to stdout: the results of all calls at point FIRST, then at the next, and so on for COUNT points.
 
 #include "file.hpp"
 
@@ -83,7 +83,7 @@ int main(int count, char** arguments) {
         rows.begin(point);
         see_all(point);
     }
-#if defined GABOR_ROUNDING // fused products are not rounded, which moves places far away
+#if defined GABOR_ROUNDING // fused products are not rounded, which shifts distant points
     const bool same = rows.compare(arguments[1], 1e-4, 0.2);
 #else
     const bool same = rows.compare(arguments[1], 2e-6, 2e-6);

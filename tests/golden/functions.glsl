@@ -33,9 +33,9 @@ uint random_word(int point, int k) {
     return word ^ (word >> 15u);
 }
 
-// A number from low to high.
+// A number from low to high, the same with every compiler.
 float drawn(int point, int k, float low, float high) {
-    precise float above = (high - low) * (float(random_word(point, k) >> 8u) / 16777216.0f); // every compiler draws the same number
+    precise float above = (high - low) * (float(random_word(point, k) >> 8u) / 16777216.0f);
     return low + above;
 }
 
@@ -57,7 +57,7 @@ float any_within(int point, int k, float most) {
     return abs(value) <= most ? value : min(most, 1.0e30f) * drawn(point, k + 500, -1.0f, 1.0f);
 }
 
-// With three taps, even integers are nodes, and windows end at odd ones.
+// With three taps, nodes lie at even integers, and windows end at odd ones.
 float coordinate(int point, int k) {
     int kind = point / 4 % 4;
     float far = drawn(point, k, -2.0e4f, 2.0e4f);
@@ -112,7 +112,7 @@ Point any_of(Point s, int i) {
         s.dx = vec2(s.dx_3d.x, s.dx_3d.y);
         s.dy = vec2(s.dy_3d.x, s.dy_3d.y);
     }
-#if !defined GOLDEN_SPECTRUM // profiles of the spectrum use the direction as stripes
+#if !defined GOLDEN_SPECTRUM // in the spectrum set, profiles take the direction as stripes
     if (kind == 4) {
         s.direction = vec3(any_within(i, 122, 1.0e15f), any_within(i, 123, 1.0e15f), any_within(i, 124, 1.0e15f));
         s.normal = vec3(any_within(i, 125, 1.0e15f), any_within(i, 126, 1.0e15f), any_within(i, 127, 1.0e15f));
@@ -251,7 +251,7 @@ void see_all(int i) {
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
 #endif
 #if defined GOLDEN_SPECTRUM
-    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // small, because lobes whose radius is not 1 round positions
+    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // small, because positions are rounded unless a lobe's radius is 1
     GaborLobes lobes;
     lobes.count = 5; // only GABOR_LOBES are used
     lobes.lobe[0] = gabor_lobe(s.frequency, s.orientation, 1.0f, 2.0f);
@@ -314,7 +314,7 @@ void see_all(int i) {
     SEE(kept(gabor_noise_lobes_filtered(p, s.dx, s.dy, ellipses, s.seed)))
 #endif
 #if defined GOLDEN_DIRECTION
-    vec2 p = i / 4 % 4 == 3 ? 1.0e-3f * s.p : s.p; // the map grows with p
+    vec2 p = i / 4 % 4 == 3 ? 1.0e-3f * s.p : s.p; // the map's frequencies grow with p
     GaborPlace place = gabor_place(s.cell, s.local);
     place.radius *= 0.9f;
     place.period = ivec2(7, 12);

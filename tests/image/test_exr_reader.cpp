@@ -56,7 +56,7 @@ constexpr Imf::PixelType type_of<Imath::half> = Imf::HALF;
 template <>
 constexpr Imf::PixelType type_of<unsigned> = Imf::UINT;
 
-/// Builds a file from its channels.
+/// An EXR as another program would write it, built channel by channel.
 class Foreign {
   public:
     explicit Foreign(Imf::Compression compression = Imf::ZIP_COMPRESSION)
@@ -114,7 +114,7 @@ std::string refusal(const fs::path& path, const std::vector<std::string>& channe
     return "accepted";
 }
 
-/// Returns the file with other values after `mark`.
+/// Returns the file's bytes with `values` in place of those after `mark`.
 template <std::size_t n>
 std::string patched(std::string file, std::string_view mark, const std::array<std::int32_t, n>& values) {
     const std::size_t start = file.find(mark);

@@ -67,7 +67,7 @@ const Rect small = {0, 0, 8, 5};
 
 } // namespace
 
-TEST_CASE("Every compression keeps every bit, with any bands", "[exr]") {
+TEST_CASE("Every compression keeps every bit, with bands of any height", "[exr]") {
     const ScratchFolder folder;
     const auto path = folder / "out.exr";
     const Rect window = {3, 5, 61, 150};
@@ -156,7 +156,7 @@ TEST_CASE("An unfinished EXR does not appear", "[exr]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("A full disk makes an EXR fail with an error", "[exr]") {
+TEST_CASE("Writing an EXR to a full disk fails with an error", "[exr]") {
     using Catch::Matchers::Contains;
     CHECK_THROWS_WITH(ExrWriter("/dev/full", {small, small, {"Y"}, "none", {}}),
                       Contains("/dev/full: No space left on device"));

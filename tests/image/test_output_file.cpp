@@ -109,7 +109,7 @@ TEST_CASE("A file appears under its name only after commit", "[output_file]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("An older file stays until commit and is replaced then", "[output_file]") {
+TEST_CASE("An older file stays until commit, which replaces it", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
     write_file(path, "a longer old content");
@@ -126,7 +126,7 @@ TEST_CASE("An older file stays until commit and is replaced then", "[output_file
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("The mode is that of an ordinary new file", "[output_file]") {
+TEST_CASE("A file's mode is that of an ordinary new file", "[output_file]") {
     const ScratchFolder folder;
     const mode_t before = ::umask(027);
     replace(folder / "narrow", "");
@@ -137,7 +137,7 @@ TEST_CASE("The mode is that of an ordinary new file", "[output_file]") {
     CHECK(mode(folder / "wide") == 0666);
 }
 
-TEST_CASE("A name that cannot be a file is refused with one line", "[output_file]") {
+TEST_CASE("A name that cannot be a file is refused with a one-line message", "[output_file]") {
     using Catch::Matchers::Contains;
     const ScratchFolder folder;
     write_file(folder / "file", "");
@@ -209,7 +209,7 @@ TEST_CASE("A FIFO receives the data in order", "[output_file]") {
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("A failing disk is not reported as a wrong request", "[output_file]") {
+TEST_CASE("A failing disk is not reported as an invalid request", "[output_file]") {
     const ScratchFolder folder;
     const fs::path path = folder / "out";
     // The file size limit stands in for a full disk: it cuts the first write short and makes the next one

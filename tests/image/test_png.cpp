@@ -37,7 +37,7 @@ Picture decode(const std::filesystem::path& path) {
 
 } // namespace
 
-TEST_CASE("A PNG decodes to the nearest of 256 steps", "[png]") {
+TEST_CASE("A PNG decodes to the nearest of 256 levels", "[png]") {
     const ScratchFolder folder;
     const auto path = folder / "out.png";
     const int channels = GENERATE(1, 3);
@@ -99,6 +99,6 @@ TEST_CASE("An unfinished PNG does not appear", "[png]") {
     CHECK_THROWS_AS(PngWriter(folder / "missing/out.png", 8, 2, 1), RequestError);
 }
 
-TEST_CASE("A full disk makes a PNG fail with an error", "[png]") {
+TEST_CASE("Writing a PNG to a full disk fails with an error", "[png]") {
     CHECK_THROWS_WITH(PngWriter("/dev/full", 8, 2, 1), "cannot write /dev/full: No space left on device");
 }

@@ -78,7 +78,7 @@ class Install(unittest.TestCase):
             self.configure("-DWANTED_VERSION=99.0")
 
     def test_targets_serve_an_installed_and_a_fetched_copy(self):
-        """Builds a project with the lines of shaders/nodes/cpp/README.md, once with find_package and once with FetchContent."""
+        """Builds a project with the code in shaders/nodes/cpp/README.md, once with find_package and once with FetchContent."""
         main = "#include \"gabor_lattice.hpp\"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n"
         ways = {"found": "find_package(gabor-noise CONFIG REQUIRED)",
                 "fetched": f"include(FetchContent)\nset(GABOR_BUILD_HOST OFF)\n"

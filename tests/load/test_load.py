@@ -1,5 +1,5 @@
-"""Runs many processes, and renders pictures larger than memory. GABOR_LONG=1 runs everything, which takes half an hour
-and 10 GiB of disk."""
+"""Runs many processes, and renders large pictures in limited memory. GABOR_LONG=1 runs everything, which takes half an
+hour and 10 GiB of disk."""
 
 import os
 import pathlib
@@ -16,7 +16,7 @@ from program import PROGRAM, ProgramTest, environment  # noqa: E402
 LONG = os.environ.get("GABOR_LONG")
 MIB = 1 << 20
 
-# The limit on resident memory for any picture. Most memory belongs to the driver and grows with the number of threads.
+# The limit on resident memory for any picture. Most of this memory belongs to the driver and grows with the number of threads.
 BOUND = 512 * MIB
 
 
@@ -41,7 +41,7 @@ class Load(ProgramTest):
         self.assertEqual(set(self.files()), {"out.exr"})
 
     def test_processes_at_once_write_whole_files(self):
-        """Processes that run at once write to different names, then all to one name."""
+        """Concurrent processes write to different names, then all to one name."""
         self.run_measured("render", "-o", "alone.exr", "--size=900x900")
         names = [f"{i}.exr" for i in range(8)]
         for outputs in (names, ["one.exr"] * 8):

@@ -57,7 +57,7 @@ void check_growth(const char* name, int times, Work work) {
     fmt::print("{} {}: memory {:.1f} MiB and {:+.2f}, descriptors {} and {:+}\n", times, name, memory_before,
                grown, descriptors_before, descriptors() - descriptors_before);
     CHECK(descriptors() == descriptors_before);
-    CHECK(grown < 4); // MiB; the reserve that allocators keep varies by less
+    CHECK(grown < 4); // MiB; the memory that allocators keep in reserve varies by less
 }
 
 } // namespace

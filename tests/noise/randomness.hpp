@@ -1,6 +1,6 @@
 #pragma once
 
-// Helps to test words as random numbers.
+// Helpers for testing the randomness of hash words.
 
 #include <cmath>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace gabor::test {
 
-/// The number of draws per figure: GABOR_DRAWS, or 2 10^6 if it is not set.
+/// The number of draws per statistic: GABOR_DRAWS, or 2 * 10^6 if it is not set.
 inline std::uint64_t draws() {
     const char* text = std::getenv("GABOR_DRAWS");
     return text ? std::strtoull(text, nullptr, 10) : 2'000'000;

@@ -55,7 +55,7 @@ TEST_CASE("lines at any distance have equal, nearly equal or opposite words only
                     ((a - b) & 0xfffff) == 0 || ((a + b) & 0xfffff) == 0; // equal or opposite imaginary parts
             }
             INFO("axis " << axis << ", distance " << distance << ": " << equal_here << " equal, " << near_here
-                         << " nearly, " << low_here << " in the low bits");
+                         << " nearly equal, " << low_here << " with equal or opposite low bits");
             CHECK(equal_here < most(seeds * 0x1p-22));
             CHECK(near_here < most(seeds * 64 * 0x1p-22));
             CHECK(low_here < most(seeds * 0x1p-18));
@@ -63,7 +63,8 @@ TEST_CASE("lines at any distance have equal, nearly equal or opposite words only
             near += near_here;
             low += low_here;
         }
-        fmt::print("axis {}: {} lines equal, {} nearly, {} in the low bits\n", axis, equal, near, low);
+        fmt::print("axis {}: {} lines equal, {} nearly equal, {} with equal or opposite low bits\n", axis,
+                   equal, near, low);
         CHECK(equal < most(pairs * 0x1p-22));
         CHECK(near < 1.1 * pairs * 64 * 0x1p-22);
         CHECK(low < most(pairs * 0x1p-18));
@@ -145,7 +146,7 @@ TEST_CASE("the fields of small seeds and of lobe seeds do not correlate", "[ampl
                 largest = std::max({largest, std::abs(with) / side, std::abs(mirrored) / side});
             }
         fmt::print("{}: largest correlation {:.2f} deviations\n", lobes ? "lobes" : "small seeds", largest);
-        CHECK(largest < 5); // one in a million sets of 4032 moduli of normal complex numbers exceeds it
+        CHECK(largest < 5); // fewer than one in a million sets of 4032 complex normal numbers reach 5
     }
 }
 
@@ -180,7 +181,7 @@ TEST_CASE("periodograms of lines, diagonals and increments are flat", "[amplitud
              return Complex(sign(value.real()), sign(value.imag())) / std::numbers::sqrt2;
          })},
     };
-    // The largest of 65536 exponential numbers is 11.1 on average; one in 5 * 10^4 sets reaches 22.
+    // The largest of 65536 exponential numbers is 11.7 on average; one in 5 * 10^4 sets reaches 22.
     for (const auto& [name, peak] : peaks) {
         fmt::print("{}: largest power of a wave {:.1f}\n", name, peak);
         CHECK(peak < 22);

@@ -1,4 +1,4 @@
-// Tests the lattice noise's windows, and the words and amplitudes of its nodes as random numbers.
+// Tests the lattice noise's windows, and the randomness of its nodes' hash words and amplitudes.
 
 #include "../largest.hpp"
 #include "randomness.hpp"
@@ -31,7 +31,7 @@ struct Offset {
     int x, y;
 };
 
-// The words around the i-th node of a sequence, which goes over seeds or through a square.
+// The words around the i-th node of a sequence, which runs over seeds or over the nodes of a square.
 class Words {
   public:
     Words(bool over_seeds, std::uint64_t i)
@@ -50,7 +50,7 @@ std::string name(bool over_seeds) {
     return over_seeds ? "over seeds" : "in a square";
 }
 
-// Numbers with mean 0 and variance 1 from a word: the amplitude's parts and their squares.
+// Numbers with mean 0 and variance 1 from a word: its amplitude's uniform numbers and their squares.
 std::array<double, 4> numbers(std::uint32_t word) {
     const double high = static_cast<std::int32_t>(word) * 0x1p-31;
     const double low = static_cast<std::int32_t>(word << 12) * 0x1p-31;
@@ -61,7 +61,7 @@ std::array<double, 4> numbers(std::uint32_t word) {
 
 } // namespace
 
-TEST_CASE("the variances of the lattice noise and its derivatives are the same at every place", "[lattice]") {
+TEST_CASE("the variances of the lattice noise and its derivatives are the same at every point", "[lattice]") {
     for (const int taps : {2, 3, 4}) {
         for (int k = 0; k < 64; ++k) {
             double value = 0, slope = 0, curvature = 0, mixed = 0;
@@ -72,7 +72,7 @@ TEST_CASE("the variances of the lattice noise and its derivatives are the same a
                 mixed += w.value * w.curvature;
             }
             CHECK(value == Approx(lattice_energy(taps)).epsilon(1e-12));
-            if (taps == 2) // only Hann's windows keep the variances of derivatives
+            if (taps == 2) // only Hann's windows keep the variances of derivatives constant
                 continue;
             CHECK(slope == Approx(pi * pi / 8 * taps).epsilon(1e-12));
             CHECK(curvature == Approx(std::pow(pi, 4) / 8 * taps).epsilon(1e-12));
@@ -155,7 +155,7 @@ TEST_CASE("amplitudes of nodes are independent: pairs, runs along columns and ro
 
 // A word is its column's word times its row's, modulo 2^32, and all words are odd. Since multiplication is
 // commutative, three words at the corners of a rectangle determine the fourth. This checks that the
-// amplitudes do not reveal it.
+// amplitudes do not reveal that dependence.
 TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do their leading bits",
           "[lattice][randomness]") {
     const auto count = gabor::test::draws();
@@ -163,8 +163,8 @@ TEST_CASE("the amplitudes of a rectangle's corners do not correlate, nor do thei
     for (const bool over_seeds : {false, true}) {
         for (const auto& [width, height] : {Offset{1, 1}, {2, 1}, {1, 2}, {2, 2}, {7, 5}}) {
             std::complex<double> alternating, plain;
-            std::vector<std::uint64_t> high(256),
-                low(256); // by the two leading bits of this part of each amplitude
+            // Counts by the two leading bits of all four real parts (high) or imaginary parts (low).
+            std::vector<std::uint64_t> high(256), low(256);
             for (std::uint64_t i = 0; i < count; ++i) {
                 const Words node(over_seeds, i);
                 const std::array words{node.at({0, 0}), node.at({width, 0}), node.at({width, height}),

@@ -1,4 +1,4 @@
-// Tests the words of impulses as random numbers.
+// Tests the randomness of the impulses' hash words.
 
 #include "../largest.hpp"
 #include "randomness.hpp"
@@ -58,7 +58,7 @@ struct Sequence {
 constexpr std::array sequences{Sequence{"cells", in_square}, Sequence{"seeds", over_seeds},
                                Sequence{"impulses", over_impulses}};
 
-// A field that the drop-in takes from a word. Tests use its six leading bits.
+// A field that the drop-in takes from a word. Tests use at most its six leading bits.
 struct Field {
     std::string_view name;
     int lowest;

@@ -73,7 +73,7 @@ TEST_CASE("the window's energy agrees with quadrature", "[noise]") {
     CHECK(noise::window_energy(recipe, -a) == Approx(expected).margin(1e-12));
 }
 
-TEST_CASE("the variance at any time agrees with Campbell's theorem by quadrature in the plane", "[noise]") {
+TEST_CASE("the variance at any time agrees with Campbell's theorem, integrated by quadrature", "[noise]") {
     const noise::Recipe recipe =
         noise::find_recipe(GENERATE(as<std::string>(), "one", "pure", "paper", sines));
     const double frequency = GENERATE(0.1, 0.5, 1.0, 4.0), time = GENERATE(0.0, 0.13);
@@ -102,7 +102,7 @@ TEST_CASE("the variance at any time agrees with Campbell's theorem by quadrature
           Approx(density * magnitude_squared * energy).epsilon(1e-9));
 }
 
-// README, the published figures and users' pixels depend on these values.
+// The README, the published figures and users' pixels depend on these values.
 TEST_CASE("recipes have their published values", "[noise]") {
     struct Published {
         const char* name;
@@ -111,7 +111,7 @@ TEST_CASE("recipes have their published values", "[noise]") {
         float weight_floor;
         int phases;
         std::array<float, 3> window;
-        double sidelobe; // the window's largest along an axis, in decibels
+        double sidelobe; // the window's largest sidelobe along an axis, in decibels
     };
     const Published published[] = {{"one", 1, 1, 0.675f, 256, {3, -4.5f, 2.5f}, -29.00},
                                    {"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, -41.45},

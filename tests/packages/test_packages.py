@@ -1,4 +1,4 @@
-"""Installs the packages of tools/package in a clean place, and uses them there: test_packages.py [-v]
+"""Installs the packages of tools/package in an empty folder, and uses them there: test_packages.py [-v]
 npm|pypi|unity|godot|blender|vcpkg|openupm|release"""
 
 import importlib.util
@@ -43,7 +43,7 @@ class Package(unittest.TestCase):
 
     def setUp(self):
         if missing := [tool for tool in (*self.tools, "git") if not shutil.which(tool)]:
-            self.skipTest(f"{', '.join(missing)} is not installed")
+            self.skipTest(f"not installed: {', '.join(missing)}")
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
@@ -71,8 +71,8 @@ class Package(unittest.TestCase):
 
 
 class Npm(Package):
-    """Installs the package beside three.js without the registry. A substitute for three/tsl runs its module, as in the
-    tests of the nodes."""
+    """Installs the package without the registry, and imports its module. A substitute for three/tsl replaces three.js, as in
+    tests/dialects/test_nodes.py."""
 
     tools = "node", "npm"
 
@@ -94,7 +94,7 @@ class Npm(Package):
                   if path.is_file() and not LEFTOVERS.search(str(path))}
         self.assertLessEqual({"LICENSE", "README.md"} | wanted, names)
         described = json.loads((installed / "package.json").read_text())
-        self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 does not detect the type
+        self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 cannot detect the type
 
         # Reads each drop-in by its exported name, as bundlers and Node.js resolve it.
         (project / "sources.mjs").write_text("""
@@ -270,7 +270,7 @@ class Blender(Package):
 
 
 class Vcpkg(Package):
-    """Runs the port with stand-ins for vcpkg's functions, written from its manual, since vcpkg would have to be downloaded."""
+    """Runs the port with stand-ins for vcpkg's functions, based on its manual, since vcpkg would have to be downloaded."""
 
     tools = "cmake",
     VCPKG = """
@@ -330,7 +330,7 @@ include("${FOLDER}/gabor-noise/portfile.cmake")
 
 class OpenUpm(unittest.TestCase):
     def copy_with(self, remote):
-        """Runs tools/package openupm in a repository with that remote."""
+        """Runs tools/package openupm in a repository with this remote."""
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         self.addCleanup(folder.cleanup)
         root = pathlib.Path(folder.name)

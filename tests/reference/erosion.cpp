@@ -21,8 +21,8 @@ struct Axis {
     std::int32_t period;
 };
 
-// The number of nodes per unit is a multiple of 1 / 65536, chosen in single precision, or puts a whole number
-// of nodes into the period.
+// Without a period, the number of nodes per unit is a multiple of 1 / 65536, chosen in single precision. A
+// period holds a whole number of nodes.
 Axis axis_at(std::int32_t cell, double local, float period, float nodes) {
     const auto steps =
         static_cast<std::int64_t>(std::floor(std::clamp(nodes, 1e-4f, 3e4f) * 65536.0f + 0.5f));
@@ -79,8 +79,8 @@ Terrain terrain(const Ground& ground, Vector<2> dx, Vector<2> dy, std::uint32_t 
             slope_y += amplitude * y.nodes * spline(x.local - i) * spline_slope(y.local - j);
         }
     }
-    // The noises have variance 1 and correlations like exp(-curvature d^2 / 2). A normal filter of half a
-    // pixel has the covariance matrix (dx dx^T + dy dy^T) / 4.
+    // The noises have variance 1 and correlations like exp(-curvature d^2 / 2). A Gaussian filter with a
+    // deviation of half a pixel has the covariance matrix (dx dx^T + dy dy^T) / 4.
     const double curvature = 2.0 / 3 / (151.0 / 315);
     const double xx = (dx[0] * dx[0] + dy[0] * dy[0]) / 4, yy = (dx[1] * dx[1] + dy[1] * dy[1]) / 4,
                  xy = (dx[0] * dx[1] + dy[0] * dy[1]) / 4;
@@ -112,8 +112,8 @@ Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const
         const double steep = std::max(std::hypot(steer[0], steer[1]), 1e-9);
         mask *= std::pow(mask_of(steep / std::max(erosion.onset, 1e-6), round), 2);
         const Vector<2> wave{-steer[1] / steep * frequency, steer[0] / steep * frequency};
-        // The filter is Gaussian, with a deviation of half a pixel. It fades to 0 where it would leave 2 % of
-        // a wave.
+        // The filter is nearly Gaussian, with a deviation of half a pixel: what it keeps of a wave reaches 0
+        // where a Gaussian keeps 2 %.
         const double across = std::pow(dot(wave, dx), 2) + std::pow(dot(wave, dy), 2);
         const double kept =
             std::max(1.02 * std::exp(-std::numbers::pi * std::numbers::pi / 2 * across) - 0.02, 0.0);

@@ -7,7 +7,8 @@
 
 namespace gabor::noise {
 
-/// These mirror GaborTerrain, GaborErosion and GaborGround of shaders/gabor_erosion.glsl.
+/// Terrain, Erosion and Ground mirror the structs GaborTerrain, GaborErosion and GaborGround of
+/// shaders/gabor_erosion.glsl.
 struct Terrain {
     double height = 0;
     Vector<2> slope{};
@@ -33,8 +34,8 @@ struct Ground {
     std::array<float, 2> period{};
 };
 
-/// The hills and the erosion of shaders/gabor_erosion.glsl in double precision, from the equations and not
-/// from the shader.
+/// The hills and the erosion of shaders/gabor_erosion.glsl in double precision, written from the equations
+/// and not from the shader.
 Terrain terrain(const Ground& ground, Vector<2> dx, Vector<2> dy, std::uint32_t seed);
 Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const Terrain& base,
                const Erosion& erosion, std::uint32_t seed);

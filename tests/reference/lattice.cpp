@@ -61,7 +61,7 @@ std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed
 
 namespace {
 
-// The word of a node from those of its lines.
+// Combines the words of the lines through a node into the node's word.
 std::uint32_t node_word(const std::array<std::uint32_t, 2>& lines) {
     return lines[0] * lines[1];
 }
@@ -84,7 +84,7 @@ double uniform(std::uint32_t word) {
     return static_cast<std::int32_t>(word) * 0x1p-31;
 }
 
-// The frame of a node of isotropic noise in space, from its word.
+// The three orthogonal directions of the waves at a node of isotropic noise in space, from its word.
 std::array<Vector<3>, 3> isotropic_frame(std::uint32_t word) {
     const double azimuth = pi / 2 * uniform(word);
     const double rise = uniform(word << 12);
@@ -150,7 +150,7 @@ Field<N> Lattice<N>::field(const Place<N>& place) const {
     const auto taps = static_cast<std::size_t>(taps_);
     struct Line {
         std::uint32_t word;
-        double distance; // from the line to the place, in kernel radii
+        double distance; // from the line to the point, in kernel radii
         double window, slope;
     };
     std::array<std::array<Line, 4>, N> lines;
@@ -228,7 +228,7 @@ Lattice<2> map_noise(const std::array<Vector<2>, 9>& given, std::uint32_t seed) 
 }
 
 // The correlation of isotropic noise at an offset d is the mean of cos(2 pi F u.d) over directions u: J_0(t)
-// in a plane with d along it, and sin(t) / t in space, where t = 2 pi F |d|.
+// in a plane that contains d, and sin(t) / t in space, where t = 2 pi F |d|.
 Lattice<2> isotropic_noise(double frequency, std::uint32_t seed) {
     return {3, seed,
             [frequency](const auto& lines, std::size_t, auto& waves) {

@@ -11,8 +11,8 @@
 
 namespace gabor::noise {
 
-/// The hash of all noises spreads small integers over 32 bits by multiplication with an odd number, and mixes
-/// the bits of a word with a salt.
+/// The hash that all noises share: multiplication by `spread`, an odd number, spreads small integers over 32
+/// bits, and `mix` mixes the bits of a word with a salt.
 constexpr std::uint32_t spread = 0x9e3779b1u;
 std::uint32_t mix(std::uint32_t word, std::uint32_t salt);
 
@@ -23,7 +23,7 @@ struct Field {
     std::complex<double> value;
     std::array<std::complex<double>, N> slope{};
 
-    /// Adds a noise whose kernel radii are `radius` times those of this one.
+    /// Adds a noise whose kernel radii are `radius` times those of this noise.
     void add(double weight, const Field& other, const Vector<N>& radius = filled<N>(1)) {
         value += weight * other.value;
         for (std::size_t axis = 0; axis < N; ++axis)
@@ -52,10 +52,10 @@ struct LatticeWindow {
 };
 LatticeWindow lattice_window(int taps, double d);
 
-/// The sum of the squared windows along an axis, the same at every place.
+/// The sum of the squared windows along an axis, which is the same at every point.
 double lattice_energy(int taps);
 
-/// The word of the nodes that share an index along an axis (0 x, 1 y, 2 z), odd and with 24 bits.
+/// The hash word of all nodes that share this index along an axis (0 x, 1 y, 2 z). It is odd and has 24 bits.
 std::uint32_t lattice_line_word(std::int32_t index, int axis, std::uint32_t seed);
 
 /// The word of a node: its column's word times its row's.
@@ -77,8 +77,8 @@ std::complex<double> lattice_amplitude(std::uint32_t word);
 /// the word.
 std::complex<double> lattice_amplitude(std::uint32_t word, double time);
 
-/// A noise on a lattice of nodes c, each with waves F_cm of amplitudes A_cm, in double precision, from the
-/// equations and not from the shaders:
+/// A noise on a lattice of nodes c, each with waves F_cm of amplitudes A_cm, in double precision, written
+/// from the equations and not from the shaders:
 ///     n(p) = K Im sum_c h(p - c) sum_m A_cm exp(2 pi i F_cm.(p - c)).
 template <std::size_t N>
 class Lattice {
@@ -88,7 +88,7 @@ class Lattice {
         std::uint32_t word; ///< selects the amplitude
     };
     /// Adds the waves of a node. `lines` has the words of the lines through the node, one along each axis.
-    /// `number` counts the nodes around a place, along x first, then along y.
+    /// `number` counts the nodes around a point, along x first, then along y.
     using Waves = std::function<void(const std::array<std::uint32_t, N>& lines, std::size_t number,
                                      std::vector<Wave>& waves)>;
 
@@ -116,10 +116,10 @@ class Lattice {
 template <std::size_t N>
 Lattice<N> wave_noise(int taps, const Vector<N>& wave, std::uint32_t seed);
 
-/// The vector of a wave with an orientation in radians.
+/// The wave vector for a frequency and an orientation in radians.
 Vector<2> wave_along(double frequency, double orientation);
 
-/// The noise of gabor_field_waves: a wave for each of the nine nodes around the place, row by row.
+/// The noise of gabor_field_waves: a wave for each of the nine nodes around a point, row by row.
 Lattice<2> map_noise(const std::array<Vector<2>, 9>& waves, std::uint32_t seed);
 
 /// The noise of gabor_noise_isotropic and gabor_noise_3d_isotropic: three waves at each node, evenly spread
@@ -127,11 +127,11 @@ Lattice<2> map_noise(const std::array<Vector<2>, 9>& waves, std::uint32_t seed);
 Lattice<2> isotropic_noise(double frequency, std::uint32_t seed);
 Lattice<3> isotropic_noise_3d(double frequency, std::uint32_t seed);
 
-/// Isotropic noise on a surface that two unit vectors at right angles span.
+/// Isotropic noise on a surface whose tangent plane is spanned by two orthogonal unit vectors.
 Lattice<3> tangent_noise(double frequency, const std::array<Vector<3>, 2>& tangents, std::uint32_t seed);
 
-/// Cosine, sine and intensity of a complex noise's stripes: the value divided by its length if the length
-/// exceeds 1 / sharpness, otherwise `sharpness` times the value.
+/// Cosine, sine and intensity of a complex noise's stripes: `sharpness` times the value, limited to length 1,
+/// and the length of the value.
 std::array<double, 3> lattice_stripes(std::complex<double> value, double sharpness);
 
 } // namespace gabor::noise

@@ -16,7 +16,7 @@ struct NormalPoint {
 };
 
 /// Points of the trapezoidal rule out to six deviations. Their spacing is at most `step`, in the unit of the
-/// deviations, and at most two thirds of a deviation, where the rule errs by less than 1e-15.
+/// deviations, and at most two thirds of a deviation, at which the rule errs by less than 1e-15.
 inline std::vector<NormalPoint> normal_points(const std::array<double, 2>& deviations, double step) {
     std::array<int, 2> half{};
     for (std::size_t i = 0; i < 2; ++i)
@@ -39,7 +39,7 @@ inline std::vector<NormalPoint> normal_points(const std::array<double, 2>& devia
     return points;
 }
 
-/// The correlation of noise under Hann's window between two places x apart along an axis: the integral of
+/// The correlation between two points x apart along an axis, for noise with Hann's window h: the integral of
 /// h(t) h(t + x) divided by that of h^2.
 inline double hann_correlation(double x) {
     x = std::abs(x);

@@ -16,7 +16,7 @@ std::int32_t shifted(std::int32_t cell, std::int64_t by) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(cell) + static_cast<std::uint32_t>(by));
 }
 
-// The window and its derivative, as polynomials in x.
+// The window's value and derivative at x.
 struct Window {
     double value;
     double slope;

@@ -7,7 +7,7 @@
 
 namespace gabor::noise {
 
-/// The place (cell + local) / R kernel radii of a recipe's noise without periods.
+/// The position (cell + local) / R, in kernel radii, in a recipe's noise without periods.
 Place<2> place_at(const Recipe& recipe, std::int32_t cell_x, std::int32_t cell_y, double local_x,
                   double local_y);
 
@@ -15,7 +15,7 @@ Place<2> place_at(const Recipe& recipe, std::int32_t cell_x, std::int32_t cell_y
 /// and magnitude (31).
 std::uint32_t impulse_word(std::int32_t cell_x, std::int32_t cell_y, int index, std::uint32_t seed);
 
-/// The oracle: the noise in double precision, from the equations and not from the shader.
+/// The oracle: the noise in double precision, written from the equations and not from the shader.
 class Reference {
   public:
     /// `frequency` is in cycles per kernel radius, `orientation` in radians.

@@ -96,7 +96,7 @@ double Sum<N>::removed(const Place<N>& place, const Vector<N>& dx, const Vector<
                 in_radii[axis] = offset[axis] / radius[axis];
                 windows *= hann_correlation(in_radii[axis] * own.radius[axis] / 1.5);
             }
-            if (windows > 0) // most points of a large pixel are too far apart for the windows
+            if (windows > 0) // most offsets in a large pixel exceed the windows' reach
                 kept += share * weight * weight * windows * noise.correlation(in_radii);
         }
     }
@@ -120,9 +120,9 @@ Sum<2> spectrum(const std::vector<SpectrumLobe>& lobes) {
     return sum;
 }
 
-// A range is cut into n pieces with a lobe in the middle of each, where n is the integer part of c. As the
-// fraction of c goes from 0.8 to 1, the amplitudes of these lobes fall linearly to 0, and those of n + 1
-// other lobes rise.
+// A range is cut into n pieces with a lobe in the middle of each, where n is the integer part of a count c.
+// As the fraction of c goes from 0.8 to 1, the amplitudes of these lobes fall linearly to 0, and those of n +
+// 1 other lobes rise.
 std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,
                                        double orientation_spread, std::uint32_t seed) {
     struct Piece {

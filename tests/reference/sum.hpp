@@ -25,11 +25,11 @@ class Sum {
     }
     const std::vector<Term>& terms() const { return terms_; }
 
-    /// A term whose kernel radius is not 1 has its own nodes: 3/2 per radius, or as many as put a whole
-    /// number, at least 3, into a period.
+    /// A term whose kernel radius is not 1 has its own nodes: 3/2 per radius or, with a period, about as
+    /// many, so that the period holds a whole number of nodes, at least 3.
     Field<N> field(const Place<N>& place) const;
 
-    /// The noise after a normal filter of covariance (dx dx^T + dy dy^T) / 4, by quadrature of the noise
+    /// The noise after a Gaussian filter of covariance (dx dx^T + dy dy^T) / 4, by quadrature of the noise
     /// times the normal density.
     Field<N> filtered(const Place<N>& place, const Vector<N>& dx, const Vector<N>& dy) const;
 
@@ -40,7 +40,7 @@ class Sum {
     std::vector<Term> terms_;
 };
 
-/// The principal axes of the same filter, whose lengths are its standard deviations.
+/// The principal axes of the filter of Sum::filtered. Their lengths are its standard deviations.
 template <std::size_t N>
 std::array<Vector<N>, 2> principal_axes(const Vector<N>& dx, const Vector<N>& dy);
 

@@ -1,6 +1,6 @@
 // Tests the functions of golden/functions.glsl on the device. Thousands of values must equal those of the
-// translation to C++, which tests/functions compares with the reference, and tests/golden with this version.
-// After an intended change of pixels, rewrite the files and review the diff:
+// translation to C++. tests/functions compares this translation with the reference, and tests/golden with
+// this version's recorded values. After an intended change of pixels, rewrite the files and review the diff:
 //
 //     GABOR_GOLDEN=write ctest --preset dev -R '^golden_'
 
@@ -52,7 +52,7 @@ const Set others[]{{"noise_pure", golden_noise_pure_spirv}, {"noise_paper", gold
 // The first 64 points have golden values, the next 4096 have arbitrary arguments.
 constexpr std::size_t compared = 64 * 65, groups = 65 + 256, points = 64 * groups;
 
-// The results of each call of a set at each point.
+// Runs a set on the device, and holds the result of each call at each point.
 class Values {
   public:
     Values(const gabor::vulkan::Device& device, const Set& set)
@@ -73,7 +73,8 @@ class Values {
     gabor::vulkan::Buffer buffer_;
 };
 
-// Returns the results of the translation to C++ at the points to compare, call after call at each point.
+// Returns the results of the translation to C++ at the points to compare: those of all calls at the first
+// point, then at the next.
 std::vector<float> translated(const Set& set, std::size_t calls) {
     const std::string command =
         fmt::format(GABOR_FUNCTIONS_FOLDER "/golden_{} {} {}", set.name, compared, points - compared);
@@ -84,15 +85,15 @@ std::vector<float> translated(const Set& set, std::size_t calls) {
     return values;
 }
 
-// Returns how much more sensitive than others a result is to the rounding of its arguments.
+// Returns how many times more sensitive a result is to the rounding of its arguments than most results are.
 double sensitivity(const std::string& call, std::size_t point) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
     if ((has("filtered") || has(".w") || call == "removed") &&
         point % 16 == 15) // pixels a thousand times as long as wide
         return 1000;
-    if (has("gabor_er") && point / 4 % 4 == 3) // far away, positions in its octaves are rounded
+    if (has("gabor_er") && point / 4 % 4 == 3) // far from the origin, each octave rounds its position
         return 400;
-    // the phase of small numbers, and sums of many waves
+    // Phases of small values and sums of many waves are more sensitive.
     return has("phasor") || has("SPREAD") ? 4 : 1;
 }
 
@@ -125,12 +126,12 @@ void check(std::span<const Set> sets) {
 
 } // namespace
 
-TEST_CASE("functions of the noise give the values of this version, and finite values for any arguments",
+TEST_CASE("noise functions give the same values on the device as in C++, and finite values for any arguments",
           "[golden][core]") {
     check(core);
 }
 
-TEST_CASE("functions with other macros and of the other drop-ins give the values of this version",
+TEST_CASE("functions with other macros, and of other drop-ins, give the same values on the device as in C++",
           "[golden]") {
     check(others);
 }

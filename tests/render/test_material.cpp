@@ -74,7 +74,7 @@ const Material materials[]{
     made<GaborCarbonFibre, gabor_carbon_fibre_default, gabor_carbon_fibre_at>("carbon-fibre"),
     made<GaborStrata, gabor_strata_default, gabor_strata_at>("strata")};
 
-// Returns the parameters of a request's material, without the padding of a buffer.
+// Returns the parameters of a request's material as packed numbers, without the padding of a GPU buffer.
 std::vector<float> numbers_of(const Request& request) {
     std::vector<float> numbers;
     for (const render::Parameter& p : render::parameters()) {
@@ -97,7 +97,7 @@ std::vector<float> numbers_of(const Request& request) {
 void randomize(Request& request, std::mt19937& random) {
     const auto unit = [&] {
         return static_cast<double>(random()) * 0x1p-32;
-    }; // the same with every standard library
+    }; // the same numbers with every standard library
     for (const render::Parameter& p : render::parameters()) {
         if (!render::is_of_one_material(p) || !p.get(request))
             continue;
@@ -114,7 +114,7 @@ std::array<float, channels> values_of(const GaborMaterial& m) {
     return {m.colour.x, m.colour.y, m.colour.z, m.height, m.roughness, m.metalness};
 }
 
-// Draws a square of `units` with `side` pixels, using the translation of the drop-ins to C++.
+// Draws a square, `units` wide, in `side` x `side` pixels, using the translation of the drop-ins to C++.
 std::vector<float> drawn(const Material& material, const std::vector<float>& numbers, bool filtered,
                          bool tiled, int side, double units, std::uint32_t seed) {
     const float step = static_cast<float>(units / side);
@@ -139,7 +139,7 @@ bool is_in_range(const std::array<float, channels>& values) {
     return true;
 }
 
-// Compares filtered pixels of 1/64 unit at random places with the mean of sharp samples under a normal
+// Compares filtered pixels of 1/64 unit at random points with the mean of sharp samples under a normal
 // density with a standard deviation of half a pixel.
 void compare(const Material& material, const std::vector<float>& numbers) {
     INFO(material.name);
@@ -186,13 +186,13 @@ void compare(const Material& material, const std::vector<float>& numbers) {
 
 } // namespace
 
-TEST_CASE("every filtered material equals the mean over its pixel", "[material]") {
+TEST_CASE("every filtered material is close to the mean over its pixel", "[material]") {
     CHECK(std::ranges::equal(materials, render::materials, {}, &Material::name));
     for (const Material& material : materials)
         compare(material, material.by_default());
 }
 
-TEST_CASE("materials with random parameters have this version's values", "[material]") {
+TEST_CASE("materials with random parameters have this version's golden values", "[material]") {
     std::mt19937 random(2);
     test::Rows rows;
     for (int point = 0; point < test::Rows::points; ++point) {
@@ -207,7 +207,7 @@ TEST_CASE("materials with random parameters have this version's values", "[mater
                 const auto seed = static_cast<std::uint32_t>(point);
                 double sum = 0;
                 for (const float value : values_of(material.at(pixel, numbers_of(request), seed)))
-                    sum = 0.8 * sum + static_cast<double>(value); // each channel counts differently
+                    sum = 0.8 * sum + static_cast<double>(value); // each channel has a different weight
                 rows.see(fmt::format("{} {}", form, material.name), sum);
             };
             see("sharp", gabor_pixel(p));
@@ -217,14 +217,14 @@ TEST_CASE("materials with random parameters have this version's values", "[mater
     CHECK(rows.compare(GABOR_GOLDEN_FOLDER "/material_parameters.txt", 2e-4, 2e-4));
 }
 
-TEST_CASE("cords of filtered fabric equal their mean over a pixel", "[material]") {
+TEST_CASE("cords of filtered fabric are close to their mean over a pixel", "[material]") {
     Request request{.material = "fabric"};
     for (const auto& [name, number] : {std::pair("threads", 60.0), {"relief", 2.0}, {"cords", 20.0}})
         render::set(request, fmt::format("fabric.{}", name), number);
     compare(materials[1], numbers_of(request));
 }
 
-// The fundamental wave of the profile 1 - cos(pi x)^4 is half as high as the cords.
+// The amplitude of the fundamental wave of the profile 1 - cos(pi x)^4 is half the cords' height.
 TEST_CASE("corduroy has five cords per unit", "[material]") {
     constexpr int side = 256;
     constexpr int units = 4;
@@ -261,7 +261,7 @@ TEST_CASE("a huge pixel has the mean colour, whatever the parameters", "[materia
             const std::vector<float> numbers = numbers_of(request);
             std::uniform_real_distribution<float> place(0, 3000);
             std::array<double, 3> sum{}, square{};
-            bool clamped = false; // whether the random settings clamp tones
+            bool clamped = false; // whether these random settings clamp a colour
             for (int k = 0; k < samples && !clamped; ++k) {
                 const GaborPixel pixel = gabor_pixel(gabor_vec2(place(random), place(random)));
                 const auto values =
@@ -340,7 +340,7 @@ TEST_CASE("each pixel of a material's picture equals the material's function", "
     const vulkan::Device device;
     constexpr int side = 48;
     std::mt19937 random(3);
-    bool filter = false; // every other material is filtered and tiled; compiling each pass takes a while
+    bool filter = false; // filters and tiles every other material, because compiling each pass takes a while
     for (const Material& material : materials) {
         filter = !filter;
         Request request{.width = side,

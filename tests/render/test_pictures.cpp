@@ -1,5 +1,5 @@
 // Compares pictures of one or several lobes, drawn block by block and pixel by pixel, with the sum of the
-// lobes' noises, each the double-precision reference of its recipe.
+// lobes' noises from the double-precision reference.
 
 #include "largest.hpp"
 #include "reference/reference.hpp"
@@ -63,7 +63,7 @@ std::vector<noise::SpectrumLobe> terms_of(const render::Request& request) {
     return terms;
 }
 
-// Returns the position of a pixel in the nodes or cells of a noise with these kernel radii.
+// Returns the position of a pixel, in node spacings or cells, for a noise with these kernel radii.
 noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixel,
                          const noise::Vector<2>& radius) {
     noise::Place<2> place;
@@ -105,8 +105,8 @@ noise::Field<2> expected(const render::Request& request, const std::vector<noise
     return sum;
 }
 
-// Compares a region with the reference. The tolerance covers the phase's rounding in single precision and the
-// small values of a low sine, which normalization amplifies.
+// Compares a region with the reference. The tolerance covers the phase's rounding in single precision and, at
+// low frequency, the small values of a sine, which normalization amplifies.
 void compare(test::Largest& largest, const vulkan::Device& device, const render::Request& request,
              const image::Rect& region, const std::string& name) {
     const std::vector<noise::SpectrumLobe> terms = terms_of(request);
@@ -169,7 +169,7 @@ TEST_CASE("each pixel equals the reference at its centre, at any scale", "[rende
     const vulkan::Device device;
     for (const noise::Recipe& recipe : noise::recipes()) {
         test::Largest largest;
-        // The frequency is as high as the pixels can show at each scale.
+        // The pixels resolve the frequency at each scale.
         for (const auto& [scale, frequency] :
              {std::pair(2.0, 0.9), std::pair(2.3, 0.001), std::pair(7.77, 2.0), std::pair(31.7, 4.0),
               std::pair(32.0, 0.1), std::pair(500.0, 64.0), std::pair(4096.0, 4.0),
@@ -330,7 +330,7 @@ TEST_CASE("colour pictures of noise in space mix the values of grey ones", "[ren
                 const double coverage = grey[3 * i + 2];
                 const auto law = [](double z) { return std::clamp(z, -4.0, 4.0); };
                 std::array expected{0.5 + law(y), law(q), law(0.6 * q + 0.8 * y), coverage};
-                if (coverage == 0) // the pixel is beside the body
+                if (coverage == 0) // the pixel misses the body
                     expected.fill(0);
                 for (std::size_t c = 0; c < 4; ++c)
                     largest.see(colours[4 * i + c], expected[c], 5e-6,

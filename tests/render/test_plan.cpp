@@ -40,13 +40,13 @@ std::string shader_of(const std::vector<std::pair<std::string, std::string>>& va
     return whole(request_of(values)).steps.front().shader;
 }
 
-// The lines of the columns in a plan that draws pixel by pixel.
+// The passes::Line of each column in a plan that draws pixel by pixel.
 std::vector<passes::Line> columns(const Request& request, Viewport viewport) {
     viewport.blocks = Blocks::none;
     return values_of<passes::Line>(plan(request, viewport).tables.at(0));
 }
 
-// The distance in kernel cells from one line to the next, also where cells wrap around.
+// The distance in kernel cells from one line to the next, even where cells wrap around.
 double step(const passes::Line& from, const passes::Line& to) {
     const auto cells = static_cast<std::uint32_t>(to.cell) - static_cast<std::uint32_t>(from.cell);
     return static_cast<double>(static_cast<std::int32_t>(cells)) + double{to.local} - double{from.local};
@@ -95,7 +95,7 @@ TEST_CASE("a window filters with one pipeline at all scales, and a picture with 
     }
 }
 
-TEST_CASE("the form of the filter follows the longer pixel of the two that a tile's stretch makes") {
+TEST_CASE("the form of the filter follows the longer side of a pixel that a tile stretches") {
     for (const auto& [width, height] : {std::pair{"14", "106"}, {"106", "14"}}) {
         const Request tile = request_of({{"scale", "5.3"},
                                          {"width", width},
@@ -103,8 +103,8 @@ TEST_CASE("the form of the filter follows the longer pixel of the two that a til
                                          {"filter", "true"},
                                          {"tileable", "true"}});
         const Constants constants = whole(tile).steps.front().constants;
-        CHECK(constants[passes::narrow_waves_id] ==
-              0); // along the side of 14 pixels alone, it would be narrow
+        // Judged by the side of 14 pixels alone, the filter would be narrow.
+        CHECK(constants[passes::narrow_waves_id] == 0);
         CHECK(constants[passes::wide_waves_id] == 0);
     }
 }
@@ -172,7 +172,7 @@ TEST_CASE("a plane in perspective is drawn from the position of its camera") {
     CHECK(push.corner.x == 2.25f);
     CHECK(push.corner.y == -3.5f);
     request.material = "none";
-    request.lobes = {{.radius = 2, .stretch = 3}}; // 2.25 and -3.5 are 1.6875 and -0.875 nodes
+    request.lobes = {{.radius = 2, .stretch = 3}}; // 2.25 and -3.5 are 1.6875 and -0.875 node spacings
     const auto wave = values_of<passes::PixelsWave>(plan(request, viewport).tables.at(2)).at(0);
     CHECK(wave.camera.x == 0.6875f);
     CHECK(wave.camera.y == 0.125f);
@@ -221,7 +221,7 @@ TEST_CASE("a coarse view filters its waves for its larger pixels") {
           Approx(std::exp(-2 * std::pow(std::numbers::pi * 4 / 32, 2) * 15 / 4)).epsilon(1e-5));
 }
 
-TEST_CASE("an erosion reads its map around each band, in the map's own pixels") {
+TEST_CASE("an erosion reads its map with a margin around each band, and uses the map's pixel size") {
     const HeightMap map{.open = {}, .width = 300, .height = 200, .pixel = 0.25, .tileable = true};
     const Plan made = erosion_plan(map, {.octaves = 3, .branching = 0.5}, 7, {10, 20, 30, 40});
     CHECK(made.channels.size() == 5);

@@ -23,7 +23,7 @@ using render::Value;
 
 namespace {
 
-// Returns a value within the range that is not the default.
+// Returns a value within the range that differs from `value`.
 Value another(const Parameter& parameter, const Value& value) {
     switch (parameter.kind) {
     case Parameter::Kind::flag:
@@ -102,11 +102,12 @@ TEST_CASE("every parameter survives JSON and text exactly, and changes the plan"
                 } catch (const RequestError&) { // conflicts with the initial request
                     continue;
                 }
-                Request drawn = changed; // normalized to the recipe that draws it
+                Request drawn = changed; // JSON names the recipe that draws the request
                 drawn.recipe = render::drawing_recipe(changed);
                 CHECK(render::from_json(render::to_json(changed)) == drawn);
                 ++seen[parameter.name];
-                CHECK((parameter.name == "recipe" || !draw_alike(start, changed))); // not all views use it
+                // Not all views use the recipe.
+                CHECK((parameter.name == "recipe" || !draw_alike(start, changed)));
             }
         }
     }
@@ -118,7 +119,7 @@ TEST_CASE("every parameter survives JSON and text exactly, and changes the plan"
 }
 
 TEST_CASE("files of earlier versions load", "[request]") {
-    // These files have every value in every view, and lobes beside the values of one lobe.
+    // These files store every value for every view, and `lobes` as well as the values of a single lobe.
     const Request plain = render::from_json(
         R"({"recipe":"pure","frequency":3.5,"orientation":-20.0,"seed":9,"scale":17.0,"width":64,"height":48,
             "tileable":false,"time":0.25,"quadrature":true,"gradient":false,"frequency_spread":0.1,
@@ -171,8 +172,8 @@ TEST_CASE("out-of-range values are refused, however they are set", "[request]") 
     CHECK(refused > 100);
 }
 
-// Newer parameters may be missing in the golden file until it is written again, as CONTRIBUTING.md says.
-TEST_CASE("ranges, sliders and defaults are those of this version", "[request]") {
+// Newer parameters may be missing from the golden file until it is rewritten as CONTRIBUTING.md describes.
+TEST_CASE("ranges, sliders and defaults equal those in the golden file", "[request]") {
     std::vector<std::string> rows;
     const auto add = [&](std::string_view name, const render::Range& range, const render::Range& slider,
                          const std::string& value) {

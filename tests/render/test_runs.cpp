@@ -7,7 +7,7 @@
 
 using namespace gabor;
 
-TEST_CASE("runs cover every pixel once, within one set of cells", "[runs]") {
+TEST_CASE("runs cover every pixel once, and all pixels of a run visit the same cells", "[runs]") {
     for (const double cells_per_pixel : {0.5, 0.75, 0.43, 1 / 31.7, 1.5 / 32, 1.0 / 4096}) {
         for (const double radius : {1.0, 1.06, 1.5}) {
             for (const int first : {0, 1, 17, 65000}) {
@@ -29,7 +29,7 @@ TEST_CASE("runs cover every pixel once, within one set of cells", "[runs]") {
     }
 }
 
-TEST_CASE("a part is cut at the same pixels as the whole, at any scale", "[runs]") {
+TEST_CASE("part of a row is cut into the same runs as the whole row, at any scale", "[runs]") {
     std::mt19937 random(5);
     for (int round = 0; round < 20000; ++round) {
         const auto uniform = [&](double low, double high) {

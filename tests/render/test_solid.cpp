@@ -1,4 +1,4 @@
-// Compares pictures of slices and bodies with the drop-in's functions, translated to C++, at the places that
+// Compares pictures of slices and bodies with the drop-in's functions, translated to C++, at the points that
 // the pixels show. tests/functions compares these functions with the reference.
 
 #include "gabor_lattice.hpp"
@@ -56,7 +56,7 @@ gabor_vec3 narrow(const Vector& v) {
     return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
-// What a pixel shows: a place and the steps to the next pixels, in kernel radii, and the normal there.
+// What a pixel shows: a point and the steps to the next pixels, in kernel radii, and the normal there.
 struct Seen {
     Vector p{}, dx{}, dy{};
     Vector normal{0, 0, 1};
@@ -75,7 +75,8 @@ struct Camera {
         }
     }
 
-    // The ray from the eye, which is 4 units away from the middle. The unit sphere leaves a margin of 1/20.
+    // The ray from the eye, which is 4 units away from the centre. The unit sphere's outline leaves a margin
+    // of 1/20 of its radius.
     Vector ray(double x, double y) const {
         const double side = margin / std::min(request.width, request.height) / body.zoom;
         const Vector across = sum((x - request.width / 2.0) * side, right, 1, scaled(-1, toward_eye));
@@ -113,7 +114,7 @@ struct Camera {
         here.normal = normal(here.p);
         here.facing = -dot(here.normal, noise::unit(along));
         const double unit = std::min(request.width, request.height) / (3 * margin * request.scale);
-        const auto to = [&](const Vector& next) { // where that ray meets the tangent plane
+        const auto to = [&](const Vector& next) { // where the ray `next` meets the tangent plane
             const double meets = dot(sum(1, here.p, -1, eye), here.normal) / dot(next, here.normal);
             return scaled(unit, sum(1, sum(1, eye, meets, next), -1, here.p));
         };
@@ -159,12 +160,12 @@ void compare(const vulkan::Device& device, const Request& request, Blocks blocks
     for (int y = 0; y < request.height; ++y) {
         for (int x = 0; x < request.width; ++x) {
             const auto seen = camera.seen(x + 0.5, y + 0.5);
-            if (!seen || seen->facing < 0.1) // coverage blurs grazing rays
+            if (!seen || seen->facing < 0.1) // near an outline, where pixels may be partly covered
                 continue;
             const GaborField3d field = field_at(request, *seen);
             const Vector slope{field.gradient.x, field.gradient.y, field.gradient.z};
-            // Places are off by 5e-7 of the distance from the middle, and by more at grazing angles; the
-            // normal turns surface waves by several times as much.
+            // Points are off by 5e-7 of their distance from the centre, and by more at grazing angles; the
+            // error of the normal rotates surface waves by several times as much.
             const double steepness = 2 * std::numbers::pi * request.lobes.front().frequency + 4;
             const double off = is_body ? 5e-7 * noise::length(seen->p) / seen->facing : 1e-6;
             const double tight = 1e-5 + off * (noise::length(slope) + 20), loose = tight * steepness;
@@ -185,7 +186,7 @@ void compare(const vulkan::Device& device, const Request& request, Blocks blocks
                 const auto where = [&] { return fmt::format("pixel {}, {}", x, y); };
                 if (channels[c] == "A")
                     REQUIRE(found > 0);
-                else if (channels[c] == "phase") // compares complex numbers with this phase
+                else if (channels[c] == "phase") // as complex numbers, because phases wrap
                     of["phase"].see(
                         std::abs(std::polar(std::abs(value), 2 * std::numbers::pi * found) - value), 0, tight,
                         where);
@@ -222,7 +223,7 @@ TEST_CASE("each pixel of a sphere or a torus is the noise where its ray hits the
     for (const Shape shape : {Shape::sphere, Shape::torus})
         for (const bool solid : {false, true})
             for (const double spread : {0.0, 90.0}) {
-                // Half of the pictures have every channel, from another camera at another time.
+                // Half of the pictures have every channel, another camera and another time.
                 const bool detailed = (shape == Shape::torus) ^ solid ^ (spread > 0);
                 Body body{.shape = shape, .solid = solid};
                 if (detailed)
@@ -252,7 +253,7 @@ TEST_CASE("coverage is the covered share of a pixel, and uncovered pixels are 0"
         if (pixels[i + 1] == 0)
             REQUIRE(pixels[i] == 0);
     }
-    // The sphere's outline leaves a margin of 1/20 of half the shorter side.
+    // The sphere's outline leaves a margin of 1/20 of its radius.
     const double radius = 100 / 1.05;
     CHECK(area == Approx(3.14159265 * radius * radius).epsilon(1e-3));
 }

@@ -14,7 +14,7 @@ import unittest
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 
-# Each drop-in with the ones that it needs.
+# Each drop-in, and the files to include for it, in order.
 FILES = {
     "gabor_noise": ["gabor_noise"],
     "gabor_lattice": ["gabor_lattice"],
@@ -250,8 +250,8 @@ class Names(unittest.TestCase):
         self.assertNotRegex(self.code, r"\b[iu]?(sampler|texture|image)\w*\b")
 
     def test_it_has_no_constant_arrays_and_no_initializer_lists(self):
-        # Drivers copy constant arrays at each access, and 300 es has no initializer lists. Besides lobes, the only arrays are
-        # those of nodes, along an axis and in space, indexed by constants and in loops of constant length.
+        # Drivers copy constant arrays at each access, and 300 es has no initializer lists. Apart from lobes, the only arrays
+        # are those of nodes, four along an axis or nine in the plane. Only constants and bounded loop counters index them.
         self.assertEqual(set(re.findall(r"\w+ \w+\[\w+\]", self.code)),
                          {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]", "vec2 wave[9]"})
         self.assertNotRegex(self.code, r"const[^;()]*\[")

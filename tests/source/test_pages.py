@@ -13,7 +13,7 @@ README = (ROOT / "README.md").read_text()
 
 
 def anchors(page):
-    """Returns the anchors that GitHub makes of a page's headings."""
+    """Returns the anchors that GitHub derives from a page's headings."""
     headings = re.findall(r"(?m)^#+ (.*)", re.sub(r"(?ms)^```.*?^```", "", page.read_text()))
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 

@@ -27,7 +27,7 @@ class Format(unittest.TestCase):
 
 
 class Comments(unittest.TestCase):
-    """Headers must document functions and types with ///, a type at least through its members; other comments use //."""
+    """Headers must document functions and types with ///; for a type, documented members suffice. Other comments use //."""
 
     def test_declarations_in_headers_are_documented(self):
         missing = []

@@ -24,7 +24,7 @@ std::vector<float> smooth(int width, int height, double spread, std::uint64_t se
     for (float& tap : kernel)
         tap /= static_cast<float>(std::sqrt(squares));
 
-    // Filters along rows, without margins, and exchanges rows and columns.
+    // Filters along rows, discards the margins, and exchanges rows and columns.
     const auto along = [&](const std::vector<float>& in, std::size_t rows) {
         const std::size_t columns = in.size() / rows, kept = columns - kernel.size() + 1;
         std::vector<float> out(kept * rows);

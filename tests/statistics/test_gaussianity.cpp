@@ -68,15 +68,15 @@ TEST_CASE("the index agrees with its definition, which sorts the values") {
 }
 
 TEST_CASE("the index of two values equals the one computed by hand") {
-    // For x = +-0, u is 1/2 twice, so T = 1/24 + 2 (1/4)^2 = 1/6.
+    // For x = 0 and -0, u = Phi(x) is 1/2, so T = 1/24 + 2 (1/4)^2 = 1/6.
     const Estimate index = index_of({0.0f, -0.0f});
     CHECK(index.value == Approx(0).margin(262144 / 2 * 1e-3));
     CHECK(index.value - index.low == Approx(262144 / 2 * 1.96 / std::sqrt(45)).epsilon(1e-6));
 }
 
-TEST_CASE("a deviation measured afterwards gives the same index as one known before") {
-    // Sums and differences of pairs are counted in units of the largest deviation that they can have. These
-    // deviations cover that range, and slightly more.
+TEST_CASE("a deviation measured afterwards gives the same index as one known beforehand") {
+    // gabor-lab study counts sums and differences of two values in units of the largest deviation that they
+    // can have, so it passes relative deviations up to 1. The test goes slightly beyond.
     const double relative = GENERATE(0.1, 0.5, 0.7, 1.2);
     std::vector<float> values = samples::normal(1000000, 8);
     samples::Bent{0.05}.apply(values);
@@ -99,7 +99,7 @@ TEST_CASE("indices are unbiased, and 95 % of their intervals cover the truth") {
         CHECK(normal.part == Approx(0.95).margin(0.02));
         CHECK(normal.mean == Approx(0).margin(3 * 262.144 * 0.149 / std::sqrt(1500)));
     }
-    SECTION("nearly normal: intervals are wider than necessary, never narrower") {
+    SECTION("nearly normal: intervals are wider than necessary, never too narrow") {
         const double c = GENERATE(0.01, 0.03, 0.05);
         const Coverage near = coverage(1000, {c});
         INFO("c " << c << ", index " << samples::Bent{c}.index() << ", covered " << near.part);

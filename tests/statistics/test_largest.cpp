@@ -1,4 +1,4 @@
-// Tests the accumulator with which other tests compare: one wrong point in a million must fail.
+// Tests Largest, which other tests use for comparisons: one wrong point in a million must fail.
 
 #include "../largest.hpp"
 

@@ -34,7 +34,7 @@ void check(const Moments& moments, const std::vector<float>& values) {
 
 } // namespace
 
-TEST_CASE("moments agree with those of another library in long double, also far from zero") {
+TEST_CASE("moments agree with another library's in long double, even far from zero") {
     const double offset = GENERATE(0.0, 500.0);
     const std::vector<float> values = skewed_values(20011, offset);
     Moments together;

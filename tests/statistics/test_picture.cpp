@@ -85,7 +85,7 @@ TEST_CASE("non-finite pixels are counted and ignored") {
     CHECK_FALSE(nothing.blocks);
 }
 
-TEST_CASE("small pictures and long correlations have no estimates") {
+TEST_CASE("small pictures and pictures with long correlations have no estimates") {
     const PictureReport tiny = report_on(samples::normal(15 * 3, 44), 15, 3, 3);
     CHECK(tiny.moments.count() == 45);
     CHECK_FALSE(tiny.spectrum);

@@ -53,7 +53,7 @@ TEST_CASE("a plane wave in white noise is found at its frequency and orientation
     CHECK(summary.power == Approx(1.125).epsilon(0.02));
 }
 
-TEST_CASE("a plane wave alone is as wide as the resolution") {
+TEST_CASE("the bandwidth of a single plane wave equals the resolution") {
     const double fx = GENERATE(0.1, 0.105, 0.1075);
     const SpectrumSummary summary = spectrum_of(wave(512, 512, fx, 0.02, 1, 0), 512, 512);
     CHECK(summary.resolution == Approx(2.0 / 256));
@@ -61,7 +61,7 @@ TEST_CASE("a plane wave alone is as wide as the resolution") {
     CHECK(summary.power == Approx(0.5).epsilon(0.002));
 }
 
-TEST_CASE("the power of one segment equals that of its windowed pixels") {
+TEST_CASE("the power is the mean power of the windowed segments") {
     const int side = 16;
     const std::vector<float> picture = samples::normal(side * side, 8);
     Spectrum spectrum(side, side, *segment_side(side, side));
@@ -76,14 +76,14 @@ TEST_CASE("the power of one segment equals that of its windowed pixels") {
                     const double w = std::pow(std::sin(std::numbers::pi * x / 8), 2) *
                                      std::pow(std::sin(std::numbers::pi * y / 8), 2);
                     const double v = w * picture[static_cast<std::size_t>((top + y) * side + left + x)];
-                    expected += v * v / (9 * 9); // there are 9 segments, and sin^8 over 64 places sums to 9
+                    expected += v * v / (9 * 9); // 9 segments, and the squares of their weights sum to 9
                 }
     const SpectrumSummary summary = summarize(spectrum.periodogram(), 8);
     CHECK(summary.power == Approx(expected).epsilon(1e-6));
     CHECK(std::reduce(summary.radial.begin(), summary.radial.end()) == Approx(summary.power).epsilon(1e-12));
 }
 
-TEST_CASE("the power of white noise is proportional to area") {
+TEST_CASE("the power of white noise in an annulus of frequencies is proportional to its area") {
     const SpectrumSummary summary = spectrum_of(samples::normal(1024 * 1024, 9), 1024, 1024);
     CHECK(summary.power == Approx(1).epsilon(0.01));
     const double df = summary.radial_step;

@@ -26,7 +26,7 @@ std::uint32_t reversed(std::uint32_t word) {
     return result;
 }
 
-// Single precision as on the device, because other rounding near the threshold would add or drop an impulse.
+// Uses single precision like the device: other rounding near the threshold would add or drop an impulse.
 int poisson(float mean, std::uint32_t cell_word) {
     int count = 0;
     std::uint32_t draw = 0;

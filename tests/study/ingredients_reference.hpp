@@ -24,7 +24,7 @@ std::vector<Impulse> cell_impulses(const study::Ingredients& ingredients, std::i
 double ingredients_sum(const study::Ingredients& ingredients, const study::PlaneWave& wave, double x,
                        double y, std::uint32_t seed);
 
-/// The position and the instance of a value that passes/ingredients.comp computes.
+/// The position and the instance's seed of a value that passes/ingredients.comp computes.
 struct Place {
     double x;
     double y;

@@ -33,7 +33,7 @@ TEST_CASE("the variance is 1 with every ingredient", "[criteria]") {
             check({Points::stratified, Weights::bernoulli, kernel, envelope, 3, 0});
 }
 
-TEST_CASE("Gaussianity has its calibrated values", "[criteria]") {
+TEST_CASE("known noises have the expected Gaussianity", "[criteria]") {
     const vulkan::Device device;
     const auto check = [&](const Ingredients& it, std::uint64_t samples, double expected) {
         Noise noise(device, it);
@@ -64,7 +64,7 @@ TEST_CASE("the predicted kurtosis agrees with samples", "[criteria]") {
     }
 }
 
-TEST_CASE("recipes have variance 1, and almost no excess kurtosis with the best floor", "[criteria]") {
+TEST_CASE("variants with the best floor have variance 1 and almost no excess kurtosis", "[criteria]") {
     const vulkan::Device device;
     for (const Window& window : {Window{"", Shape::separable, {3, -4.5, 2.5}},
                                  Window{"", Shape::radial, {1, 0, 0}}, Window{"", Shape::gaussian}})
@@ -80,7 +80,7 @@ TEST_CASE("recipes have variance 1, and almost no excess kurtosis with the best 
             }
 }
 
-TEST_CASE("complex normal amplitudes on a grid are normal at each place", "[criteria]") {
+TEST_CASE("complex normal amplitudes on a grid give normal values", "[criteria]") {
     const vulkan::Device device;
     Noise noise(
         device,

@@ -18,7 +18,7 @@ namespace {
 constexpr int side = 64;
 constexpr double turn = 2 * std::numbers::pi;
 
-// The largest line in white noise of variance 1 plus a wave of the given frequency in cycles per cell.
+// Returns the largest line of white noise of variance 1 plus a wave; frequencies are in cycles per cell.
 double largest_with(double amplitude, double x_cycles, double y_cycles) {
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
@@ -37,7 +37,7 @@ double largest_with(double amplitude, double x_cycles, double y_cycles) {
 } // namespace
 
 TEST_CASE("a wave at a cell frequency is a line with the power predicted by theory", "[lines]") {
-    // A wave a cos has the power (a / 2)^2 side^4, and white noise side^2.
+    // A wave of amplitude a has the power (a / 2)^2 side^4, and white noise side^2.
     const double amplitude = 0.2;
     const double expected = 1 + std::pow(amplitude / 2 * side, 2);
     for (const auto& [x, y] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}, {1, 2}, {2, 1}, {-1, 0}, {3, 1}})

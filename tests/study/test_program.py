@@ -70,12 +70,12 @@ class StudyTest(ProgramTest):
             rows = self.table(name)
             self.assertEqual({row["noise"] for row in rows}, noises)
             self.assertEqual(len(rows), count * len(noises))
-        # At some places the sparse noise is far from normal; averages hide this. The lattice is normal everywhere.
+        # At some points of a cell, the sparse noise is far from normal, which averages hide. The lattice is normal everywhere.
         mean = {noise: statistics.mean(float(row["cvm"]) for row in self.table("law_places") if row["noise"] == noise)
                 for noise in noises}
         self.assertGreater(mean["one"], 5)
         self.assertLess(mean["lattice_3"], 5)
-        # The largest differences that theory predicts at these lags, also for the sparse noises.
+        # By theory, the rms variation of the covariance over a cell, at the worst of these lags; 0 for the sparse noises.
         theory = {noise: max(float(row["rms_theory"]) for row in self.table("law_covariance") if row["noise"] == noise)
                   for noise in noises}
         self.assertGreater(theory["lattice_2"], 0.15)

@@ -34,7 +34,8 @@ TEST_CASE("windows of white noise have the spread of a chi-square distribution",
     CHECK(whole.median_deviation() == Approx(std::sqrt(whole.contrast().median)).epsilon(1e-6));
 }
 
-TEST_CASE("equal places differ only by chance, and a place with another mean is detected", "[stationarity]") {
+TEST_CASE("points with equal statistics differ only by chance, and a point with another mean is detected",
+          "[stationarity]") {
     constexpr std::size_t count = 64;
     constexpr std::size_t instances = 20000;
     std::vector<float> values = samples::normal(count * instances, 2);

@@ -96,7 +96,7 @@ TEST_CASE("a table counts as finished only under the conditions of its measureme
     CHECK_FALSE(is_finished(table, folder.path(), "conditions"));
 }
 
-TEST_CASE("an interrupted table leaves nothing, and the next run writes the same bits", "[table]") {
+TEST_CASE("an interrupted table leaves no file, and the next run writes the same bytes", "[table]") {
     int measured = 0;
     const Table table = counted(measured);
     const ScratchFolder whole;
@@ -109,7 +109,7 @@ TEST_CASE("an interrupted table leaves nothing, and the next run writes the same
     CHECK(read_file(broken / "numbers.csv") == read_file(whole / "numbers.csv"));
 }
 
-TEST_CASE("tables with the same columns measure a row once", "[table]") {
+TEST_CASE("tables with the same columns measure each row only once", "[table]") {
     int measured = 0;
     const Table table = counted(measured);
     Table other = table;

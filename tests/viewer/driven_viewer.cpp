@@ -1,6 +1,6 @@
 // A gabor-viewer that reports its state: a line of JSON on stdout after each frame. Real display events drive
 // it, as they drive gabor-viewer; the sender waits for its reports instead of a fixed time. Commands on
-// stdin, one a line, do what needs no events:
+// stdin, one per line, do the rest:
 //
 //     set NAME VALUE                      a parameter of the preset, or output, look, colours, contrast
 //     open FILE | save FILE | copy FILE   copy writes the clipboard's text to the file
@@ -159,7 +159,7 @@ bool listen(App& app, Seen& seen) {
 int main(int argc, char** argv) {
     Seen seen;
     return run_viewer(argc, argv, [&](App& app) {
-        if (seen.frames > 0) // reports the frame before
+        if (seen.frames > 0) // reports the previous frame
             tell(app, seen);
         seen.add(ImGui::GetIO());
         return listen(app, seen);

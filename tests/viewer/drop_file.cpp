@@ -1,4 +1,4 @@
-// Drops a file on a window of X11, as a file manager does: drop_file WINDOW PATH. The protocol is XDND 5.
+// Drops a file on an X11 window, as a file manager does: drop_file WINDOW PATH. The protocol is XDND 5.
 
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>

@@ -1,5 +1,5 @@
 """Drives a viewer as a user would, with display events for pointer, keys and dropped files. After each event it waits for the
-viewer's report, never for a fixed time. Commands do what needs no events."""
+viewer's report, never for a fixed time. Commands on the viewer's stdin do the rest."""
 
 import contextlib
 import json
@@ -13,13 +13,13 @@ import time
 
 import numpy as np
 
-from viewer import ViewerTest  # noqa: I001 (it finds the next two)
+from viewer import ViewerTest  # noqa: I001 (first: it adds tests/cli to sys.path)
 from exr import Exr
 from png import read_colour_png
 
 DRIVEN_VIEWER = os.environ["GABOR_DRIVEN_VIEWER"]
 DROP_FILE = os.environ["GABOR_DROP_FILE"]
-COMMANDS = "set", "open", "save", "copy", "export", "screenshot", "window", "quit" # of driven_viewer.cpp
+COMMANDS = "set", "open", "save", "copy", "export", "screenshot", "window", "quit" # the commands of driven_viewer.cpp
 PATIENCE = 120 # seconds; a longer wait is a failure, even on a slow machine
 
 
@@ -56,7 +56,7 @@ class EventsTest(ViewerTest):
                         return
                     self.fail(f"the viewer ended: {self.process.wait()}, {self.process.stderr.read()}")
                 if not self.said.wait(deadline - time.monotonic()):
-                    self.fail(f"waited in vain; the viewer says {self.state}")
+                    self.fail(f"timed out; the viewer says {self.state}")
 
     def command(self, line, timeout=PATIENCE):
         """Sends a command and waits until the viewer has obeyed it."""
@@ -125,23 +125,23 @@ class EventsTest(ViewerTest):
 
     @contextlib.contextmanager
     def long_frame(self):
-        """All events that are sent within this context reach the viewer in one frame."""
+        """Stops the viewer, so that all events sent within this context reach it at once."""
         self.process.send_signal(signal.SIGSTOP)
         os.waitid(os.P_PID, self.process.pid, os.WSTOPPED | os.WNOWAIT)
         yield
         self.process.send_signal(signal.SIGCONT)
-        self.frames(12) # each of the next frames may handle only some of them
+        self.frames(12) # a frame may handle only some of the events
 
     def click(self, x, y):
         self.point(x, y)
         before = self.state["clicks"]
         self.xdotool("mousedown", 1)
-        self.frames(2) # about as long as a person takes
+        self.frames(2) # about as long as a person holds the button
         self.xdotool("mouseup", 1)
         self.wait_for(lambda state: state["clicks"] > before)
 
     def double_click(self, x, y):
-        with self.long_frame(): # however slow frames are
+        with self.long_frame(): # so that slow frames cannot separate the clicks
             self.xdotool("mousemove", "--window", self.window, x, y, "click", 1, "click", 1)
 
     def resize(self, width, height):
@@ -166,7 +166,7 @@ class EventsTest(ViewerTest):
         self.wait_for(lambda state: state["fine"])
 
     def shown(self, x, y, width, height):
-        """The pixels of that part of the window once the final picture is on the display."""
+        """Returns the pixels of this part of the window once the final picture is on the display."""
         self.wait_for(lambda state: state["fine"])
         self.frames(3)
         return self.screen(x, y, width, height)
@@ -193,7 +193,7 @@ class EventsTest(ViewerTest):
         self.frames(3) # the key press may arrive after its letter
 
     def screen(self, x, y, width, height):
-        """The RGB pixels that the display shows in that part of the window."""
+        """Returns the RGB pixels that the display shows in this part of the window."""
         dump = (pathlib.Path(self.screen_folder.name) / "Xvfb_screen0").read_bytes()
         header = np.frombuffer(dump, ">u4", 25)
         size, columns, rows, line, colours = (int(header[i]) for i in (0, 4, 5, 12, 19))
@@ -218,12 +218,12 @@ class EventsTest(ViewerTest):
 
     def close(self):
         self.keys("ctrl+q")
-        if not self.ended: # it asks whether to save
+        if not self.ended: # the viewer asks whether to save
             self.keys("d")
         self.end()
 
     def saved(self, name="noise.json"):
-        """Presses Ctrl+S and returns the file that this writes."""
+        """Presses Ctrl+S and returns the JSON that this writes."""
         (self.folder / name).unlink(missing_ok=True)
         self.keys("ctrl+s")
         return json.loads(self.read(name))

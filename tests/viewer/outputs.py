@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next two)
+from events import EventsTest  # noqa: I001 (first: it adds tests/cli to sys.path)
 from exr import Exr
 from png import read_colour_png
 from viewer import SHADERS
@@ -28,7 +28,7 @@ COLOURED = {
 
 
 class OutputsTest(EventsTest):
-    """A test of cases, each with parameters, an output, a colour map and a contrast."""
+    """Tests cases, each with parameters, an output, a colour map and a contrast."""
 
     @classmethod
     def setUpClass(cls):
@@ -65,7 +65,7 @@ class OutputsTest(EventsTest):
                 self.assertLess(np.quantile(off, 0.999), quantile * max(1, expected.std()))
                 self.assertLess(off.max(), largest * max(1, expected.std()))
                 shift = np.abs(colours - seen)[covered]
-                if output in (PHASE, STRIPES, LIT_STRIPES): # these values wrap around, and are arbitrary where the intensity is 0
+                if output in (PHASE, STRIPES, LIT_STRIPES): # phases wrap around, and are arbitrary where the intensity is 0
                     shift = shift[np.hypot(expected[..., 0], expected[..., 1])[covered] > 0.1]
                 self.assertLess(np.quantile(shift, 0.99), quantile + 1 / 255)
                 # The file shows the same as the window, except at the outline of a body.
@@ -74,16 +74,16 @@ class OutputsTest(EventsTest):
                 self.assertLess((differing[covered] > 1.5 / 255).mean(), 1e-3)
 
     def draw(self, parameters, snippet, output):
-        """The output's value and colours, as the copied code computes them."""
+        """Returns the output's value and colours, as the copied code computes them."""
         raise NotImplementedError
 
     def draw_colours(self, snippet, call, **textures):
-        """The output's value and colours for a coloured noise, whose value is the colour itself."""
+        """Returns the output's value and colours for a coloured noise, whose value is the colour itself."""
         colours = self.run_code(snippet, f"colour = {call}; pixels = vec4(colour, 0.0);", **textures)[1]
         return colours, np.clip(colours, 0, 1)
 
     def run_code(self, snippet, main, **textures):
-        """Runs copied code. `main` sets `pixels` and `colour` for each pixel `at`."""
+        """Runs copied code. `main` is GLSL that sets `pixels` and `colour` for the pixel at `at`."""
         for include in [line for line in snippet.splitlines() if line.startswith("#include")]:
             snippet = snippet.replace(include, (SHADERS / include.split('"')[1]).read_text())
         uniforms = "".join(f"uniform sampler2D {name};\n" for name in textures)
@@ -106,7 +106,7 @@ class OutputsTest(EventsTest):
 
 
 def padded(call, components):
-    """A GLSL vec4 whose first components are the call's result."""
+    """Returns a GLSL vec4 whose first components are the call's result."""
     return f"vec4({', '.join([call] + ['0.0'] * (4 - components))})"
 
 

@@ -8,7 +8,7 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next three)
+from events import EventsTest  # noqa: I001 (first: it adds tests/cli to sys.path)
 from exr import Exr
 from outputs import LANDSCAPE, TERRAIN
 from png import read_colour_png

@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next two)
+from events import EventsTest  # noqa: I001 (first: it adds tests/cli to sys.path)
 from outputs import (COLOURED, GRADIENT, HEIGHT, INTENSITY, LANDSCAPE, LIT, LOBES, NAMES, PHASE, TERRAIN, VALUE, WIDTH, OutputsTest,
                      padded)
 from png import read_colour_png
@@ -25,7 +25,7 @@ COLOUR_OF_BODY = "colour_of_body(texelFetch(places, ivec2(at), 0).xyz, texelFetc
 
 class Bodies(OutputsTest):
     def test_bodies(self):
-        # Rays that graze a torus hit elsewhere after the slightest change.
+        # Where a ray grazes a torus, the slightest change moves the point that it hits.
         self.check(BODIES, {"torus": (1e-2, 2)})
 
     def test_copied_code_includes_the_lighting(self):
@@ -96,13 +96,13 @@ class Bodies(OutputsTest):
         main = (f"vec3 p = texelFetch(places, ivec2(at), 0).xyz, n = texelFetch(normals, ivec2(at), 0).xyz;"
                 f"pixels = {value}; colour = colour_of_body(p, n);")
         pixels, colours = self.run_code(snippet, main, places=points, normals=normals)
-        if output in (GRADIENT, LIT): # in the plane of the picture
+        if output in (GRADIENT, LIT): # gradients are in the plane of the picture
             right, up = axes(parameters)[:2]
             pixels = np.stack([pixels[..., :3] @ right, -pixels[..., :3] @ up, pixels[..., 3]], axis=-1)
         return pixels[..., :3 if output == LIT else 2], colours
 
 
-# The unit is the sphere's radius; the camera looks at the body's centre from a distance of 4.
+# The unit of length is the sphere's radius; the camera looks at the body's centre from a distance of 4.
 
 def axes(parameters):
     if parameters["view"] == "slice":
@@ -130,7 +130,7 @@ def places(parameters):
     def gap(p):
         return np.hypot(np.hypot(p[..., 0], p[..., 1]) - large, p[..., 2]) - small
 
-    # Sphere tracing: no step passes the surface.
+    # Sphere tracing: no step crosses the surface.
     distance, moving = np.full(x.size, 2.9), np.arange(x.size)
     for _ in range(400):
         step = gap(4 * toward + distance[moving, None] * ray.reshape(-1, 3)[moving])

@@ -91,7 +91,7 @@ TEST_CASE("drawing by blocks equals drawing pixel by pixel, wherever the camera 
 
 TEST_CASE("a coarse view filters its waves instead of aliasing them") {
     constexpr int side = 192;
-    // The fine view through a normal filter whose deviation is half a coarse pixel.
+    // Filters the fine view with a Gaussian whose standard deviation is half a coarse pixel.
     const auto expected = [&](const std::vector<float>& fine, int stride, double already) {
         const double variance = (stride * stride - already) / 4.0;
         const int reach = 3 * stride;

@@ -65,12 +65,12 @@ class Events(EventsTest):
             self.xdotool(*at, 90, 90, "click", 1, "click", 1, *at, 300, 100)
         self.assertEqual(self.document["viewer"]["camera"], first)
         self.rest()
-        with self.long_frame(): # two clicks apart: a lobe is selected, and the button above is pressed
+        with self.long_frame(): # two clicks at different points: the second opens the presets
             self.xdotool(*at, 160, 60, "click", 1, *at, 500, 23, "click", 1, *at, 100, 100)
         self.assertTrue(self.state["gallery"])
-        with self.long_frame(): # the second picture, and a key
+        with self.long_frame(): # a click on the second preset, and a key
             self.xdotool(*at, 230, 60, "mousedown", 1, "mouseup", 1, *at, 20, 300, "key", "n")
-        self.assertEqual((self.document["material"], self.document["seed"]), ("carbon-fibre", 1)) # the seed of the preset aramid
+        self.assertEqual((self.document["material"], self.document["seed"]), ("carbon-fibre", 1)) # aramid has seed 0; N adds 1
         self.close()
 
     def test_changes_are_not_lost_on_closing(self):
@@ -82,7 +82,7 @@ class Events(EventsTest):
         self.assertIsNone(self.read("figure6.json"))
         self.open(*WINDOW) # the session comes back
         self.assertEqual(self.document["viewer"]["output"], "phase")
-        self.keys("n", "ctrl+q", "Return") # it asks whether to save, and saves
+        self.keys("n", "ctrl+q", "Return") # the viewer asks whether to save, and Return saves
         self.end()
         last = json.loads(self.read("figure6.json"))
         self.assertEqual((last["seed"], last["viewer"]["output"]), (3, "phase"))
@@ -111,15 +111,15 @@ class Events(EventsTest):
         (self.folder / "mine.json").write_bytes(own)
         (self.folder / "mine.exr").write_bytes(b"a picture")
         self.drop("mine.json")
-        self.keys("ctrl+s", "Escape", "ctrl+s", "n", "ctrl+s") # while the question is open, no key does anything else
+        self.keys("ctrl+s", "Escape", "ctrl+s", "n", "ctrl+s") # while the question is open, other keys do nothing
         self.assertIn("mine.json", self.state["question"])
         self.assertEqual(self.read("mine.json"), own)
         self.keys("Return")
         saved = json.loads(self.read("mine.json"))
         self.assertEqual((saved["frequency"], saved["seed"]), (3, 0))
-        self.keys("n", "ctrl+s") # from now on the file is the session's
+        self.keys("n", "ctrl+s") # from now on, the session may replace the file
         self.assertEqual(json.loads(self.read("mine.json"))["seed"], 1)
-        (self.folder / "mine.json").write_bytes(own) # until another program writes it
+        (self.folder / "mine.json").write_bytes(own) # until another program changes the file
         self.keys("ctrl+s")
         self.assertEqual(self.read("mine.json"), own)
         self.keys("Escape", "ctrl+e")
@@ -149,7 +149,7 @@ class Events(EventsTest):
         one = json.loads(self.read("one.json"))
         self.assertEqual((one["frequency"], one["seed"]), (3, 2))
         self.assertEqual(self.read("two.json"), two)
-        self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s") # before any file was opened
+        self.keys("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+s") # back to before any file was opened
         self.assertEqual(json.loads(self.read("noise.json"))["material"], "sand") # the material shown on first start
         self.close()
 
@@ -167,7 +167,7 @@ class Events(EventsTest):
             self.assertIn("ended before", self.state["question"])
             self.keys("Return")
             self.assertEqual((self.document["seed"], self.document["material"]), (2 + number, "sand")) # the material shown on first start
-            self.keys("ctrl+q", "d") # the changes are still unsaved, so it asks
+            self.keys("ctrl+q", "d") # the changes are still unsaved, so the viewer asks
             self.end()
             self.open(*WINDOW)
             self.assertIsNone(self.state["question"])

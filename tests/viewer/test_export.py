@@ -7,7 +7,7 @@ import signal
 import time
 import unittest
 
-from events import EventsTest  # noqa: I001 (first: it adds the folder of the next one to sys.path)
+from events import EventsTest  # noqa: I001 (first: it adds tests/cli to sys.path)
 from atomic import can_hide_files, check_files, prepare
 
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 4))
@@ -21,19 +21,19 @@ class Export(EventsTest):
         self.preset("preset.json", width=2200, height=2200)  # two bands
 
     def begin(self, older=False):
-        """Opens a viewer and waits until its export begins, when it holds an unnamed file open in the folder."""
+        """Opens a viewer and waits until its export begins by opening an unnamed file in the folder."""
         self.open("--preset", "preset.json", "--window", "480x320")
         self.process.stdin.write("export out/noise.exr\n")
         self.process.stdin.flush()
         if older:
             self.wait_for(lambda state: state["question"])
-            self.xdotool("key", "Return") # the export may replace the files
+            self.xdotool("key", "Return") # lets the export replace the files
         descriptors = pathlib.Path(f"/proc/{self.process.pid}/fd")
 
         def has_begun():
             try:
                 return any(os.readlink(entry).startswith(str(self.out)) for entry in descriptors.iterdir())
-            except FileNotFoundError: # one file was just closed
+            except FileNotFoundError: # a file was closed in the meantime
                 return False
 
         self.wait(has_begun)
@@ -42,7 +42,7 @@ class Export(EventsTest):
         end = time.monotonic() + 60
         while not condition():
             self.assertFalse(self.ended)
-            self.assertLess(time.monotonic(), end, "the export did not get this far")
+            self.assertLess(time.monotonic(), end, "timed out")
             time.sleep(0.001)
 
     def kill(self):

@@ -58,7 +58,7 @@ std::string panel_text(const Document& document) {
 
 } // namespace
 
-TEST_CASE("the panel speaks an artist's language outside the laboratory") {
+TEST_CASE("the panel avoids jargon outside the laboratory") {
     const std::regex jargon(R"(\b(recipe|lattice|quadrature|cvm|sd|visits|kurtosis)\b)", std::regex::icase);
     const auto check = [&](const std::string& mode, const Document& document) {
         INFO(mode);

@@ -97,7 +97,7 @@ TEST_CASE("documents survive a round trip through JSON") {
     Document document = unlike_any();
     document.request.lobes = {{.frequency = 3}, {.frequency = 5, .orientation = 70, .power = 0.5}};
     CHECK(document_from_json(to_json(document)) == document);
-    CHECK(render::from_json(to_json(document)) == document.request); // gabor render takes it too
+    CHECK(render::from_json(to_json(document)) == document.request); // gabor render reads it too
     CHECK(document_from_json(R"({"seed": 9})", document).colours == 3);
     CHECK_THROWS_WITH(document_from_json(R"({"viewer": {"output": "slope"}})"),
                       Catch::Contains("output \"slope\": expected value, gradient"));

@@ -13,7 +13,7 @@ SECONDS = int(os.environ.get("GABOR_VIEWER_SECONDS", "600"))
 
 
 def resident(process):
-    """The resident bytes of a running process."""
+    """Returns the resident bytes of a running process."""
     status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
     return 1024 * int(re.search(r"VmRSS:\s*(\d+)", status)[1])
 
@@ -43,7 +43,7 @@ class Random(EventsTest):
             sizes.append((at, resident(self.process)))
         self.command("quit")
         self.end()
-        # Window sizes, pipelines and files come and go, but steady growth is a leak.
+        # Memory varies with window sizes, pipelines and files, but steady growth is a leak.
         third = [size for at, size in sizes if SECONDS / 3 < at < 2 * SECONDS / 3]
         last = [size for at, size in sizes if at >= 2 * SECONDS / 3 and at < SECONDS]
         grown = sum(last) / len(last) - sum(third) / len(third)

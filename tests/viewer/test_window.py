@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next one)
+from events import EventsTest  # noqa: I001 (first: it adds tests/cli to sys.path)
 from png import read_colour_png
 
 
@@ -79,7 +79,7 @@ class Window(EventsTest):
             return [(lobe["frequency"], lobe["orientation"]) for lobe in saved.get("lobes", [saved])]
 
         (frequency, orientation), = lobes("moved")
-        self.assertAlmostEqual(frequency, 4 * 72 / 78, delta=0.06) # as far from the pointer as when grabbed
+        self.assertAlmostEqual(frequency, 4 * 72 / 78, delta=0.06) # the lobe keeps its distance from the pointer
         self.assertAlmostEqual(orientation, -90, delta=0.7)
         self.assertEqual(lobes("same"), lobes("moved")) # a click on an empty spot deselects
         self.assertEqual(lobes("added")[0], lobes("moved")[0])
@@ -93,11 +93,11 @@ class Window(EventsTest):
             point 300 300
             window lobe.png""", "plain.json", "--window", "1280x800")
         plane = read_colour_png(self.folder / "lobe.png")
-        pixels = 78 / 4 # per cycle per kernel radius; positions are those of the test above
+        pixels = 78 / 4 # per cycle per kernel radius; the positions are as in the test above
         cell = 2 * 2**2.5 / 72
 
         def power(f):
-            """The power spectrum of the lattice's window, (1 + cos(pi x)) / 2."""
+            """Returns the power spectrum of the lattice's window, (1 + cos(pi x)) / 2."""
             return (np.sinc(2 * f) / (1 - 4 * f**2))**2
 
         for x in range(11, 18): # to the right of the lobe and below the axis, where the power falls
@@ -106,7 +106,7 @@ class Window(EventsTest):
             low, high = (215 * (1 + np.log10(power(max(x / pixels - less, 0)) * power(max(y / pixels - less, 0))) / 5)
                          for less in (0, cell))
             self.assertTrue(low - 6 <= seen <= high + 6, f"{low:.0f} {seen} {high:.0f}")
-        self.assertLess(plane[240:300, 1020:1060].max(), 60) # far from the lobe there is only the scale
+        self.assertLess(plane[240:300, 1020:1060].max(), 60) # far from the lobe, only the axes and rings are drawn
 
     def test_what_has_no_effect_says_so(self):
         self.play("""

@@ -7,13 +7,13 @@ import unittest
 
 import numpy as np
 
-from events import EventsTest  # noqa: I001 (it finds the next two)
+from events import EventsTest  # noqa: I001 (first: it adds tests/cli to sys.path)
 from outputs import COLOURED
 from png import read_colour_png, read_deep_png
 
 WINDOW = "--window", "1100x700"
 VIEW = 736 # the view's width, without the panels
-ANIMATION, TEXTURE, MAPS = 1, 2, 3 # what is exported
+ANIMATION, TEXTURE, MAPS = 1, 2, 3 # indices in the list of what to export
 
 
 class Workshop(EventsTest):
@@ -28,23 +28,23 @@ class Workshop(EventsTest):
         self.click(900, 533 + 20 * kind)
         self.assertEqual(self.state["export"], kind)
         if kind == ANIMATION:
-            self.click(756, 587) # the least number of frames
+            self.click(756, 587) # the smallest number of frames
             self.assertEqual(self.state["animation"], 2)
         self.keys("ctrl+e")
         self.exported()
 
     def test_presets_are_pictures(self):
-        self.open("--window", "1400x840", self.preset("plain.json", width=64)) # pictures have their own size in this window
+        self.open("--window", "1400x840", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
         self.keys("p")
         self.frames(3)
-        # Bark is the fourth of seven presets in a row, whose cells of 136 pixels are in the middle of the view. A preset's name
-        # covers the lower edge of its picture.
+        # Bark is the fourth of the seven presets in its row. The row is centred in the view, with cells of 136 pixels. A
+        # preset's name covers the lower edge of its picture.
         left, top = 14 + (1008 - 7 * 136 + 8) // 2 + 3 * 136, 12
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)
         self.gabor("render", "--like", preset, "-o", "bark.png")
         off = np.abs(seen - read_colour_png(self.folder / "bark.png")[:100])[4:, 4:-4]
-        print(f"bark differs from its picture by {off.mean():.1f} of 255, its standard deviation is {seen.std():.1f}")
+        print(f"bark differs from its picture by {off.mean():.1f} of 255; its standard deviation is {seen.std():.1f}")
         self.assertLess(off.mean(), 0.25 * seen.std()) # JPEG compression error
         self.click(left + 64, top + 64)
         self.assertFalse(self.state["gallery"])
@@ -66,7 +66,7 @@ class Workshop(EventsTest):
         self.open(*WINDOW, preset)
 
         def seam():
-            """Returns the steps across seams relative to those within a tile, the larger ratio of both axes."""
+            """Returns the steps across seams relative to those within a tile, for the worse of the two axes."""
             self.wait_for(lambda state: state["tiles"] == [120, 120] and state["fine"])
             self.frames(3)
             copies = self.screen(VIEW // 2 - 120, 230, 240, 240)
@@ -115,7 +115,7 @@ class Workshop(EventsTest):
             self.assertEqual(len(names), 10)
             for each in names:
                 self.assertEqual(self.read(f"{name}/{each}"), self.read(f"expected/{each}"), each)
-            self.click(820, 671) # it may overwrite its own files
+            self.click(820, 671) # an export may overwrite its own files
             self.wait_for(lambda state: not state["exporting"])
             self.assertIsNone(self.state["question"])
             (self.folder / name / "height.png").write_bytes(b"mine")
@@ -137,7 +137,7 @@ class Workshop(EventsTest):
         for name in ("hill", "valley"):
             self.rest()
             self.click(1000, 671) # Export to...
-            self.type(name) # replaces the name in the field, also the second time
+            self.type(name) # replaces the name in the field, the second time too
             self.keys("Escape")
         self.command("open steel.json") # scrolls the panel to its top
         self.frames(3)
@@ -195,7 +195,7 @@ class Workshop(EventsTest):
         colour, normal = (read_colour_png(self.folder / f"corduroy/{name}.png").astype(float) for name in ("base_color", "normal"))
         height = read_deep_png(self.folder / "corduroy/height.png") / 65535
         self.assertGreater(np.corrcoef(height.ravel(), colour.sum(axis=2).ravel())[0, 1], 0.9) # ember brightens upwards
-        # The stripes' values are 1 and -1; a slope of `contrast` standard deviations makes 45 degrees.
+        # The stripes range from -1 to 1; a slope of 2 / `contrast` standard deviations makes 45 degrees.
         right, up, out = (normal[..., i] / 127.5 - 1 for i in range(3))
         relief = 0.5 * 1 / (2 * np.pi * 3 / np.sqrt(2))
         for axis, seen, sign in ((1, right, -1), (0, up, 1)):

@@ -42,11 +42,11 @@ struct Effort {
     int sample_batches = 16; ///< batches of 2^20 samples for each cvm
 };
 
-/// Times all noises in one process, interleaved, after a warm-up. Calls `step` after each measurement; an
-/// exception from it aborts. Throws RequestError on a device without timestamps.
+/// Times all noises in one process, interleaved, after a warm-up. Calls `step` after each measurement;
+/// `step` may throw to abort. Throws RequestError on a device without timestamps.
 Report run(const vulkan::Device& device, const Effort& effort, const std::function<void()>& step);
 
-/// Returns how often `run` calls `step`.
+/// Returns how many times `run` calls `step`.
 int steps(const Effort& effort);
 
 /// The compiler's statistics for a pipeline, from VK_KHR_pipeline_executable_properties.
@@ -59,7 +59,7 @@ struct Code {
 
 /// Returns statistics for everything that the benchmark times, except the seminal noise, whose loops have
 /// random lengths. The code is compiled but never run, so RADV's null device gives the same figures on every
-/// machine. A bake's loop over rows counts as often as it runs in a full block. Throws RequestError on a
+/// machine. A bake's loop over rows counts as many times as it runs in a full block. Throws RequestError on a
 /// device without VK_KHR_pipeline_executable_properties.
 std::vector<Code> measure_code(const vulkan::Device& device);
 

@@ -35,7 +35,7 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     const Statistics one = statistics(1);
     const Statistics two = statistics(2);
     const int columns = static_cast<int>(step.constants[passes::block_columns_id]);
-    constexpr int rows = 16; // rows in a GPU's block
+    constexpr int rows = 16; // rows per block on GPUs
     const auto per_pixel = [&](const char* name) {
         const double first = value(one, name);
         return (first + (rows - 1) * (value(two, name) - first)) / (rows * columns);

@@ -20,7 +20,7 @@ struct Subject {
     std::vector<std::uint32_t> options = {}; ///< the pass's own specialization constants
     bool measure_cvm = false;                ///< whether to measure the Gaussianity of its values
     bool has_loops = false; ///< whether compilers keep its loops, so that its code cannot be counted
-    /// Iterations of the octave loop, also the last of the options; 0 if there is no such loop.
+    /// The number of octaves, which is also the last of `options`; 0 if there is no loop over octaves.
     int octaves = 0;
 };
 
@@ -45,7 +45,7 @@ struct Setting {
 constexpr Setting base_setting{1024, 32, 4};
 constexpr double base_orientation = 40; ///< degrees
 
-/// The use of a pass: to fill a picture, to sample random places of independent instances, or to report the
+/// The use of a pass: to fill a picture, to sample random points of independent instances, or to report the
 /// compiler's statistics.
 enum class Use { picture, samples, statistics };
 

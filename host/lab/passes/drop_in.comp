@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Computes a recipe's noise at the study's places with the drop-in's own function.
+// Evaluates a recipe's noise at the positions of places.glsl with the drop-in's own function.
 
 #include "recipe.glsl"
 #include "places.glsl"

@@ -77,7 +77,7 @@ vec2 gabor_impl_hexagon_point(int index, vec2 unit) {
     return vec2(float(index) + 0.5, row + 0.5) / n + d;
 }
 
-// Sobol's sequence in two dimensions as 32-bit fractions. The first is the bit reversal of the index. The
+// Sobol's sequence in two dimensions as 32-bit fractions. The first coordinate is the bit reversal of the index. The
 // second has the primitive polynomial x + 1, so that each direction number v is followed by v ^ (v >> 1).
 // These numbers form Pascal's triangle modulo 2, which is applied here to all bits in five steps (Ahmed, "An
 // Implementation Algorithm of 2D Sobol Sequence Fast, Elegant, and Compact", EGSR 2024).
@@ -103,7 +103,7 @@ uint gabor_impl_owen_scrambled(uint fraction, uint seed) {
     return bitfieldReverse(v);
 }
 
-// Returns the number of impulses in a cell. `cell_word` is the hash of its impulse with index -1.
+// Returns the number of impulses in a cell. `cell_word` is the cell's hash: that of an impulse with index -1.
 int gabor_count(uint cell_word) {
     return GABOR_POINTS == 0 ? gabor_impl_poisson_count(float(GABOR_IMPULSES), cell_word) : GABOR_IMPULSES;
 }

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Computes the noise of any ingredients at the study's places.
+// Evaluates the noise of any ingredients at the positions of places.glsl.
 
 #include "ingredients.glsl"
 #include "places.glsl"

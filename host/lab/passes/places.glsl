@@ -1,5 +1,5 @@
-// The places at which a study evaluates a noise: a square grid of 4^grid_bits places in each of many
-// instances. The grid starts at a fixed place, or at a random offset of up to a cell from there. Single
+// The positions at which a study evaluates a noise: a square grid of 4^grid_bits positions in each of many
+// instances. The grid starts at a fixed position, or at a random offset of up to a cell from there. Single
 // values, pairs, windows, cells and pictures are all such grids. Include a file that defines gabor_impl_mix
 // before this one.
 
@@ -16,7 +16,7 @@ vec2 place_random(uint instance) {
     return vec2(ivec2(x >> 8u, y >> 8u)) / 16777216.0;
 }
 
-// Returns the place of a value, in cells, and sets the seed of its instance.
+// Returns the position of a value, in cells, and sets the seed of its instance.
 vec2 place_of(uint index, out uint seed) {
     uint instance = first + (index >> (2u * grid_bits));
     seed = gabor_impl_mix(instance * 0x9e3779b1u + noise_seed, noise_seed);

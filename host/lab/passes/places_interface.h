@@ -13,7 +13,7 @@ GABOR_PUSH_CONSTANTS(PlacesPush) {
     vec2 wave;       // cycles per kernel radius
     vec2 corner;     // where the grid starts, in cells
     float amplitude; // the normalization K
-    float spacing;   // distance between places of the grid, in cells
+    float spacing;   // distance between positions of the grid, in cells
     float within;    // 1 to add a random offset of up to a cell to the corner, else 0
     uint grid_bits;
     uint first; // first instance

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int cell = Lines::pixels_per_cell;
 
-// Omits frequencies that are their own mirror images: their power has half the degrees of freedom.
+// In cycles per cell along x and y. Frequencies that are their own mirror images are missing, because their
+// power has half the degrees of freedom.
 constexpr std::array<std::array<int, 2>, 6> frequencies{{{1, 0}, {0, 1}, {1, 1}, {1, -1}, {1, 2}, {2, 1}}};
 
 } // namespace

@@ -24,8 +24,8 @@ class Lines {
 
     /// Returns the largest ratio of the power at (1, 0), (0, 1), (1, 1), (1, -1), (1, 2) or (2, 1) cycles per
     /// cell to the mean power of the 24 frequencies around it, both averaged over the pictures. Without
-    /// lines, the ratio at each frequency is 1 apart from chance: after K pictures, K times the ratio is a
-    /// gamma variable of shape K. NaN if there are no pictures.
+    /// lines, the ratio at each frequency differs from 1 only by chance: after K pictures, K times the ratio
+    /// is a gamma variable of shape K. NaN if there are no pictures.
     double largest() const;
 
   private:
@@ -45,7 +45,7 @@ class Lines {
 };
 
 /// Measures the spectral lines of several functions of a noise. If the noise's mean, variance, kurtosis or
-/// tails depend on the place within a cell, one of the functions has lines.
+/// tails depend on the position within a cell, one of the functions has lines.
 class NoiseLines {
   public:
     enum Function : std::size_t { value, square, magnitude, fourth_power, tails, count };

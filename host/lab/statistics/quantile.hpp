@@ -4,7 +4,7 @@
 
 namespace gabor::statistics {
 
-/// Returns the number below which a share of `values` lies, interpolated linearly between order statistics.
+/// Returns the number below which the fraction `share` of `values` lies, interpolated linearly between them.
 /// Throws std::invalid_argument if `values` is empty.
 double quantile(std::vector<double> values, double share);
 

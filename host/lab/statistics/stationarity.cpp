@@ -30,8 +30,7 @@ Dispersion ProcessStationarity::variance() const {
     return dispersion(variances);
 }
 
-// A variance from n samples has the relative variance (excess kurtosis + 2) / n and the deciles of a normal
-// distribution.
+// The variance of n samples is nearly normal, with the relative variance (excess kurtosis + 2) / n.
 double ProcessStationarity::chance_interdecile() const {
     const double n = static_cast<double>(places_.front().count());
     return 2 * normal_quantile(0.9) * std::sqrt((all().excess_kurtosis() + 2) / n);

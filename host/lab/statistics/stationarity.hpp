@@ -23,11 +23,11 @@ class InstanceStationarity {
     std::vector<double> contrasts_;
 };
 
-/// Process stationarity [TNVT19, 3.2]: the mean and the variance at each of several places of a cell, over
+/// Process stationarity [TNVT19, 3.2]: the mean and the variance at each of several positions in a cell, over
 /// equally many instances.
 class ProcessStationarity {
   public:
-    /// Adds the values at one more place.
+    /// Adds the values at one more position.
     void add(const Moments& place) { places_.push_back(place); }
 
     const std::vector<Moments>& places() const { return places_; }

@@ -101,7 +101,7 @@ void figure2_pictures(const vulkan::Device& device, const Effort& effort, const 
     }
 }
 
-// Figure 3: the N at which the seminal noise is equally Gaussian, against N.
+// Figure 3: N* (see SeminalCurve) against N.
 
 void SeminalCurve::add(int n, double cvm) {
     // Keeps only the falling part, because chance can make the curve rise at its low end.
@@ -176,7 +176,7 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
 
 namespace {
 
-// Returns N*. It comes from the cvm if that is clearly above 0, otherwise from the excess kurtosis.
+// Returns N* (see SeminalCurve): from the cvm if that is clearly above 0, otherwise from the excess kurtosis.
 double seminal_equivalent(const ValueStatistics& values, const Ingredients& ingredients) {
     const statistics::Estimate cvm = values.gaussianity.index();
     if (cvm.low > cvm.value / 2)

@@ -1,6 +1,6 @@
 #pragma once
 
-// The paper's figures (figures.cpp) and further studies, each in the file with its name.
+// The paper's figures (figures.cpp) and further studies, each in the file named after it.
 
 #include "noise/recipe.hpp"
 #include "study/study.hpp"
@@ -45,19 +45,19 @@ inline constexpr std::string_view recipe_columns =
     "window,lattice,law,floor,jitter,N,R,samples,visited,cvm,cvm_low,cvm_high,variance,places_interdecile,"
     "places_chance,contrast_interdecile,sidelobe_db,outside,cvm_places,cvm_places_low,cvm_places_high";
 
-/// Returns a row with all criteria of one recipe: Gaussianity over all places and at each place of a cell,
-/// variance at each place, contrast of windows, and spectral purity.
+/// Returns a row with all criteria of one recipe: Gaussianity over all positions and at each position in a
+/// cell, variance at each position, contrast of windows, and spectral purity.
 Row recipe_row(const vulkan::Device& device, const Variant& variant, const Effort& effort);
 
-/// Returns a row with the same criteria of a lattice recipe.
+/// Returns a row with the same criteria for a lattice recipe.
 Row lattice_row(const vulkan::Device& device, const noise::Recipe& recipe, const Effort& effort);
 
-/// Returns a row with the same criteria of the seminal noise.
+/// Returns a row with the same criteria for the seminal noise.
 Row seminal_row(const vulkan::Device& device, const Effort& effort);
 
 /// Appends 1 to rows on the Pareto front and 0 to others. A row is on the front if its variance is stationary
-/// and no other stationary row is at least as good in impulses visited, cvm at places and sidelobes, and
-/// better in one.
+/// and no other stationary row is at least as good in impulses visited, mean cvm over positions and
+/// sidelobes, and better in one.
 void mark_pareto(std::vector<Numbers>& rows);
 
 } // namespace gabor::study

@@ -49,7 +49,7 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// Impulses at the nodes of a grid or at random places, with random phases alone or with complex normal
+// Impulses at the nodes of a grid or at random positions, with random phases alone or with complex normal
 // amplitudes.
 Table grids(const vulkan::Device& device, const Effort& effort) {
     Table table{"future_grids", std::string(recipe_columns), {}};

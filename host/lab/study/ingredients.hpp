@@ -78,9 +78,9 @@ double variance(const Ingredients& ingredients, const PlaneWave& wave);
 /// Campbell's theorem.
 double poisson_kurtosis(const Ingredients& ingredients, const PlaneWave& wave);
 
-/// Returns the excess kurtosis of the sum with stratified points, averaged over the places of a cell: sum_c N
-/// (m4 - 3 m2^2) / variance^2, where m2 and m4 are moments of one impulse of cell c. Only for the cosine and
-/// the sine.
+/// Returns the excess kurtosis of the sum with stratified points, averaged over the positions in a cell:
+/// sum_c N (m4 - 3 m2^2) / variance^2, where m2 and m4 are moments of one impulse of cell c. Only for the
+/// cosine and the sine.
 double stratified_kurtosis(const Ingredients& ingredients, const PlaneWave& wave);
 
 } // namespace gabor::study

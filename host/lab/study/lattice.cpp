@@ -19,7 +19,7 @@ double lattice_window(int taps, double x) {
 
 CovarianceOverCell lattice_covariance(int taps, const std::array<double, 2>& lag, int side) {
     const double spacing = 2.0 / taps; // distance between nodes, in kernel radii
-    // Returns the sum over the nodes of an axis at each place, divided by the sum of their squared windows.
+    // Returns the nodes' sum of window products at each position, divided by their sum of squared windows.
     const auto along = [&](double distance) {
         std::vector<double> sums;
         for (int place = 0; place < side; ++place) {

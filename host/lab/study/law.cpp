@@ -1,5 +1,5 @@
-// Effects that averaging over places hides: the distribution at each place of a cell, the distribution of
-// pairs, the dependence of the covariance on the place, and traces of the cells in power spectra.
+// Effects that averaging over positions hides: the distribution at each position in a cell, the distribution
+// of pairs, the dependence of the covariance on position, and traces of the cells in power spectra.
 
 #include "study/figures.hpp"
 
@@ -61,7 +61,7 @@ Source source(const vulkan::Device& device, const Subject& subject, const PlaneW
     };
 }
 
-// Returns the values of several instances. Equal seeds give equal instances, at the same places.
+// Returns the values of several instances. Equal seeds give equal instances, at the same positions.
 std::vector<float> draw(Noise& noise, std::uint64_t instances, const Grid& grid, std::uint32_t seed) {
     std::vector<float> values(instances << 2 * grid.bits);
     noise.fill(values, grid, 0, seed, ~seed);
@@ -93,7 +93,7 @@ Numbers law_of(Noise& noise, const Grid& grid, std::uint64_t instances, std::uin
     return numbers;
 }
 
-constexpr int side = 8; // places of a cell along an axis, the first at its corner
+constexpr int side = 8; // positions in a cell along an axis, the first at its corner
 
 Table places(const vulkan::Device& device, const Effort& effort) {
     Table table{"law_places", fmt::format("noise,x,y,instances,{}", law_columns), {}};
@@ -124,10 +124,10 @@ Table pooled(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// The distributions of the sum and the difference of two values a given lag apart, at a random place, divided
-// by their sample deviation, which depends on the lag.
+// The distributions of the sum and the difference of two values a given lag apart, at a random position,
+// divided by their sample deviation, which depends on the lag.
 Table pairs(const vulkan::Device& device, const Effort& effort) {
-    constexpr double largest = 2; // largest deviation of the sum of two values with variance 1
+    constexpr double largest = 2; // largest standard deviation of the sum of two values with variance 1
     Table table{"law_pairs",
                 "noise,lag,direction,pairs,correlation,cvm_sum,cvm_sum_low,cvm_sum_high,cvm_difference,"
                 "cvm_difference_low,cvm_difference_high",
@@ -165,18 +165,18 @@ Table pairs(const vulkan::Device& device, const Effort& effort) {
     return table;
 }
 
-// The covariance of two values a lag apart at each place of a cell, and its differences from the mean where
-// the two are in different cells. The wave makes whole turns between the two values, so their covariance is
-// that of the windows.
+// The covariance of two values a lag apart at each position in a cell, and its differences from the mean
+// where the two are in different cells. A whole number of periods of the wave lies between the two values, so
+// their covariance is that of the windows.
 constexpr PlaneWave whole_turns{4, 0};
 
 constexpr std::size_t place_count = side * side;
 
-// Returns the mean product of two values at this lag, at each place of a cell.
+// Returns the mean product of two values at this lag, at each position in a cell.
 std::array<double, place_count> covariances(Noise& noise, const std::array<double, 2>& lag,
                                             double cells_per_radius, std::uint64_t instances,
                                             std::uint32_t seed) {
-    // A grid puts its places at the centres of squares; this undoes the offset.
+    // A grid's positions are at the centres of squares; this undoes the offset.
     const double half = 0.5 / side / cells_per_radius;
     const Grid first{3, 1 / cells_per_radius, false, {-half, -half}};
     Grid second = first;
@@ -217,7 +217,7 @@ Table stationary(const vulkan::Device& device, const Effort& effort) {
     Table table{
         "law_covariance", "noise,lag_x,lag_y,instances,covariance,rms,rms_chance,largest,largest_chance", {}};
     const std::uint64_t instances = effort.places / 2;
-    // Covariance depends on the place only for the lattice: random signs and phases have mean 0.
+    // Covariance depends on position only for the lattice: random signs and phases have mean 0.
     std::vector<Numbers> theory;
     for (const Subject& subject : subjects()) {
         const Source noise = source(device, subject, whole_turns);
@@ -284,7 +284,7 @@ Tables law(const vulkan::Device& device, const Effort& effort) {
 
 // Writes a picture with one noise per column. Its rows show frequencies 1.5 and 4 over eight kernel radii,
 // the same zoomed to two radii, and frequency 1.5 over 4095 cells, with one value per sixteen cells at a
-// place that moves across the cell once.
+// position that moves across the cell once.
 void law_pictures(const vulkan::Device& device, const Effort& effort, const Folder& folder) {
     struct View {
         double frequency;

@@ -24,23 +24,23 @@ struct ValueStatistics {
     statistics::Gaussianity gaussianity;
 };
 
-/// Measures one value at a random place of each of `samples` independent instances.
+/// Measures one value at a random position in each of `samples` independent instances.
 ValueStatistics measure_values(std::span<Noise> sum, std::uint64_t samples, std::uint32_t seed);
 
-/// Measures windows of 16 x 16 pixels, one kernel diameter wide, each from another instance.
+/// Measures windows of 16 x 16 pixels, one kernel diameter wide, each from a different instance.
 statistics::InstanceStationarity measure_windows(std::span<Noise> sum, std::uint64_t windows,
                                                  std::uint32_t seed);
 
-/// Statistics at 8 x 8 places of a cell, over many instances.
+/// Statistics at 8 x 8 positions in a cell, over many instances.
 struct PlaceStatistics {
     statistics::ProcessStationarity stationarity;
-    std::vector<statistics::Estimate> cvm; ///< the index at each place
+    std::vector<statistics::Estimate> cvm; ///< Cramér-von Mises index at each position
 
-    /// The mean index of all places. Its interval is the mean of their intervals, which is wider than
-    /// necessary.
+    /// The mean index over all positions. Its interval is the mean of the positions' intervals, which is
+    /// wider than necessary.
     statistics::Estimate mean_cvm() const;
 };
-/// Measures values at places of a cell, whose side is `cell` kernel radii.
+/// Measures values at positions in a cell, whose side is `cell` kernel radii.
 PlaceStatistics measure_places(std::span<Noise> sum, double cell, std::uint64_t instances,
                                std::uint32_t seed);
 

@@ -101,7 +101,7 @@ PointSet point_set(const vulkan::Device& device, const Ingredients& ingredients,
     for (std::size_t cell = 0; cell < cells; ++cell) {
         const auto count = static_cast<std::size_t>(counts.as<std::int32_t>()[cell]);
         if (count > push.capacity)
-            throw std::runtime_error("a cell has more impulses than a Poisson count should have");
+            throw std::runtime_error("a cell has too many impulses for a Poisson count");
         const auto first = places.as<Point>().subspan(cell * push.capacity, count);
         set.emplace_back(first.begin(), first.end());
     }

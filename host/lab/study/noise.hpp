@@ -13,13 +13,13 @@
 
 namespace gabor::study {
 
-/// A square of 2^bits x 2^bits places in every instance, row by row, at the centres of pixels. A single place
-/// gives one value.
+/// A square grid of 2^bits x 2^bits positions in every instance, row by row, at the centres of pixels. With
+/// `bits` 0, it is a single position.
 struct Grid {
     unsigned bits = 0;
     double side = 0;               ///< length of a side in kernel radii
-    bool random = true;            ///< whether it begins at a random place of a cell instead of at its corner
-    std::array<double, 2> shift{}; ///< offset of the beginning, in kernel radii
+    bool random = true;            ///< whether it starts at a random position in a cell, not at its corner
+    std::array<double, 2> shift{}; ///< offset of the start, in kernel radii
 };
 
 /// A noise on the device, scaled to a given variance.
@@ -33,8 +33,8 @@ class Noise {
     /// The drop-in's noise, with variance 1.
     Noise(const vulkan::Device& device, const noise::Recipe& recipe, const PlaneWave& wave = {});
 
-    /// Computes the values of consecutive instances, from `first` on. Instances with the same `place_seed`
-    /// start at the same places. Returns the time on the device in seconds; NaN if it cannot be measured.
+    /// Computes the values of consecutive instances, from `first` on. `place_seed` determines where
+    /// random grids start. Returns the time on the device in seconds; NaN if it cannot be measured.
     double fill(std::span<float> values, const Grid& grid, std::uint32_t first, std::uint32_t noise_seed,
                 std::uint32_t place_seed);
 

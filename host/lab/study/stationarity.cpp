@@ -1,4 +1,4 @@
-// The noise at each place of a cell, and the means of whole instances.
+// The mean and variance at each position in a cell, and the means of whole instances.
 
 #include "study/figures.hpp"
 #include "study/measures.hpp"

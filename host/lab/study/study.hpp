@@ -15,10 +15,10 @@ namespace gabor::study {
 struct Effort {
     std::uint64_t samples;     ///< values of independent instances, per row
     std::uint64_t windows;     ///< windows of independent instances, per row
-    std::uint64_t places;      ///< instances at each place of a cell, per row
-    std::uint64_t law;         ///< values at each place of a cell, and pairs of values, per row
+    std::uint64_t places;      ///< instances at each position in a cell, per row
+    std::uint64_t law;         ///< values at each position in a cell, and pairs of values, per row
     std::vector<int> impulses; ///< the values of N in figures
-    std::vector<double> radii; ///< R of recipes, in cells
+    std::vector<double> radii; ///< the values of R in `frontier`, in cells
     int picture_bits;          ///< pictures have 2^bits x 2^bits pixels
     int timings;               ///< number of timings whose median is taken
 
@@ -37,11 +37,11 @@ struct Study {
     void (*pictures)(const vulkan::Device& device, const Effort& effort, const std::filesystem::path& folder);
 };
 
-/// All studies, in reading order.
+/// All studies, in the order of the help text.
 std::span<const Study> studies();
 
-/// Returns the study with that name, or all studies for `all`. Throws RequestError, with the known names, if
-/// there is none.
+/// Returns the study with that name, or all studies for `all`. Throws RequestError, listing the known names,
+/// if there is none.
 std::vector<Study> find_studies(std::string_view name);
 
 } // namespace gabor::study

@@ -30,7 +30,7 @@ std::filesystem::path path_of(const Table& table, const std::filesystem::path& f
 
 void write_table(const Table& table, const std::filesystem::path& folder, const std::string& conditions,
                  MeasuredRows& measured, const std::function<void(double)>& advance) {
-    image::OutputFile csv(path_of(table, folder, "csv")); // throws before any measurement if it cannot write
+    image::OutputFile csv(path_of(table, folder, "csv")); // throws before measuring if it cannot be written
     const std::filesystem::path sidecar = path_of(table, folder, "json");
     image::OutputFile json(sidecar);
     std::vector<Numbers> all;

@@ -14,7 +14,7 @@ namespace gabor::study {
 
 namespace {
 
-// Returns E[magnitude^power] for powers 2, 4 and 6.
+// Returns E[magnitude^power] for `power` 2, 4 or 6.
 double magnitude_moment(Magnitudes magnitudes, double floor, int power) {
     switch (magnitudes) {
     case Magnitudes::uniform: {
@@ -97,7 +97,7 @@ double visited(const Variant& variant) {
     return variant.impulses * std::pow(2 * variant.radius + variant.jitter, 2);
 }
 
-// Let a_k be the moments of the window over one cell, seen from a place. One impulse has the moments m2 =
+// Let a_k be the moments of the window over one cell, seen from a point. One impulse has the moments m2 =
 // E[w^2] a2 / 2, m4 = E[w^4] a4 3/8, m6 = E[w^6] a6 5/16 and the cumulants m4 - 3 m2^2 and m6 - 15 m4 m2 + 30
 // m2^3; cumulants of impulses add up. By Edgeworth's series F - Phi = -phi (k4 He3 / 24 + k6 He5 / 720), and
 // for normal x of variance 1/3 (with a density proportional to phi^3) E[He3^2] = 14/9, E[He3 He5] = -160/27,
@@ -197,8 +197,8 @@ SpectralPurity spectral_purity(const std::function<double(double)>& q, bool sepa
     const double sidelobe = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(end), power.end());
 
     // By Parseval's theorem, the window itself gives the total power; what exceeds the lobe's power is
-    // outside the lobe. On a separable window's axis, 2 integral(a^2) df = integral(q^2) dx / 2; for a round
-    // one with Hankel's transform, (2 pi)^2 integral(a^2 f) df = integral(w^2 r) dr.
+    // outside the lobe. With a from `transform`, 4 integral(a^2) df = integral(q^2) dx along a separable
+    // window's axis, and (2 pi)^2 integral(a^2 f) df = integral(q^2 r) dr for a round window.
     double lobe = 0;
     double whole = 0;
     for (std::size_t i = 0; i < end; ++i) {

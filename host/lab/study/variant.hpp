@@ -9,12 +9,12 @@
 
 namespace gabor::study {
 
-/// The options of host/lab/passes/variants.comp, in the same order.
+/// Options, numbered as in host/lab/passes/variants.comp.
 enum class Lattice { square, brick };
 enum class Magnitudes { uniform, two_point, rayleigh };
 enum class Shape { separable, radial, gaussian };
 
-/// Returns the name of an option in tables.
+/// Returns an option's name, as tables show it.
 std::string_view name(Lattice lattice);
 std::string_view name(Magnitudes magnitudes);
 std::string_view name(Shape shape);
@@ -44,11 +44,11 @@ struct Variant {
 /// Returns the specialization constants of passes/variants.comp.
 std::vector<std::uint32_t> constants(const Variant& variant);
 
-/// Returns N R^2 E[w^2] integral(window^2) / 2: the mean variance over all places and, if jitter is 1, the
-/// variance at each place.
+/// Returns N R^2 E[w^2] integral(window^2) / 2: the mean variance over all positions and, if jitter is 1,
+/// the variance at each position.
 double variance(const Variant& variant);
 
-/// Returns the mean number of impulses in the cells whose impulses can reach a place: N (2 R + jitter)^2.
+/// Returns the mean number of impulses in the cells whose impulses can reach a point: N (2 R + jitter)^2.
 double visited(const Variant& variant);
 
 /// Returns the floor, in steps of 1/1000, for which the cumulants of orders 4 and 6 together predict the

@@ -5,10 +5,10 @@
     n = gabor_noise.noise(x, y, frequency=4.0, orientation=np.pi / 4, seed=7)  # mean 0, variance 1, float32
     wgsl = gabor_noise.source("lattice", "wgsl")                              # for wgpu, moderngl, vispy
 
-Positions are in kernel radii and broadcast against each other; a place far from the origin is as precise as one near it. A
-frequency is in cycles per kernel radius, an orientation in radians from +x towards +y; both may be arrays, one value for
-each point. A seed is any integer of 32 bits. Values are those of the shaders. All functions use all cores and return
-float32. They raise ValueError for shapes that do not broadcast.
+Positions are in kernel radii and broadcast against each other; except in noise_3d, values are as precise far from the origin
+as near it. A frequency is in cycles per kernel radius, an orientation in radians from +x towards +y; both may be arrays with
+one value per point. A seed is any 32-bit integer. Values equal those of the shaders up to rounding. All functions use all
+cores and return float32. They raise ValueError for shapes that do not broadcast.
 """
 
 from __future__ import annotations
@@ -27,7 +27,8 @@ __version__ = "@VERSION@"
 
 
 def _points(*positions: ArrayLike, also: tuple[ArrayLike, ...] = ()) -> tuple[tuple[int, ...], list, list]:
-    """The common shape, flat positions in double precision, and flat parameters: one value where they are scalars."""
+    """Return the common shape, the positions as flat float64 arrays, and the parameters as flat float32 arrays, of length 1
+    for scalars."""
     arrays = [np.asarray(position, np.float64) for position in positions]
     others = [np.asarray(other, np.float32) for other in also]
     shape = np.broadcast_shapes(*(array.shape for array in arrays + others))
@@ -37,14 +38,14 @@ def _points(*positions: ArrayLike, also: tuple[ArrayLike, ...] = ()) -> tuple[tu
 
 
 def _with_channels(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
-    """Channels as the last axis where there are several."""
+    """Return the values in this shape, with a last axis for channels if there are several."""
     return values.reshape(shape) if len(values) == 1 else np.moveaxis(values.reshape(-1, *shape), 0, -1)
 
 
 def _periods(period: ArrayLike | None) -> tuple[float, float]:
     x, y = np.broadcast_to(np.asarray(0.0 if period is None else period, float), 2)
     if not (np.isfinite([x, y]).all() and min(x, y) >= 0):
-        raise ValueError(f"period is {period}: a number or a pair of them, not negative, 0 for none")
+        raise ValueError(f"period is {period}: expected a number or a pair of numbers, 0 or more; 0 for no repetition")
     return float(x), float(y)
 
 
@@ -60,7 +61,7 @@ def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation
     """Return Gabor noise at (x, y): mean 0, variance 1 at every point.
 
     period: kernel radii after which the pattern repeats exactly, one number or a pair for x and y; 0 for no repetition.
-    time: moment of an animation that repeats when it has grown by 1.
+    time: time in an animation with period 1; None for no animation.
     """
     return _field(1, x, y, frequency, orientation, seed, period, time)
 
@@ -73,22 +74,23 @@ def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, or
 
 def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: int = 0,
                   period: ArrayLike | None = None, time: float | None = None) -> NDArray[np.float32]:
-    """Return (quadrature, noise) along a last axis of 2: the same pattern with its waves a quarter period ahead, and the
-    noise. Their angle is the phase of stripes of even contrast. Arguments are those of `noise`."""
+    """Return (quadrature, noise) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
+    ahead; arctan2(noise, quadrature) is the phase of stripes of even contrast. Arguments are those of `noise`."""
     return _field(2, x, y, frequency, orientation, seed, period, time)
 
 
 def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: float = 4.0, orientation: float = 0.0,
                  frequency_spread: float = 0.0, orientation_spread: float = np.pi / 2, seed: int = 0) -> NDArray[np.float32]:
     """Return noise of waves within `orientation_spread` radians of the orientation (pi/2: all directions) and within the
-    share `frequency_spread` (0 to 1) of the frequency. The cost grows with the number of waves: at frequency 2 it is that of 10 noises."""
+    fraction `frequency_spread` (0 to 1) of the frequency. The cost grows with the number of waves: at frequency 2, all
+    directions cost as much as 10 calls of `noise`."""
     shape, flat, _ = _points(x, y)
     return _native.spread(*flat, frequency, orientation, frequency_spread, orientation_spread, seed & 0xFFFFFFFF).reshape(shape)
 
 
 def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
                    seed: int = 0) -> NDArray[np.float32]:
-    """Return (noise averaged over a pixel, share of the variance that this removed) along a last axis of 2.
+    """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
 
     pixel: the pixel's sides in kernel radii, one number or a pair for x and y.
     """
@@ -99,11 +101,11 @@ def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: A
 
 def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: float = 4.0,
              direction: tuple[float, float, float] | None = None, seed: int = 0) -> NDArray[np.float32]:
-    """Return solid noise at (x, y, z), with waves along `direction`, or along all directions where it is None."""
+    """Return solid noise at (x, y, z), with waves along `direction`, or in all directions if it is None."""
     shape, flat, _ = _points(x, y, z)
     vector = (0.0, 0.0, 0.0) if direction is None else tuple(map(float, direction))
     if direction is not None and not any(vector):
-        raise ValueError("direction is (0, 0, 0): a vector of any other length, or None for all directions")
+        raise ValueError("direction is (0, 0, 0): expected a nonzero vector, or None for all directions")
     return _native.solid(*flat, frequency, *vector, direction is None, seed & 0xFFFFFFFF).reshape(shape)
 
 
@@ -112,7 +114,7 @@ def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *,
     """Return stripes of even contrast along a map of wave vectors: (cosine, sine, intensity) along a last axis of 3.
 
     wave_x, wave_y: the wave vector in cycles per kernel radius, across the stripes; (0, 0) where the map has no direction.
-    sharpness: (cosine, sine) has length 1 where the intensity exceeds 1 / sharpness, and fades below, where stripes fork.
+    sharpness: (cosine, sine) has length 1 where the intensity exceeds 1 / sharpness, and fades below that, where stripes fork.
     period: as in `noise`.
     """
     shape, flat, waves = _points(x, y, also=(wave_x, wave_y))
@@ -123,18 +125,19 @@ def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, seed: 
             octaves: int = 5, frequency: float = 1.5, strength: float = 0.12, lacunarity: float = 2.0, gain: float = 0.5,
             onset: float = 0.5, detail: float = 1.5, sharpness: float = 2.0, ridge_rounding: float = 0.1,
             crease_rounding: float = 0.1, gully_weight: float = 0.5, branching: float = 1.0) -> NDArray[np.float32]:
-    """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in units of x and y, ridge
-    goes from -1 in valleys to 1 on ridges.
+    """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in the unit of x and y;
+    ridge ranges from -1 in valleys to 1 on ridges.
 
     base: the same four values of a terrain to erode, along its last axis; None for hills about four units wide.
     period: units after which the terrain repeats, at least 4; None for no repetition.
-    octaves: of gullies, 0 for the base alone; the other arguments are the members of GaborErosion in gabor_erosion.glsl.
+    octaves: number of octaves of gullies; 0 returns the base alone.
+    Other arguments are the members of GaborErosion in gabor_erosion.glsl.
     """
     if period is not None and not 4 <= period < np.inf:
-        raise ValueError(f"period is {period}: at least 4, or None")
+        raise ValueError(f"period is {period}: expected at least 4, or None")
     given = () if base is None else tuple(np.moveaxis(np.asarray(base, np.float32), -1, 0))
     if base is not None and len(given) != 4:
-        raise ValueError(f"base has {len(given)} values along its last axis: height, d/dx, d/dy, ridge")
+        raise ValueError(f"base has {len(given)} values along its last axis: expected height, d/dx, d/dy, ridge")
     shape, flat, given = _points(x, y, also=given)
     options = [float(octaves), frequency, strength, lacunarity, gain, onset, detail, sharpness, ridge_rounding, crease_rounding,
                gully_weight, branching]
@@ -147,13 +150,13 @@ _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "g
 def source(name: str = "lattice", language: Literal["glsl", "hlsl", "metal", "wgsl", "godot", "cpp"] = "glsl") -> str:
     """Return the text of a drop-in: name is "lattice", "spectrum", "materials", "lattice_3d", "erosion" or "noise".
 
-    All but "noise" go after "lattice"; "materials" and "lattice_3d" go after "spectrum" too.
+    Paste all but "noise" after "lattice", and "materials" and "lattice_3d" after "spectrum" too.
     """
     folder = importlib.resources.files(__name__) / "source"
     if language not in _ENDINGS:
-        raise ValueError(f"language is {language!r}: one of {', '.join(_ENDINGS)}")
+        raise ValueError(f"language is {language!r}: expected one of {', '.join(_ENDINGS)}")
     file = folder / f"gabor_{name}.{_ENDINGS[language]}"
     if not file.is_file():
         names = sorted(each.name[len("gabor_"):-len(".glsl")] for each in folder.iterdir() if each.name.endswith(".glsl"))
-        raise ValueError(f"name is {name!r}: one of {', '.join(names)}")
+        raise ValueError(f"name is {name!r}: expected one of {', '.join(names)}")
     return file.read_text(encoding="utf-8")

@@ -44,7 +44,7 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     return (vec2<f32>(_e39) / place.radius);
 }
 
-// Noise, quadrature and both gradients at a place. gabor_stripes_of turns its value into stripes.
+// Noise, quadrature and both gradients at a place. gabor_stripes_of turns the field's value into stripes.
 fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
     var waves_1: GaborWaves;
     var salt_4: u32;
@@ -141,7 +141,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c of each node c, windows h and amplitudes A as in gabor_lattice.wgsl,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.wgsl,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

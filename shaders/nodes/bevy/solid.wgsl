@@ -19,7 +19,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// The noise; it and its first derivatives are continuous.
+// The noise, with continuous first derivatives.
 fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
@@ -100,11 +100,11 @@ fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, s
     return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
 }
 
-// (noise, removed): the noise averaged over a pixel, and the share of its variance that the average removed. The
-// error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel radius,
-// and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs it costs 1.4 times as much as
-// gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most 6.6
-// times (125 nodes).
+// (noise, removed): the noise averaged over a pixel, and the share of its variance that averaging removed. The
+// error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
+// radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+// as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+// most 6.6 times (125 nodes).
 fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
     var field_17: GaborField3d;
 
@@ -139,8 +139,8 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
 }
 
 // Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
-// exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii,
-// and 3 % at 0.4. For larger pixels, only the variance is right.
+// exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel
+// radii, and 3 % at 0.4. For larger pixels, only the variance is right.
 fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
     var field_19: GaborField3d;
 
@@ -152,9 +152,9 @@ fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>,
     return vec2<f32>(_e8.noise, _e10.removed);
 }
 
-// Noise at point p of a surface, with waves along the projection of a direction onto the tangent plane. As the
-// angle between direction and normal falls from 30 to 14 degrees, a second noise, with waves at right angles, takes
-// over; in between, both are computed. On a curved surface, waves bend within each kernel.
+// Noise at point p on a surface, with waves along the projection of a direction onto the tangent plane. As the
+// angle between direction and normal falls from 30 to 14 degrees, a second noise, whose direction is perpendicular
+// to the given one, takes over; in between, both are computed. On a curved surface, waves bend within each kernel.
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
@@ -198,7 +198,7 @@ fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
     return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
 }
 
-// The noises above, for a GaborPlace3d. All other functions call these four.
+// The noises above, for a GaborPlace3d. All noise functions call these four.
 fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var stretch_5: vec3<f32>;
     var wave_22: vec3<f32>;
@@ -486,9 +486,9 @@ fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
 }
 
-// Adds slice k of nodes. `sum` receives the noise and, in zw, the window's part of its derivative along x; `slopes`
-// receives this part of its derivatives along y and z. The filter adds mixed derivatives, weighted by its covariances
-// yz, zx, xy.
+// Adds slice k of nodes. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the
+// window; `slopes` receives the same part of its derivatives along y and z. The filter adds mixed derivatives, weighted
+// by its covariances yz, zx, xy.
 fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
     var y_10: GaborAxis;
     var j_5: i32 = 0i;
@@ -643,8 +643,8 @@ fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3
     return;
 }
 
-// The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it, in units of
-// GABOR_RADIUS node spacings.
+// The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
+// for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
 struct GaborPixelAxes {
     major: vec3<f32>,
     minor: vec3<f32>,
@@ -714,7 +714,7 @@ fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
     return (vec2(1f) + (1.644934f * vec2<f32>(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor))));
 }
 
-// The share of its variance that a lobe keeps under a pixel's filter.
+// The share of a lobe's variance that a pixel's filter keeps.
 fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     var d_6: vec2<f32>;
     var k_2: vec2<f32>;
@@ -889,7 +889,7 @@ struct GaborTangents {
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
 // along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
-// surface. In space the first vector also rises, and the other two turn around it within a quarter of a circle.
+// surface. In space, the first vector also tilts along z, and the other two turn around it within a quarter circle.
 fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var word_7: u32;
     var turn_12: vec2<f32>;
@@ -1171,10 +1171,10 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
     return _e197;
 }
 
-// The share of its variance that isotropic noise keeps, within 0.008: the mean, over all directions u, of the share
-// that a lobe keeps. With q = 4 pi^2 F^2 S / d along each axis of the pixel, a lobe keeps exp(-q_1 u_1^2 - q_2 u_2^2).
-// If q_1 is the larger, the mean over the sphere is nearly the mean of exp(-q_1 u_1^2) times the mean over a circle
-// with q = (1 - E[u_1^2]) q_2, where E weights directions by exp(-q_1 u_1^2).
+// The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
+// share, exp(-q_1 u_1^2 - q_2 u_2^2) / sqrt(d_1 d_2). Along each axis of the pixel, q = 4 pi^2 F^2 S / d with d from
+// gabor_impl_spread. If q_1 is the larger, the mean of the exponential over the sphere is nearly the mean of
+// exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
 fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
     var d_8: vec2<f32>;
     var unit_5: vec2<f32>;

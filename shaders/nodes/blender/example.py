@@ -27,7 +27,7 @@ def noise(tree, coordinates, **inputs):
 
 
 def material(name, colours, output, strength, metallic, **inputs):
-    """Makes a surface whose colour and height follow an output of the noise."""
+    """Makes a material whose colour and height follow an output of the noise."""
     made = bpy.data.materials.new(name)
     made.use_nodes = True
     tree = made.node_tree

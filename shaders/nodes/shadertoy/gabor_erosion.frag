@@ -54,7 +54,7 @@ precision highp int;
 // float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 // float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
-//     The noise; it and its first derivatives are continuous.
+//     The noise, with continuous first derivatives.
 
 // float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
@@ -96,7 +96,7 @@ precision highp int;
 
 #define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector; gabor_kernel makes it.
+// A wave vector, returned by gabor_kernel or gabor_kernel_wave.
 struct GaborKernel {
     vec2 wave; // cycles per kernel radius
 };
@@ -133,7 +133,7 @@ struct GaborField {
 //     0. A period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     Noise, quadrature and both gradients at a place. All other functions call it.
+//     Noise, quadrature and both gradients at a place. All noise functions call it.
 
 // float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 //     The noise at gabor_place(cell, local).
@@ -200,8 +200,8 @@ uint gabor_impl_line_word(int index, uint salt) {
 }
 
 #define GABOR_IMPL_DEVIATION 1.4599553e27 // standard deviation of each part of an amplitude
-// The amplitude of a word. The real part comes from the whole word, the imaginary part from its low 20 bits; they are
-// independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
+// Computes an amplitude from a word: the real part from the whole word, the imaginary part from its low 20 bits. They
+// are independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
 // (1 + 0.623 u^2) are nearly proportional to those of a normal distribution. The noise's Cramer-von Mises index
 // [TNVT19] is 0.001 on average. At the worst point, a node, it is 0.03, because 79 % of the power there comes from that
 // node's amplitude.
@@ -237,7 +237,7 @@ vec2 gabor_impl_wave(float t) {
     return vec2(turn.y, t < 0.0 ? -turn.x : turn.x);
 }
 
-// Computes the windows of the nodes k = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
+// Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
 #define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of the squared windows
@@ -511,15 +511,15 @@ struct GaborErosion {
     float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
-    float sharpness;       // how equal gullies are in depth, 0 to 100: 1 for natural variety, 4 for even stripes
+    float sharpness;       // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
-    float gully_weight;    // depth of gullies, relative to that of peaks and valleys, 0 to 1
+    float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10: 0 for none, 1 for all of it
 };
 
 // GaborErosion gabor_erosion()
-//     Alpine ridges and valleys on the hills of gabor_terrain.
+//     Parameters for alpine ridges and valleys on the hills of gabor_terrain.
 
 // GaborTerrain gabor_terrain(vec2 p, uint seed)
 //     Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
@@ -549,14 +549,16 @@ struct GaborGround { // the position cell + local
 // GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     These combine a period, full precision far from the origin and, unless dx and dy are vec2(0.0), a filter.
+//     The same with a period, a filter (unless dx and dy are vec2(0.0)), or both. Without a period, the result is
+//     precise at any distance from the origin.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The kernel radius is one unit of p.
+// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
+// p, so that wave vectors and derivatives are per unit of p.
 GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
@@ -574,8 +576,8 @@ GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
     return place;
 }
 
-// Computes the cubic B-splines of the four nodes around a point, at t in [0, 1) between the middle two, and their
-// derivatives.
+// Computes the cubic B-splines of the four nodes around a point, and their derivatives. The point is t in [0, 1) node
+// spacings beyond the second node.
 void gabor_impl_splines(float t, out vec4 value, out vec4 slope) {
     float u = 1.0 - t;
     value = vec4(u * u * u, 4.0 - 3.0 * t * t * (1.0 + u), 4.0 - 3.0 * u * u * (1.0 + t), t * t * t) / 6.0;
@@ -658,7 +660,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain 
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
             z = erosion.sharpness * gabor_field(place, GaborKernel(wave), gabor_lobe_seed(seed, i)).value;
-            z *= kept * inversesqrt(1.0 + dot(z, z)); // brings z to length 1, except where waves cancel
+            z *= kept * inversesqrt(1.0 + dot(z, z)); // brings z near length `kept`, except where waves cancel
         }
         gully.height = mix(gully.height, erosion.gully_weight * z.x, mask);
         gully.slope = mix(gully.slope, -6.2831853 * erosion.gully_weight * z.y * wave, mask);

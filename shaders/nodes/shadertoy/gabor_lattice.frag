@@ -54,7 +54,7 @@ precision highp int;
 // float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 // float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
-//     The noise; it and its first derivatives are continuous.
+//     The noise, with continuous first derivatives.
 
 // float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
@@ -96,7 +96,7 @@ precision highp int;
 
 #define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector; gabor_kernel makes it.
+// A wave vector, returned by gabor_kernel or gabor_kernel_wave.
 struct GaborKernel {
     vec2 wave; // cycles per kernel radius
 };
@@ -133,7 +133,7 @@ struct GaborField {
 //     0. A period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     Noise, quadrature and both gradients at a place. All other functions call it.
+//     Noise, quadrature and both gradients at a place. All noise functions call it.
 
 // float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 //     The noise at gabor_place(cell, local).
@@ -200,8 +200,8 @@ uint gabor_impl_line_word(int index, uint salt) {
 }
 
 #define GABOR_IMPL_DEVIATION 1.4599553e27 // standard deviation of each part of an amplitude
-// The amplitude of a word. The real part comes from the whole word, the imaginary part from its low 20 bits; they are
-// independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
+// Computes an amplitude from a word: the real part from the whole word, the imaginary part from its low 20 bits. They
+// are independent and nearly normal. For u uniform in [-1, 1], the quantiles of (u - 0.893 clamp(u, -0.937, 0.937))
 // (1 + 0.623 u^2) are nearly proportional to those of a normal distribution. The noise's Cramer-von Mises index
 // [TNVT19] is 0.001 on average. At the worst point, a node, it is 0.03, because 79 % of the power there comes from that
 // node's amplitude.
@@ -237,7 +237,7 @@ vec2 gabor_impl_wave(float t) {
     return vec2(turn.y, t < 0.0 ? -turn.x : turn.x);
 }
 
-// Computes the windows of the nodes k = -1, 0 ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
+// Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
 #define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of the squared windows

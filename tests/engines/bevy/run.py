@@ -16,7 +16,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
 from functions import CALLS, on_vulkan  # noqa: E402
 
-MODULES = [ROOT / "shaders" / "nodes" / "bevy" / f"{name}.wgsl"  # in the order in which they import each other
+MODULES = [ROOT / "shaders" / "nodes" / "bevy" / f"{name}.wgsl"  # each after those that it imports
            for name in ("lattice", "spectrum", "solid", "materials", "erosion", "direction")]
 SCENE = """#import gabor_noise::lattice::{gabor_kernel, gabor_noise, gabor_noise_animated, gabor_noise_complex, gabor_noise_four,
     gabor_noise_gradient, gabor_noise_tiled, gabor_stripes}

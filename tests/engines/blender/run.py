@@ -1,4 +1,4 @@
-"""Draws a shader in the Open Shading Language with Blender's Cycles: run.py SHADER.osl VALUES.raw. Needs a Python that has bpy."""
+"""Draws an Open Shading Language shader with Blender's Cycles: run.py SHADER.osl VALUES.raw. Needs a Python that has bpy."""
 
 import json
 import pathlib
@@ -41,7 +41,7 @@ scene.camera.data.type, scene.camera.data.ortho_scale = "ORTHO", 256
 
 folder = tempfile.TemporaryDirectory(prefix="gabor-")
 noise = script_node(tree, shader, folder.name, Scale=1.0, Frequency=4.0, Orientation=0.7854, Seed=7)
-output = noise.outputs.get("Noise") or noise.outputs[0]  # MaterialX's shader has one output, and its text sets its inputs
+output = noise.outputs.get("Noise") or noise.outputs[0]  # MaterialX's shader has one output, and sets its own inputs
 position = tree.nodes.new("ShaderNodeNewGeometry").outputs["Position"]
 pixel = math(tree, "ADD", math(tree, "FLOOR", position), (0.5, 0.5, 0.0))  # samples may be anywhere in a pixel
 if "Vector" in noise.inputs:

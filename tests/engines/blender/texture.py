@@ -1,5 +1,5 @@
 """Draws planes to the horizon in Blender's Cycles, each with a mip-mapped texture: texture.py PICTURE.npy TEXTURE.exr...
-Needs a Python that has bpy. First, OpenImageIO's maketx gives each flat texture mip levels, which are averages of 2 x 2."""
+Needs a Python that has bpy. First, OpenImageIO's maketx adds mip levels, averages of 2 x 2, to each texture that has none."""
 
 import math
 import pathlib
@@ -13,11 +13,11 @@ from cycles_scene import lit_by, plane, render, script_node
 import OpenImageIO as oiio  # cycles_scene finds it inside bpy
 
 picture, *textures = map(pathlib.Path, sys.argv[1:])
-SIDE, TILE = 512, 4.0  # pixels, and the size of a texture when the camera's height is 1
+SIDE, TILE = 512, 4.0  # the picture's side in pixels, and the texture's in camera heights
 
 
 def with_levels(texture, folder):
-    """Returns the texture itself if it has levels, otherwise the file with levels that maketx makes from it."""
+    """Returns the texture itself if it has levels, otherwise the file that maketx makes from it."""
     if oiio.ImageInput.open(str(texture)).seek_subimage(0, 1):
         return texture
     options = oiio.ImageSpec()

@@ -70,13 +70,13 @@ try {
     });
     messages.forEach(message => console.error(message));
     if (scripts.length && messages.length)
-        throw new Error("a page for visitors must not write to the console");
+        throw new Error("the page must not write to the console");
     if (!facts.driver.includes(wanted))
         throw new Error(`the driver should be ${wanted} but is ${facts.driver}`);
     const shown = await deviation(tab, Buffer.from(await (await tab.$("canvas")).screenshot()));
     if (!facts.picture && !(Math.abs(shown - 0.24) < 0.04))
         throw new Error(`the page's grey values should have a standard deviation of 0.24, but it is ${shown}`);
-    if (scripts.length) { // checks the page on a phone
+    if (scripts.length) { // checks the page at a phone's size
         await tab.setViewport({ width: 390, height: 844 });
         await new Promise(resolve => setTimeout(resolve, 1000));
         const wide = await tab.evaluate(() => [...document.querySelectorAll("body *")]

@@ -1,5 +1,5 @@
-// Opens every tab of docs/demo/index.html with every option, and draws the copied Shadertoy text. Each text must compile and
-// show something. Measures the noise of one text.
+// Opens every tab of docs/demo/index.html with every option, and draws the Shadertoy code that it offers. The code must compile
+// and show something. Then measures the noise of one tab.
 function textOf(tab, settings) {
     history.replaceState(null, "", "#" + new URLSearchParams({ tab, ...settings }));
     readAddress();
@@ -33,7 +33,7 @@ globalThis.drawn = (async () => {
         .replace(/vec2 p = vec2\(pixel\.x, iResolution\.y - pixel\.y\) \/ [\d.]+;/, "vec2 p = pixel / 32.0;");
     asked = false;
     changed();
-    await new Promise(resolve => setTimeout(resolve, 500)); // wait until the page draws sharply
+    await new Promise(resolve => setTimeout(resolve, 500)); // wait until the page draws at full resolution
     await new Promise(resolve => requestAnimationFrame(resolve));
     return { engine: "docs/demo", dialect: "GLSL 300 es", ...measure(document.createElement("canvas"), text) };
 })();

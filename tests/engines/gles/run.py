@@ -1,6 +1,6 @@
-"""Draws with OpenGL ES alone, without a window: a drop-in in a fragment shader of GLSL 300 es after a given header,
+"""Draws with OpenGL ES alone, without a window. Draws a drop-in in a GLSL 300 es fragment shader, after a given header:
 run.py HEADER VALUES.raw DROP_IN [NAME=VALUE]
-or a custom shader without version and header, run.py HEADER VALUES.raw SHADER.frag"""
+or a custom shader, to which it adds the version and the header: run.py HEADER VALUES.raw SHADER.frag"""
 
 import ctypes
 import json
@@ -45,7 +45,7 @@ def function(name, result, *types):
 
 
 def make_context():
-    """Makes a context of OpenGL ES 3 current, without a surface."""
+    """Makes an OpenGL ES 3 context current, without a surface."""
     display = function("eglGetPlatformDisplay", c_void_p, c_uint, c_void_p, c_void_p)(0x31DD, None, None)  # surfaceless
     function("eglInitialize", c_uint, c_void_p, c_void_p, c_void_p)(display, None, None)
     function("eglBindAPI", c_uint, c_uint)(0x30A0)  # OpenGL ES

@@ -1,4 +1,4 @@
-"""Runs Godot in the system under ROOT: run.py ROOT canvas|node|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]
+"""Runs Godot in the chroot ROOT: run.py ROOT canvas|node|compute METHOD DRIVER VALUES.raw DROP_IN [NAME=VALUE]
 or, with a custom canvas shader, which may include all drop-ins: run.py ROOT canvas METHOD DRIVER VALUES.raw SHADER.gdshader"""
 
 import pathlib

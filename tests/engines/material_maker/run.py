@@ -1,4 +1,4 @@
-"""Draws Material Maker's node, expanded as Material Maker does, in a fragment shader: run.py VALUES.raw"""
+"""Expands the Material Maker node as Material Maker does, and draws it in a fragment shader: run.py VALUES.raw"""
 
 import json
 import pathlib
@@ -26,7 +26,7 @@ model = node["shader_model"]
 given = node["parameters"] | {"orientation": np.degrees(np.float32(0.7854))}  # the scene's orientation, slightly different from 45 degrees
 missing = {parameter["name"] for parameter in model["parameters"]} ^ set(given)
 if missing:
-    sys.exit(f"declared or passed, but not both: {missing}")
+    sys.exit(f"parameters not declared, or not passed: {missing}")
 output = model["outputs"][0]["f"]
 names = {"uv": "uv", "seed": "uintBitsToFloat(7u)"} | {name: f"{float(number):.9f}" for name, number in given.items()}
 value = re.sub(r"\$(\w+)", lambda name: names[name[1]], output)

@@ -1,7 +1,7 @@
-"""Runs what MaterialX generates from shaders/nodes/materialx: run.py TARGET VALUES.raw
+"""Runs the code that MaterialX generates from shaders/nodes/materialx: run.py TARGET VALUES.raw
 
-Each function of a node is a graph that ends in a float. glsl is drawn with moderngl, and osl with Cycles. For the other
-targets, the nodes' functions are cut out of the generated text and run: essl, vulkan, wgsl and slang on Vulkan, msl and
+Each function is a graph with one float as its output. moderngl draws the graphs of glsl, and Cycles those of osl. For the other
+targets, the nodes' functions are cut out of the generated code and run: essl, vulkan, wgsl and slang on Vulkan, msl and
 mdl as C++. First, all nodes are generated within a standard_surface and compiled if the target has a compiler here."""
 
 import json
@@ -226,7 +226,7 @@ int main(int, char** argv)
 
 
 def functions(target):
-    """The nodes' functions, cut out of a shader that uses all nodes."""
+    """Returns the nodes' functions, cut out of a shader that uses all nodes."""
     if target == "mdl":
         text = (NODE / "libraries" / "gabor" / "genmdl" / "mx_gabor.mdl").read_text()
         text = re.sub(r"^(mdl|import) .*$|^export ", "", text, flags=re.MULTILINE)
@@ -287,9 +287,9 @@ def drawn_by_cycles(folder):
         yield np.fromfile(values, "<f4")
 
 
-RAN = {"glsl": "GLSL 400", "essl": "ESSL, its functions", "vulkan": "Vulkan GLSL, its functions", "wgsl": "WGSL by naga, its functions",
-       "msl": "MSL, its functions as C++", "slang": "Slang, its functions", "osl": "OSL, in Cycles",
-       "mdl": "MDL, its functions as C++"}
+RAN = {"glsl": "GLSL 400", "essl": "ESSL, functions only", "vulkan": "Vulkan GLSL, functions only",
+       "wgsl": "WGSL by naga, functions only", "msl": "MSL, functions only, as C++", "slang": "Slang, functions only",
+       "osl": "OSL, in Cycles", "mdl": "MDL, functions only, as C++"}
 
 
 def main():

@@ -1,4 +1,4 @@
-"""Draws a drop-in in a fragment shader of GLSL 330 with Panda3D, without a window: run.py VALUES.raw DROP_IN [NAME=VALUE]"""
+"""Draws a drop-in in a GLSL 330 fragment shader with Panda3D, without a window: run.py VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import json
 import os
@@ -52,7 +52,7 @@ lens.set_near_far(-1, 1)
 target.make_display_region().set_camera(scene.attach_new_node(Camera("camera", lens)))
 base.graphicsEngine.render_frame()
 
-# The lowest row comes first, as gl_FragCoord counts; the channels are blue, green, red, alpha.
+# Takes only red from the pixels, which are BGRA. The lowest row comes first, as in gl_FragCoord.
 pathlib.Path(values).write_bytes(bytes(texture.get_ram_image_as("R")))
 print(json.dumps({"engine": "Panda3D", "version": panda3d.__version__, "dialect": "GLSL 330",
                   "driver": target.gsg.driver_renderer}))

@@ -1,4 +1,4 @@
-"""Draws a drop-in in a fragment shader of GLSL 330 with raylib into a texture of floats:
+"""Draws a drop-in into a texture of floats with raylib and a GLSL 330 fragment shader:
 run.py VALUES.raw DROP_IN [NAME=VALUE]. Needs a display; without one, use xvfb-run -a python run.py ..."""
 
 import ctypes
@@ -29,7 +29,7 @@ rl.SetConfigFlags(rl.FLAG_WINDOW_HIDDEN)
 rl.InitWindow(256, 257, b"Gabor noise")
 shader = rl.LoadShaderFromMemory(ffi.NULL, FRAGMENT.encode())  # no vertex shader: NULL, not ""
 
-# LoadRenderTexture only creates 8-bit targets, so this creates a target of floats itself.
+# LoadRenderTexture only creates 8-bit targets, so this code attaches a float texture itself.
 target = rl.rlLoadFramebuffer()
 texture = rl.rlLoadTexture(ffi.NULL, 256, 257, rl.PIXELFORMAT_UNCOMPRESSED_R32G32B32A32, 1)
 rl.rlFramebufferAttach(target, texture, rl.RL_ATTACHMENT_COLOR_CHANNEL0, rl.RL_ATTACHMENT_TEXTURE2D, 0)

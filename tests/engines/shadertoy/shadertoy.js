@@ -51,7 +51,7 @@ function redOf(gl, text) {
 
 // Draws the Shadertoy code into the canvas. Returns the driver's name, and the noise before gabor_unorm is applied.
 function measure(canvas, text) {
-    const plain = text.replace("vec3(gabor_unorm(n))", "vec3(n)"); // the drop-in's own example has no vec3
+    const plain = text.replace("vec3(gabor_unorm(n))", "vec3(n)"); // vec3 excludes the example in the drop-in's comment
     if (plain === text)
         throw new Error("the text has no vec3(gabor_unorm(n))");
     const gl = canvas.getContext("webgl2", { preserveDrawingBuffer: true });

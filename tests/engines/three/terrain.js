@@ -11,7 +11,7 @@ material.onBeforeCompile = shader => {
         .replace("#include <common>", `#include <common>
             ${drop_ins}
             varying vec3 height_slope_ridge;
-            const float spacing = 8.0 / 511.0; // spacing of vertices; gullies too fine for it fade
+            const float spacing = 8.0 / 511.0; // vertex spacing; gullies too fine for it fade out
             GaborTerrain ground(vec2 p) {
                 vec2 x = vec2(spacing, 0.0), y = vec2(0.0, spacing);
                 return gabor_eroded_filtered(p, x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u);

@@ -9,8 +9,8 @@ const { screenCoordinate, uv, vec3, vec4 } = tsl;
 const forceWebGL = new URLSearchParams(location.search).get("backend") === "webgl";
 const target = new THREE.RenderTarget(256, 256, { type: THREE.FloatType, depthBuffer: false });
 
-// Returns the red channel of the drawn picture. Rows count from the top on three.js' screen and in WebGPU, but WebGL's
-// targets are read from the bottom.
+// Returns the red channel of the drawn picture. Rows count from the top on three.js' screen and in WebGPU, but WebGL
+// reads targets from the bottom.
 async function reds(renderer, render) {
     renderer.setRenderTarget(target);
     render();
@@ -21,8 +21,8 @@ async function reds(renderer, render) {
         .flatMap(start => Array.from(values.subarray(start, start + 256)));
 }
 
-// Returns the largest difference between gabor_normal and the exact normal of a plane of side 4 that shows 8 kernel radii of noise
-// and is lifted by 0.1 times the noise.
+// Returns the largest error of gabor_normal on a plane of side 4 that shows 8 kernel radii of noise and whose relief is 0.1
+// times the noise.
 async function normal_error(renderer) {
     const p = uv().mul(8), field = gabor.gabor_field(p, 2, 0.5, 7).toVar();
     const wanted = tsl.normalize(vec3(field.zw.mul(-0.1 * 8 / 4), 1));

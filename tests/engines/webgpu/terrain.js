@@ -23,7 +23,7 @@ fn ground(p: vec2f) -> GaborTerrain {
     let p = spacing * vec2f(vec2u(square % side, square / side) + corners[index % 6]) - 4.0;
     let here = ground(p);
     let slope = vec2f(ground(p + vec2f(spacing, 0.0)).height, ground(p + vec2f(0.0, spacing)).height) - here.height;
-    // The camera is at (0, 2.6, 6) and looks 24 degrees down, with a view 40 degrees high.
+    // The camera is at (0, 2.6, 6) and looks 24 degrees down, with a vertical field of view of 40 degrees.
     let d = vec3f(p.x, here.height, p.y) - vec3f(0.0, 2.6, 6.0);
     let view = vec3f(d.x, 0.914 * d.y - 0.407 * d.z, -0.407 * d.y - 0.914 * d.z);
     let far = 50.0;

@@ -1,4 +1,4 @@
-"""Runs a drop-in in a compute shader of GLSL 450, or its translation to WGSL, with wgpu, which contains naga:
+"""Runs a drop-in in a GLSL 450 compute shader, or its WGSL translation, with wgpu, which contains naga:
 run.py glsl|wgsl VALUES.raw DROP_IN [NAME=VALUE]"""
 
 import json
@@ -42,7 +42,7 @@ adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
 device = adapter.request_device_sync()
 size = 256 * 257 * 4
 values = device.create_buffer(size=size, usage=wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC)
-# For GLSL, the label must contain comp, vert or frag, because it selects the stage.
+# For GLSL, the label must contain comp, vert or frag: it selects the stage.
 module = device.create_shader_module(label="comp", code=WGSL if language == "wgsl" else GLSL)
 # Macros in GLSL are override constants in WGSL.
 constants = {name: float(value) for name, value in (macro.split("=") for macro in macros)} if language == "wgsl" else {}

@@ -1,7 +1,7 @@
 // Shared by the benchmark's passes. Each defines
-//     float value(vec2 p, uint seed)
+//     float value(vec2 p, uint instance)
 // When timed, a pass fills a picture, one pixel per invocation. When the distribution of its values is
-// measured, each invocation samples a random place of an independent instance.
+// measured, each invocation samples a random point of an independent instance.
 
 #include "passes/bench/bench_interface.h"
 

@@ -1,9 +1,9 @@
 // The erosion filter of runevision, "Fast and gorgeous erosion filter", March 2026, whose stripes are sums of
 // random splats. In each octave, each of the 4 x 4 cells around a point has one splat at a random position: a
-// wave under a round window, with the direction needed at the point. The benchmark compares this filter with
-// gabor_eroded; structs and parameters are the same.
+// wave under a round window, whose stripes run downhill at the point. The benchmark compares this filter with
+// gabor_eroded, which has the same structs and parameters.
 
-// Two random numbers in [0, 1) for a cell: PCG2D by Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
+// Two random numbers in [0, 1] for a cell: PCG2D by Jarzynski and Olano, "Hash functions for GPU rendering", 2020.
 vec2 gabor_splat_place(ivec2 cell, uint seed) {
     uvec2 word = uvec2(cell) * 1664525u + (1013904223u + seed);
     word.x += word.y * 1664525u;
@@ -16,7 +16,7 @@ vec2 gabor_splat_place(ivec2 cell, uint seed) {
 }
 
 // Returns the cosine and sine of stripes: a sum of mean square 2, scaled by the sharpness and compressed to a length
-// below 1. p and wave are in cells.
+// below 1. p is in cells, and wave in cycles per cell.
 vec2 gabor_splat_stripes(vec2 p, vec2 wave, float sharpness, uint seed) {
     vec2 corner = floor(p - 0.5);
     ivec2 cell = ivec2(corner);

@@ -10,7 +10,7 @@ uint yardstick_word(ivec2 cell, uint seed) {
     return word ^ (word >> 15u);
 }
 
-// Returns the next value in [0, 1) of a multiplicative congruential generator.
+// Returns the next value in [0, 1] of a multiplicative congruential generator.
 float yardstick_uniform(inout uint generator) {
     generator *= 3039177861u;
     return float(generator) / 4294967296.0;

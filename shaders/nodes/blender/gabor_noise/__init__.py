@@ -10,12 +10,12 @@ import math
 import bpy
 
 NODE, FIELD = "Gabor Noise Node", "Gabor Noise (Normalized)"
-# One part of an amplitude, for u uniform in [-1, 1]: (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2), nearly normal.
+# Each part of an amplitude is nearly normal: (u - 0.893 clamp(u, -0.937, 0.937)) (1 + 0.623 u^2), u uniform in [-1, 1].
 SLOPE, KNEE, SQUARE, DEVIATION = 0.89289313, 0.93687596, 0.62342056, 0.09190329
 
 
 class Builder:
-    """Adds nodes to a group. A value is a socket or a number."""
+    """Builds a node group. A value is a socket, a number or a tuple of numbers."""
 
     def __init__(self, name, inputs, outputs):
         self.tree = bpy.data.node_groups.new(name, "ShaderNodeTree")
@@ -79,7 +79,7 @@ def node_group():
                    b.vector("MULTIPLY_ADD", b.vector("MULTIPLY", u, u), (SQUARE,) * 3, (1, 1, 1)))
     parts = b.node("SeparateXYZ", law)
 
-    # Hann's windows along x and y, divided by the amplitude's deviation and by the sum of squared windows, 9/8.
+    # Hann's windows along x and y, divided by the amplitude's standard deviation and by the sum of squared windows, 9/8.
     cosines = b.node("SeparateXYZ", b.vector("COSINE", b.scaled(offset, math.pi)))
     window = b.math("MULTIPLY", *(b.math("MULTIPLY_ADD", cosines[axis], 0.5, 0.5) for axis in (0, 1)))
     window = b.math("MULTIPLY", window, 1 / (DEVIATION * 1.125))
@@ -91,7 +91,7 @@ def node_group():
 
 
 def field_group():
-    """Makes the group that sums the waves of the 3 x 3 lattice nodes around a point, once per file."""
+    """Makes, once per file, the group that sums the waves of the 3 x 3 lattice nodes around a point."""
     if FIELD in bpy.data.node_groups:
         return bpy.data.node_groups[FIELD]
     one = node_group()

@@ -1,4 +1,4 @@
-//! compose OUT.spv SCENE.wgsl MODULE.wgsl...: composes a shader and the modules that it imports as Bevy does, to SPIR-V.
+//! compose OUT.spv SCENE.wgsl MODULE.wgsl...: composes a shader and its imported modules into SPIR-V, as Bevy does.
 
 use naga::{back::spv, valid};
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor};

@@ -1,8 +1,8 @@
 @tool
 class_name VisualShaderNodeGaborNoise
 extends VisualShaderNodeCustom
-## Gabor noise for visual shaders, with mean 0 and variance 1, and its quadrature. The place is in kernel radii, and is
-## UV * 8 if nothing is connected. The frequency is in cycles per kernel radius, the orientation in radians.
+## Gabor noise for visual shaders, with mean 0 and variance 1, and its quadrature. The place is in kernel radii (UV * 8
+## if unconnected), the frequency in cycles per kernel radius, the orientation in radians.
 
 const NAMES := ["place", "frequency", "orientation", "seed"]
 const TYPES := [PORT_TYPE_VECTOR_2D, PORT_TYPE_SCALAR, PORT_TYPE_SCALAR, PORT_TYPE_SCALAR_INT]

@@ -62,13 +62,13 @@ vec2 mx_gabor_wave(float t)
 
 // ---- End ----
 
-// The word of a row in a slice of nodes in space.
+// The hash word of a row in a slice of the 3D lattice.
 uint mx_gabor_slice_word(uint row, uint slice)
 {
     return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// The windows of the nodes -1, 0 and 1 at x node spacings from node 0, 1/2 + 1/2 cos(2/3 pi (x - i)).
+// The windows 1/2 + 1/2 cos(2/3 pi (x - i)) of the nodes i = -1, 0 and 1. x is in node spacings from node 0.
 vec3 mx_gabor_windows(float x)
 {
     vec2 turn = mx_gabor_wave(0.33333333 * x);
@@ -86,7 +86,7 @@ vec3 mx_gabor_slopes(float x)
     return vec3(s - c, -2.0 * s, s + c);
 }
 
-// The sum over three nodes along an axis. `turn` is the wave's turn from one node to the next.
+// The sum over three nodes along an axis. `turn` is the wave's phase step between nodes, as a complex number.
 vec2 mx_gabor_sum(vec2 a, vec2 b, vec2 c, vec3 weights, vec2 turn)
 {
     vec2 before = mx_gabor_product(turn, a);
@@ -149,7 +149,7 @@ vec4 mx_gabor_field2d(vec2 p, vec2 wave, int seed)
     return vec4(value.y, value.x, slope_x.y + 6.2831853 * wave.x * value.x, slope_y.y + 6.2831853 * wave.y * value.x);
 }
 
-// The sums over a slice of nodes in space, weighted by the windows along x or their slopes, and by `weights` along y.
+// The sums over a slice of the 3D lattice, weighted by the windows along x or their slopes, and by `weights` along y.
 vec4 mx_gabor_slice(uint slice, uint below, uint level, uint above, uint before, uint middle, uint after, vec3 windows,
                     vec3 slopes, vec2 turn, vec3 weights, vec2 turn_y)
 {
