@@ -1,6 +1,6 @@
-// Macros for headers that both C++ and GLSL include, so that their declarations cannot differ. PASS_interface.h
-// declares the push constants and group size of a pass. In C++ the declarations are in gabor::passes, with
-// vectors aligned as in GLSL.
+// Macros for headers that both C++ and GLSL include, so that their declarations cannot differ.
+// PASS_interface.h declares the push constants and group size of a pass. In C++ the declarations are in
+// gabor::passes, with vectors aligned as in GLSL.
 
 #ifndef GABOR_INTERFACE_H
 #define GABOR_INTERFACE_H

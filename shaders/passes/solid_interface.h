@@ -31,7 +31,8 @@ GABOR_PUSH_CONSTANTS(SolidPush) {
                  // the eye
     float unit;  // radius of the sphere in kernel radii
     float depth; // z of the slice, in kernel radii
-    float share; // side of the filter's pixel on a body, in pixels of the view: less than 1 if the view is coarse
+    float share; // side of the filter's pixel on a body, in pixels of the view: less than 1 if the view is
+                 // coarse
     float time;
     int waves;
 };

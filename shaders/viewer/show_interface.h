@@ -18,7 +18,7 @@ GABOR_PUSH_CONSTANTS(ShowPush) {
     float stride;    // pixels per value
     float contrast;  // standard deviations from the mean to the ends of the colour map
     float deviation; // standard deviation of a derivative, per kernel radius
-    float spacing;   // distance between values, in kernel radii or, for materials and terrain, in units of height
+    float spacing;   // distance between values, in kernel radii or units of height
     float green;     // sign of green in normals: 1 for up, as in OpenGL, -1 for down, as in DirectX
     int first_row;   // first row of the band, when writing files
     int count;       // number of pixels in the band

@@ -10,7 +10,7 @@ import sys
 import tempfile
 
 page = (pathlib.Path(__file__).parents[2] / "docs" / "performance.md").read_text()
-driver, table = re.search(r"The code that RADV \((.*)\) compiles(.*?)<!-- end -->", page, re.DOTALL).groups()
+driver, table = re.search(r"the code that RADV \((.*)\) compiles(.*?)<!-- end -->", page, re.DOTALL).groups()
 recorded = re.findall(r"^\| (.*) \| (\d+) \| (\d+) \| (\d+) \|$", table, re.MULTILINE)
 assert len(recorded) > 30
 with tempfile.TemporaryDirectory() as folder:

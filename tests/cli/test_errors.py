@@ -90,7 +90,7 @@ class Arguments(ErrorTest):
         self.refuse_render(["wood.rings requires the wood material, not marble"], "--material=marble", "--wood.rings=9")
         self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
         for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
-            self.refuse_render([f"--wood.early '{colour}'", "a colour, #rrggbb"], "--material=wood", f"--wood.early={colour}")
+            self.refuse_render([f"--wood.early '{colour}'", "a colour: #rrggbb"], "--material=wood", f"--wood.early={colour}")
         self.refuse_render(["frequency requires a single lobe, not 3"], "--preset=figure6",
                            "--frequency=8")
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
