@@ -180,7 +180,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain 
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
             z = erosion.sharpness * gabor_field(place, GaborKernel(wave), gabor_lobe_seed(seed, i)).value;
-            z *= kept * inversesqrt(1.0 + dot(z, z)); // brings z near length `kept`, except where waves cancel
+            z *= kept * inversesqrt(1.0 + dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = mix(gully.height, erosion.gully_weight * z.x, mask);
         gully.slope = mix(gully.slope, -6.2831853 * erosion.gully_weight * z.y * wave, mask);

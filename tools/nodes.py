@@ -88,7 +88,7 @@ def constants(source):
 
 
 def common(source):
-    """Returns the library's GLSL, with the drop-in's functions and constants under MaterialX's names."""
+    """Returns the GLSL of the MaterialX library: the drop-in's functions and constants under MaterialX's names."""
     lattice = source("gabor_lattice")
     found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
     text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in constants(source).items())

@@ -13,9 +13,9 @@ constexpr double smallest_radius = 0.75;
 /// over a cell.
 double kernel_correlation(double t);
 
-/// The factor along `axis` (0 for x, 1 for y) of a scale's expected spectrum estimate, and its derivatives,
-/// at all frequencies of the grid. The noise has waves of `frequency` cycles per pixel under kernels of
-/// `radius` pixels.
+/// The spectrum that a scale is expected to estimate is the product of a factor along x and one along y. This
+/// is the factor along `axis` (0 for x, 1 for y) at all frequencies of the grid, with its derivatives, for
+/// waves of `frequency` cycles per pixel under kernels of `radius` pixels.
 ///
 /// If pixels have the autocovariance C(t), samples that average them with weights a(p) have the
 /// autocovariance sum_u A(u) C(t - u), with A(u) = sum_p a(p) a(p + u). If samples have the autocovariance

@@ -27,7 +27,7 @@ void normalize(std::vector<Wave>& waves) {
 noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     noise::Colour colour;
     for (const Wave& wave : waves) {
-        // The wave is Re(W z) with z = quadrature + i noise. Turns W's phase so that W_0 becomes -i |W_0|.
+        // The wave is Re(W z) with z = quadrature + i noise. W is turned so that W_0 becomes -i |W_0|.
         const std::complex<double> first = wave.weight[0];
         const double length = std::abs(first);
         const std::complex<double> turn =

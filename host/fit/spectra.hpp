@@ -44,7 +44,7 @@ struct Scale {
 
     /// The longest waves that fit a window, in pixels.
     int length() const { return spacing * window; }
-    /// The number of lags, in samples along an axis, at which autocovariances are compared.
+    /// The number of lags along an axis at which autocovariances are compared: 0, 1, 2 ... samples.
     Eigen::Index lags() const { return window / 2 + 1; }
 };
 using Scales = std::shared_ptr<const std::vector<Scale>>;

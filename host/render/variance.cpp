@@ -56,7 +56,7 @@ std::optional<double> known_variance(const Request& request, std::string_view ch
     const bool flat = std::holds_alternative<Plane>(request.view);
     if (!flat && !in_space(request))
         return {}; // a horizon includes the sky, and terrain is not noise
-    // With two phases, the kernels' cosines have a different variance.
+    // With two phases, the noise sums sines; its quadrature sums cosines, whose variance is not 1.
     const bool noise = std::ranges::find(noise_channels, channel) != noise_channels.end() ||
                        (channel == "quadrature" && drawing_recipe(request).phases != 2);
     if (noise && !request.filter)

@@ -277,7 +277,7 @@ void Gui::take_press() {
         io.MousePos = next.at;
     if (is_key ? io.KeysDownDuration[next.key] >= 0
                : next.at.x != last_pointer_.x || next.at.y != last_pointer_.y)
-        return; // first, this frame releases the key or moves the pointer there
+        return; // this frame releases the key or moves the pointer; the press follows
     presses.pop_front();
     io.KeyCtrl = (next.modifiers & GLFW_MOD_CONTROL) != 0;
     io.KeyShift = (next.modifiers & GLFW_MOD_SHIFT) != 0;

@@ -23,7 +23,8 @@ namespace gabor::viewer {
 
 namespace {
 
-// Returns the first sentence of a parameter's help, with its unit. The rest describes options and files.
+// Returns the first sentence of a parameter's help, with its unit. The rest is about command-line options and
+// files.
 std::string help_of(const render::Parameter& parameter) {
     const std::string_view help = parameter.help.substr(0, parameter.help.find(". "));
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);

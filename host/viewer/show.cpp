@@ -17,7 +17,8 @@ namespace gabor::viewer {
 
 namespace {
 
-// The values of output_shown in shaders/viewer/show.glsl that come after the outputs.
+// Values of output_shown in shaders/viewer/show.glsl that follow those of the enum Output: a picture in
+// colour, and the first Look of a material.
 constexpr std::int32_t coloured = 8;
 constexpr std::int32_t first_look = 9;
 
@@ -116,7 +117,7 @@ double slope_deviation(const render::Request& request) {
 std::string reading(const Document& document, std::array<double, 2> from_middle,
                     std::span<const std::string> channels, std::span<const float> values) {
     const render::Request& request = document.request;
-    // Beside a body, the coverage is 0; in the sky, all channels are 0.
+    // Outside a body, the coverage is 0; in the sky, all channels are 0.
     const auto covered = std::ranges::find(channels, "A") - channels.begin();
     const auto first = static_cast<std::size_t>(covered < std::ssize(values) ? covered : 0);
     if (!render::is_flat(request.view) && values[first] == 0)

@@ -21,7 +21,7 @@ void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
 }
 
 // A polynomial gives each component its own distribution. If a filter removed the variance v, the component is the mean of
-// the polynomial over the removed part, which is a normal variable of variance v added to z.
+// the polynomial at z + r, where the removed part r is normal with variance v.
 vec3 colour_of(vec3 z, vec3 v) {
     z = clamp(z, -4.0, 4.0);
     vec3 s = z * z;

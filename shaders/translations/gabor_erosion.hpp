@@ -181,7 +181,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gab
         if (kept > 0.0f) {
             GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
             z = erosion.sharpness * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
-            z *= kept * gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings z near length `kept`, except where waves cancel
+            z *= kept * gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = gabor_cpp_mix(gully.height, erosion.gully_weight * z.x, mask);
         gully.slope = gabor_cpp_mix(gully.slope, -6.2831853f * erosion.gully_weight * z.y * wave, mask);

@@ -444,7 +444,7 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     return gabor_impl_material(colour, height, fabric.roughness, 0.0f);
 }
 
-// Two phases and their sum are the phases of three waves. Their crests meet in the middle of each cell.
+// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f * leather.wrinkles), gabor_lobe_seed(seed, 1));

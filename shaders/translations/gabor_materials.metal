@@ -447,7 +447,7 @@ inline GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint 
     return gabor_impl_material(colour, height, fabric.roughness, 0.0);
 }
 
-// Two phases and their sum are the phases of three waves. Their crests meet in the middle of each cell.
+// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 inline GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, float2(0.9), float2(0.07 * leather.wrinkles), gabor_lobe_seed(seed, 0));
     skin = gabor_impl_warp(skin, float2(4.0), float2(0.014 * leather.wrinkles), gabor_lobe_seed(seed, 1));

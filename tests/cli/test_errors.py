@@ -215,7 +215,7 @@ class Devices(ErrorTest):
 
 
 class Disk(ErrorTest):
-    """A valid request that fails while it runs exits with status 1."""
+    """If a valid request fails while it runs, the program exits with status 1."""
 
     def test_a_full_device(self):
         self.assert_fails(1, ["/dev/full", "No space"], "render", "-o", "/dev/full", "--size=64x64")

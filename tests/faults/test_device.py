@@ -15,7 +15,7 @@ FOUR_BANDS = ("--size=2200x4000", "--compression=none")
 
 
 def broken(function, call):
-    """Returns the environment for this fault, without validation, whose messages would add lines to stderr."""
+    """Returns the environment for this fault. Validation is off, because its messages would add lines to stderr."""
     return {"GABOR_VALIDATION": None, "VK_ADD_LAYER_PATH": LAYER, "VK_INSTANCE_LAYERS": "VK_LAYER_GABOR_fault",
             "GABOR_FAULT": f"{function}:{call}"}
 

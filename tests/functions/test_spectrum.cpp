@@ -236,5 +236,5 @@ TEST_CASE("a spread changes little with its frequency, even where lobes appear o
         };
         change.see(spread(s.frequency + step), spread(s.frequency), 1.5e-3, s);
     }
-    change.check("change of a spread as its frequency rises by 0.00001");
+    change.check("change in a spread when its frequency rises by 0.00001");
 }

@@ -94,7 +94,7 @@ class Npm(Package):
                   if path.is_file() and not LEFTOVERS.search(str(path))}
         self.assertLessEqual({"LICENSE", "README.md"} | wanted, names)
         described = json.loads((installed / "package.json").read_text())
-        self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 cannot detect the type
+        self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 needs it to recognize modules
 
         # Reads each drop-in by its exported name, as bundlers and Node.js resolve it.
         (project / "sources.mjs").write_text("""

@@ -95,7 +95,7 @@ TEST_CASE("a window filters with one pipeline at all scales, and a picture with 
     }
 }
 
-TEST_CASE("the form of the filter follows the longer side of a pixel that a tile stretches") {
+TEST_CASE("a tile's oblong pixels are filtered in the form for their longer side") {
     for (const auto& [width, height] : {std::pair{"14", "106"}, {"106", "14"}}) {
         const Request tile = request_of({{"scale", "5.3"},
                                          {"width", width},

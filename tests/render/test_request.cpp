@@ -70,7 +70,8 @@ const std::vector<std::string_view> views = render::choices(render::parameter("v
 
 } // namespace
 
-TEST_CASE("every parameter survives JSON and text exactly, and changes the plan", "[request]") {
+TEST_CASE("every parameter survives a round trip through JSON and text exactly, and changes the plan",
+          "[request]") {
     std::map<std::string_view, int> seen;
     for (const std::string_view view : views) {
         Request several = of_view(view);

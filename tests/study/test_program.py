@@ -83,7 +83,7 @@ class StudyTest(ProgramTest):
         self.assertAlmostEqual(theory["lattice_4"], 0.0103, delta=0.001)
         self.assertEqual(theory["one"], 0)
         spectra = {row["noise"]: row for row in self.table("law_spectra")}
-        # By chance, one of these peaks exceeds 2.5 in one of 2500 runs.
+        # By chance, one of these peaks exceeds 2.5 in one run out of 2500.
         functions = ("value", "square", "magnitude", "fourth_power", "beyond_2.5")
         for function in functions:
             for noise in ("lattice_3", "lattice_4"):

@@ -141,7 +141,7 @@ class Events(EventsTest):
         self.open(*WINDOW)
         for name in ("one.json", "two.json"):
             self.drop(name)
-            self.keys("n", "ctrl+s", "Return") # saving would replace a file that the session did not write
+            self.keys("n", "ctrl+s", "Return") # Return confirms replacing a file that the session did not write
         two = self.read("two.json")
         self.keys("n", "ctrl+z", "ctrl+z", "ctrl+z")
         self.assertEqual(pathlib.Path(self.state["path"]).name, "one.json")

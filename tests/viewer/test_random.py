@@ -48,7 +48,7 @@ class Random(EventsTest):
         last = [size for at, size in sizes if at >= 2 * SECONDS / 3 and at < SECONDS]
         grown = sum(last) / len(last) - sum(third) / len(third)
         print(f"resident: {sum(third) / len(third) / 2**20:.1f} MiB in the second third, "
-              f"{grown / 2**20:+.1f} MiB in the last, {max(size for _, size in sizes) / 2**20:.1f} MiB at most")
+              f"{grown / 2**20:+.1f} MiB in the last third, {max(size for _, size in sizes) / 2**20:.1f} MiB at most")
         self.assertLess(grown, 64 * 2**20)
 
 

@@ -64,7 +64,7 @@ struct HexagonalLattice {
     double overhang = 0; ///< how far hexagons extend beyond the unit cell, at most 1/2
 };
 
-/// Returns the lattice with n points per cell that has the largest distance between nearest points.
+/// Returns the lattice with n points per cell that maximizes the least distance between points.
 HexagonalLattice hexagonal_lattice(int n);
 
 /// Returns the specialization constants of passes/ingredients.glsl.

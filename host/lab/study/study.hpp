@@ -28,7 +28,7 @@ struct Effort {
     static Effort quick();
 };
 
-/// A figure of the paper or a further question: its tables, and a function that writes its pictures.
+/// A figure of the paper, or a question beyond it: its tables, and a function that writes its pictures.
 struct Study {
     std::string_view name;
     std::string_view description; ///< shown in help texts

@@ -197,8 +197,8 @@ SpectralPurity spectral_purity(const std::function<double(double)>& q, bool sepa
     const double sidelobe = *std::max_element(power.begin() + static_cast<std::ptrdiff_t>(end), power.end());
 
     // By Parseval's theorem, the window itself gives the total power; what exceeds the lobe's power is
-    // outside the lobe. With a from `transform`, 4 integral(a^2) df = integral(q^2) dx along a separable
-    // window's axis, and (2 pi)^2 integral(a^2 f) df = integral(q^2 r) dr for a round window.
+    // outside the lobe. Where a is the result of `transform`, 4 integral(a^2) df = integral(q^2) dx along a
+    // separable window's axis, and (2 pi)^2 integral(a^2 f) df = integral(q^2 r) dr for a round window.
     double lobe = 0;
     double whole = 0;
     for (std::size_t i = 0; i < end; ++i) {
