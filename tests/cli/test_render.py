@@ -1,6 +1,7 @@
 """Tests what each option of `gabor render` does to the file."""
 
 import json
+import os
 import re
 import unittest
 
@@ -250,7 +251,8 @@ class Messages(RenderTest):
                                                                      re.MULTILINE)}
         self.assertEqual(set(figures), {"start to first dispatch", "GPU", "compression and writing", "total",
                                         "host overhead", "peak resident memory"})
-        self.assertLess(figures["peak resident memory"], 256)
+        if not os.environ.get("GABOR_SANITIZE"):  # sanitizers keep freed memory
+            self.assertLess(figures["peak resident memory"], 256)
         for name in ("start to first dispatch", "GPU", "compression and writing"):
             self.assertTrue(0 < figures[name] < figures["total"], name)
 
