@@ -28,7 +28,8 @@ void Structure::add_row(std::span<const float> row) {
     const auto add = [&](statistics::Moments& moments, auto derivative) {
         for (std::size_t x = 0; x < derivatives_.size(); ++x)
             derivatives_[x] = derivative(x + 1);
-        const auto end = std::ranges::remove_if(derivatives_, [](float d) { return std::isnan(d); }).begin();
+        const auto end =
+            std::remove_if(derivatives_.begin(), derivatives_.end(), [](float d) { return std::isnan(d); });
         moments.add(std::span(derivatives_.begin(), end));
     };
     add(across_, [&](std::size_t x) { return here[x + 1] - here[x - 1]; });

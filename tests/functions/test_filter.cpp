@@ -293,19 +293,19 @@ void check_paths(const Function<N>& function, int paths, int steps) {
         sample.place.cell = {};
         for (double& local : sample.place.local)
             local = draw.uniform(-12, 12);
-        const Plane<N> plane = random_plane<N>(draw);
+        const Plane<N> sides = random_plane<N>(draw);
         const Vector<N> direction = random_unit<N>(draw);
         const double angle = draw.uniform(-4, 4), deviation = std::exp2(draw.uniform(-6, 0)),
                      ratio = path % 4 < 2 ? draw.uniform(0, 1) : 0;
         test::check_path(of, path, steps, [&](double t) {
             Sample<N> s = sample;
-            s.set_pixel(plane, angle, deviation, ratio);
+            s.set_pixel(sides, angle, deviation, ratio);
             if (path % 3 == 0) // moves by 3 node spacings, or 2 kernel radii
                 s.place.local = wide(narrow(sum(1, s.place.local, 3 * t, direction)));
             else if (path % 3 == 1) // together, the paths cover all sizes from 1/256 to 2
-                s.set_pixel(plane, angle, std::exp2(-8 + 9 * (path / 3 + t) * 3 / paths), ratio);
+                s.set_pixel(sides, angle, std::exp2(-8 + 9 * (path / 3 + t) * 3 / paths), ratio);
             else
-                s.set_pixel(turned(plane, pi * t), angle, deviation, ratio);
+                s.set_pixel(turned(sides, pi * t), angle, deviation, ratio);
             return static_cast<float>(function(s).parts[0][0]);
         });
     }

@@ -52,7 +52,7 @@ void check_cell(int taps, std::size_t side, auto values) {
 
 // ---- In the plane
 
-constexpr float frequency = 1.5;
+constexpr float fixed_frequency = 1.5;
 constexpr float orientation = 0.4f;
 
 gabor_vec2 anywhere(Draw& draw) {
@@ -70,18 +70,18 @@ void check_pairs(const std::string& name, double covariance, const auto& pair) {
 template <typename Functions>
 void check_joint(Functions n) {
     // E[n_x^2] = (2 pi F_x)^2 + sum h'^2 / sum h^2, where the last term is pi^2 / 3.
-    const double x = std::hypot(2 * pi * frequency * std::cos(orientation), pi / std::sqrt(3));
-    const double y = std::hypot(2 * pi * frequency * std::sin(orientation), pi / std::sqrt(3));
+    const double x = std::hypot(2 * pi * fixed_frequency * std::cos(orientation), pi / std::sqrt(3));
+    const double y = std::hypot(2 * pi * fixed_frequency * std::sin(orientation), pi / std::sqrt(3));
     const auto normal = [](double u) { return statistics::normal_quantile(std::clamp(u, 1e-9, 1 - 1e-9)); };
     Draw draw(14);
     test::check_laws(half,
                      [&] {
                          const gabor_vec2 p = anywhere(draw);
                          const std::uint32_t seed = draw.word();
-                         const auto complex = n.gabor_noise_complex(p, frequency, orientation, seed);
+                         const auto complex = n.gabor_noise_complex(p, fixed_frequency, orientation, seed);
                          const auto phasor = n.gabor_phasor(complex);
-                         const auto gradient = n.gabor_noise_gradient(p, frequency, orientation, seed);
-                         const auto four = n.gabor_noise_four(p, frequency, orientation, seed);
+                         const auto gradient = n.gabor_noise_gradient(p, fixed_frequency, orientation, seed);
+                         const auto four = n.gabor_noise_four(p, fixed_frequency, orientation, seed);
                          return std::array{complex.x, complex.y, gradient.y, gradient.z, phasor.x,
                                            phasor.y,  four.x,    four.y,     four.z,     four.w};
                      },
@@ -100,24 +100,25 @@ void check_joint(Functions n) {
                      [&] {
                          const gabor_vec2 p = anywhere(draw), tile = draw.uniform<gabor_vec2>(0.3, 4.3);
                          const std::uint32_t seed = draw.word();
-                         return std::array{
-                             n.gabor_noise_tiled(p, tile, frequency, orientation, seed),
-                             n.gabor_noise_animated(p, draw.uniform(0, 1), frequency, orientation, seed)};
+                         return std::array{n.gabor_noise_tiled(p, tile, fixed_frequency, orientation, seed),
+                                           n.gabor_noise_animated(p, draw.uniform(0, 1), fixed_frequency,
+                                                                  orientation, seed)};
                      },
                      {sum_of("tiles of any period", 1, {{0}}), sum_of("at any time", 1, {{1}})});
     for (int lag = 1; lag < 10; lag += 2) {
         const double angle = 0.7 * lag, length = 0.08 * (lag + 1);
         const gabor_vec2 step(static_cast<float>(length * std::cos(angle)),
                               static_cast<float>(length * std::sin(angle)));
-        const double turns = frequency * (step.x * std::cos(orientation) + step.y * std::sin(orientation));
+        const double turns =
+            fixed_frequency * (step.x * std::cos(orientation) + step.y * std::sin(orientation));
         check_pairs(fmt::format("lag ({:.2f}, {:.2f})", step.x, step.y),
                     noise::hann_correlation(step.x) * noise::hann_correlation(step.y) *
                         std::cos(2 * pi * turns),
                     [&] {
                         const gabor_vec2 p = draw.uniform<gabor_vec2>(0, 100);
                         const std::uint32_t seed = draw.word();
-                        return std::array{n.gabor_noise(p, frequency, orientation, seed),
-                                          n.gabor_noise(p + step, frequency, orientation, seed)};
+                        return std::array{n.gabor_noise(p, fixed_frequency, orientation, seed),
+                                          n.gabor_noise(p + step, fixed_frequency, orientation, seed)};
                     });
     }
 }
@@ -219,8 +220,8 @@ TEST_CASE("the lattice noise at two times is jointly normal with correlation cos
             const gabor_vec2 p = anywhere(draw);
             const float time = draw.uniform(0, 1);
             const std::uint32_t seed = draw.word();
-            return std::array{n.gabor_noise_animated(p, time, frequency, orientation, seed),
-                              n.gabor_noise_animated(p, time + lag, frequency, orientation, seed)};
+            return std::array{n.gabor_noise_animated(p, time, fixed_frequency, orientation, seed),
+                              n.gabor_noise_animated(p, time + lag, fixed_frequency, orientation, seed)};
         });
     }
 }

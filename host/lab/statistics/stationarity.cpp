@@ -1,5 +1,7 @@
 #include "statistics/stationarity.hpp"
 
+#include "statistics/estimate.hpp"
+
 #include <algorithm>
 #include <cmath>
 
