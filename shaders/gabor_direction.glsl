@@ -38,16 +38,15 @@ struct GaborWaves {
 };
 
 // vec2 gabor_node_position(GaborPlace place, int index)
-//     The position at which to read the map for node `index` (0 to 8) around a place: in kernel radii, within the
-//     place's period.
+//     Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
 
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
-//     Noise, quadrature and both gradients at a place. gabor_stripes_of turns the field's value into stripes.
+//     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
 
 // ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
-//     Noise, quadrature and both gradients at a place. All functions below call it.
+//     The noise, its quadrature, and their gradients at `place`. All functions below call it.
 
 // float gabor_noise_direction(vec2 p, uint seed)
 // vec3 gabor_noise_direction_gradient(vec2 p, uint seed)

@@ -31,7 +31,7 @@ void add_devices_command(CLI::App& app);
 void add_materials_command(CLI::App& app);
 void add_recipes_command(CLI::App& app);
 
-/// Adds an option whose value is called `type` in the help text.
+/// Adds an option. The help text shows `type` for its value.
 template <typename Value>
 CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value, const std::string& type,
                         const std::string& help) {
@@ -50,7 +50,7 @@ render::Values given_values(const ParameterOptions& options);
 /// Throws RequestError with the message "OPTION 'TEXT': expected ACCEPTED".
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted);
 
-/// Reads `count` whole numbers separated by `separator`, such as 1024x768 or 0,0,64,64.
+/// Reads `count` whole numbers with `separator` between them, such as 1024x768 or 0,0,64,64.
 template <std::size_t count>
 std::array<int, count> parse_integers(std::string_view option, std::string_view text, char separator,
                                       std::string_view accepted) {

@@ -15,8 +15,9 @@ Eigen::VectorXd component_scales(const Exemplar& exemplar);
 /// matrix. This succeeds only partly with few waves: each has at most two independent components.
 void normalize(std::vector<Wave>& waves);
 
-/// Returns the colour of waves with a weight for each component. A phase that is common to all components
-/// does not matter, so it is chosen to leave no quadrature in the first component.
+/// Returns the noise's colours: the weights of the waves in each component, and the photograph's mean and
+/// histograms. A phase that all components share has no effect, so it is chosen to leave no quadrature in the
+/// first component.
 noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves);
 
 } // namespace gabor::fit

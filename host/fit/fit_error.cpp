@@ -9,7 +9,7 @@ namespace gabor::fit {
 
 namespace {
 
-// A range of rows of the spectra, and the weight of each row in a sum.
+// Consecutive rows of the spectra, and the weight of each row in sums.
 struct SpectrumRows {
     Eigen::Index begin;
     Eigen::ArrayXd measure;

@@ -215,7 +215,9 @@ OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
     std::error_code error;
     created_ = fs::create_directory(path_, error);
     if (error)
-        throw RequestError(fmt::format("cannot create the folder '{}': {}", path_.string(), error.message()));
+        throw RequestError(fmt::format(
+            "cannot create the folder '{}': {}; expected a folder, or a new name in an existing folder",
+            path_.string(), error.message()));
 }
 
 OutputFolder::~OutputFolder() {

@@ -26,8 +26,8 @@ noise::AxisVariance along_axis(const Request& request, double frequency, double 
     return {1, turn * turn + noise::window_slope_energy(request.recipe)};
 }
 
-// Sums the variances of the lattice's waves in the plane. Returns nothing if the filter is on and a pixel is
-// wider than a kernel radius.
+// Returns the sums of the variances of the lattice's waves in the plane, or nothing if the filter is on and
+// a pixel is wider than a kernel radius.
 std::optional<Variances> variances(const Request& request) {
     Variances sum;
     for (const noise::Wave& wave : noise::waves(request.lobes, request.seed)) {

@@ -1,7 +1,7 @@
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for WGSL.
 //
-// Digest of the GLSL and of this file: 8512d29040009ff2
+// Digest of the GLSL and of this file: fa90ac845f02d25e
 // Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
@@ -27,8 +27,7 @@ struct GaborWaves {
     wave: array<vec2<f32>, 9>,
 }
 
-// The position at which to read the map for node `index` (0 to 8) around a place: in kernel radii, within the
-// place's period.
+// Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
 fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     var node: vec2<i32>;
 
@@ -42,7 +41,7 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     return (vec2<f32>(_e39) / place.radius);
 }
 
-// Noise, quadrature and both gradients at a place. gabor_stripes_of turns the field's value into stripes.
+// The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
 fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
     var waves_1: GaborWaves;
     var salt_4: u32;

@@ -1,7 +1,7 @@
 // gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: c8625c2c4855f53a
+// Digest of the GLSL and of this file: f1a0688a7247be33
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -369,8 +369,8 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     }
 }
 
-// The position p in a world that repeats after `period` kernel radii, or is endless along an axis whose period is
-// 0. A period holds a whole number of nodes, from GABOR_TAPS to 2^31.
+// The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
+// period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;
@@ -510,7 +510,7 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     }
 }
 
-// Noise, quadrature and both gradients at a place. All noise functions call it.
+// The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var kernel_1: GaborKernel;
@@ -637,7 +637,7 @@ fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: 
     return _e7.value.y;
 }
 
-// gabor_stripes at a place.
+// The same as gabor_stripes, at `place`.
 fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
     let _e4 = gabor_kernel_wave(wave);
     let _e5 = gabor_field(place, _e4, seed);

@@ -1,7 +1,7 @@
 // gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point: for WGSL.
 //
-// Digest of the GLSL and of this file: e6b286d440512158
+// Digest of the GLSL and of this file: 6991172d9ae25417
 // Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl. Paste or include it after gabor_spectrum.wgsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7

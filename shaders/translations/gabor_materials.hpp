@@ -296,10 +296,10 @@ GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, ga
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period};
 }
 
-// Turns the axes by an angle. With a period, the new x axis snaps to one of 24 directions near that angle: those of
-// lines that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of
-// periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring lines
-// along the new y axis. The axes are then not quite at right angles, which long kernels hide.
+// Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
+// in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
+// of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
+// lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;

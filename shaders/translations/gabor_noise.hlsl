@@ -155,7 +155,7 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
 //     axis.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     Noise, quadrature and both gradients at a place. All noise functions call it.
+//     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 
 // float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel, uint seed)
 //     The noise at gabor_place(cell, local).

@@ -1,7 +1,7 @@
 // gabor_noise.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for WGSL.
 //
-// Digest of the GLSL and of this file: 9681194e1d4d2727
+// Digest of the GLSL and of this file: 682e93ac6e1aa7c7
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
@@ -221,7 +221,7 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
 }
 
-// Noise, quadrature and both gradients at a place. All noise functions call it.
+// The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     var kernel_3: GaborKernel;
     var visited: i32 = 3i;

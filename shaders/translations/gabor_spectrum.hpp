@@ -187,7 +187,7 @@ struct GaborLobes {
 //     The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
 // GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
-//     Isotropic noise at a place, with quadrature and derivatives. At each point the quadrature is independent of the
+//     Isotropic noise at `place`, with quadrature and derivatives. At each point the quadrature is independent of the
 //     noise, but not of the noise's gradient.
 
 #if GABOR_TAPS == 3
@@ -202,11 +202,11 @@ struct GaborFootprint {
 //     The footprint of a pixel, from dx and dy as in gabor_noise_filtered.
 
 // vec4 gabor_stripes_filtered_at(GaborPlace place, vec2 wave, GaborFootprint footprint, float sharpness, uint seed)
-//     gabor_stripes_filtered at a place, with a footprint as in gabor_field_filtered.
+//     The same as gabor_stripes_filtered, at `place`, with a footprint as in gabor_field_filtered.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
-//     The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
+//     The filtered noise at `place`, with quadrature and derivatives, and the removed share of its variance. With a
 //     period, multiply dx and dy by place.radius / GABOR_RADIUS before calling gabor_footprint, because nodes are then
 //     not 1 / GABOR_RADIUS kernel radii apart.
 
@@ -390,7 +390,7 @@ GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurr
     axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, fade.y * gabor_vec2(turn.x, -turn.y));
 }
 
-// The filtered noise at a place, with three waves along each axis.
+// The filtered noise at `place`, with three waves along each axis.
 GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t salt) {
     gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
@@ -571,7 +571,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, ga
                 gabor_cpp_dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The filtered noise at a place, with seven waves along each axis. If not `wanted`, computes only one row.
+// The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, bool wanted, std::uint32_t salt) {
     gabor_vec2 m = s.xy() + 0.13069097f; // v
     gabor_vec2 deviation = gabor_cpp_sqrt(s.xy());

@@ -190,7 +190,7 @@ struct GaborLobes {
 //     The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
 
 // GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed)
-//     Isotropic noise at a place, with quadrature and derivatives. At each point the quadrature is independent of the
+//     Isotropic noise at `place`, with quadrature and derivatives. At each point the quadrature is independent of the
 //     noise, but not of the noise's gradient.
 
 #if GABOR_TAPS == 3
@@ -205,11 +205,11 @@ struct GaborFootprint {
 //     The footprint of a pixel, from dx and dy as in gabor_noise_filtered.
 
 // float4 gabor_stripes_filtered_at(GaborPlace place, float2 wave, GaborFootprint footprint, float sharpness, uint seed)
-//     gabor_stripes_filtered at a place, with a footprint as in gabor_field_filtered.
+//     The same as gabor_stripes_filtered, at `place`, with a footprint as in gabor_field_filtered.
 
 // GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, uint seed,
 //                                 out float removed)
-//     The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
+//     The filtered noise at `place`, with quadrature and derivatives, and the removed share of its variance. With a
 //     period, multiply dx and dy by place.radius / GABOR_RADIUS before calling gabor_footprint, because nodes are then
 //     not 1 / GABOR_RADIUS kernel radii apart.
 
@@ -393,7 +393,7 @@ inline void gabor_impl_filter(thread GaborAxis& axis, float variance, float blur
     axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, fade.y * float2(turn.x, -turn.y));
 }
 
-// The filtered noise at a place, with three waves along each axis.
+// The filtered noise at `place`, with three waves along each axis.
 inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, uint salt) {
     float2 blurred = gabor_impl_symmetric(s, wave);
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
@@ -574,7 +574,7 @@ inline float2 gabor_impl_contracted(GaborFactors a, GaborFactors b, float3 weigh
                 dot(weights, a.real * b.imaginary + a.imaginary * b.real));
 }
 
-// The filtered noise at a place, with seven waves along each axis. If not `wanted`, computes only one row.
+// The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, bool wanted, uint salt) {
     float2 m = s.xy + 0.13069097; // v
     float2 deviation = sqrt(s.xy);

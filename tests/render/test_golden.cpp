@@ -52,7 +52,7 @@ const Set others[]{{"noise_pure", golden_noise_pure_spirv}, {"noise_paper", gold
 // The first 64 points have golden values, the next 4096 have arbitrary arguments.
 constexpr std::size_t compared = 64 * 65, groups = 65 + 256, points = 64 * groups;
 
-// Runs a set on the device, and holds the result of each call at each point.
+// Runs all calls of a set at all points on the device, and keeps the results.
 class Values {
   public:
     Values(const gabor::vulkan::Device& device, const Set& set)

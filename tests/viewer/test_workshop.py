@@ -37,8 +37,8 @@ class Workshop(EventsTest):
         self.open("--window", "1400x840", self.preset("plain.json", width=64)) # large enough to show pictures unscaled
         self.keys("p")
         self.frames(3)
-        # Bark is the fourth of the seven presets in its row. The row is centred in the view, with cells of 136 pixels. A
-        # preset's name covers the lower edge of its picture.
+        # Bark is the fourth of seven presets in a row. The row is centred in the view, and its cells are 136 pixels wide.
+        # Each picture has the preset's name over its lower edge.
         left, top = 14 + (1008 - 7 * 136 + 8) // 2 + 3 * 136, 12
         seen = self.screen(left, top, 128, 100)
         preset = self.preset("bark.json", material="bark", seed=12, filter=True, width=128, height=128, scale=32)

@@ -29,8 +29,7 @@ struct GaborWaves {
     wave: array<vec2<f32>, 9>,
 }
 
-// The position at which to read the map for node `index` (0 to 8) around a place: in kernel radii, within the
-// place's period.
+// Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
 fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     var node: vec2<i32>;
 
@@ -44,7 +43,7 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     return (vec2<f32>(_e39) / place.radius);
 }
 
-// Noise, quadrature and both gradients at a place. gabor_stripes_of turns the field's value into stripes.
+// The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
 fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
     var waves_1: GaborWaves;
     var salt_4: u32;

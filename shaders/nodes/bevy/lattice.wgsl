@@ -370,8 +370,8 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
     }
 }
 
-// The position p in a world that repeats after `period` kernel radii, or is endless along an axis whose period is
-// 0. A period holds a whole number of nodes, from GABOR_TAPS to 2^31.
+// The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
+// period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     if GABOR_TAPS == 2 {
         var nodes: vec2<f32>;
@@ -511,7 +511,7 @@ fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     }
 }
 
-// Noise, quadrature and both gradients at a place. All noise functions call it.
+// The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
         var kernel_1: GaborKernel;
@@ -638,7 +638,7 @@ fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: 
     return _e7.value.y;
 }
 
-// gabor_stripes at a place.
+// The same as gabor_stripes, at `place`.
 fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
     let _e4 = gabor_kernel_wave(wave);
     let _e5 = gabor_field(place, _e4, seed);

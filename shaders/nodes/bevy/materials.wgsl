@@ -1624,10 +1624,10 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
     return GaborPixel((pixel.p + (amplitude * _e23.value)), ((pixel.dx + (pixel.dx.x * _e30)) + (pixel.dx.y * _e35)), ((pixel.dy + (pixel.dy.x * _e41)) + (pixel.dy.y * _e46)), pixel.filtered, pixel.period);
 }
 
-// Turns the axes by an angle. With a period, the new x axis snaps to one of 24 directions near that angle: those of
-// lines that close after whole.x periods along x and whole.y along y. `other` completes a basis of the lattice of
-// periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring lines
-// along the new y axis. The axes are then not quite at right angles, which long kernels hide.
+// Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
+// in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
+// of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
+// lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var turn_10: vec2<f32>;
     var x_14: vec2<f32>;

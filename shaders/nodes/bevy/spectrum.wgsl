@@ -1081,7 +1081,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     return _e127;
 }
 
-// Isotropic noise at a place, with quadrature and derivatives. At each point the quadrature is independent of the
+// Isotropic noise at `place`, with quadrature and derivatives. At each point the quadrature is independent of the
 // noise, but not of the noise's gradient.
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
     if GABOR_TAPS == 2 {
@@ -1219,7 +1219,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     return _e141;
 }
 
-// gabor_stripes_filtered at a place, with a footprint as in gabor_field_filtered.
+// The same as gabor_stripes_filtered, at `place`, with a footprint as in gabor_field_filtered.
 fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
     var removed_7: f32;
     var value_10: vec2<f32>;
@@ -1244,7 +1244,7 @@ fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: Gabo
     return vec4<f32>(_e31.x, _e31.y, sqrt((_e32 + (1.5707963f * max(_e34, 0f)))), _e40);
 }
 
-// The filtered noise at a place, with quadrature and derivatives, and the removed share of its variance. With a
+// The filtered noise at `place`, with quadrature and derivatives, and the removed share of its variance. With a
 // period, multiply dx and dy by place.radius / GABOR_RADIUS before calling gabor_footprint, because nodes are then
 // not 1 / GABOR_RADIUS kernel radii apart.
 fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
@@ -1488,7 +1488,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     return;
 }
 
-// The filtered noise at a place, with three waves along each axis.
+// The filtered noise at `place`, with three waves along each axis.
 fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, salt: u32) -> GaborField {
     var blurred_1: vec2<f32>;
     var columns: GaborAxis;
@@ -1885,7 +1885,7 @@ fn gabor_impl_contracted(a: GaborFactors, b: GaborFactors, weights: vec3<f32>) -
     return vec2<f32>(dot(weights, ((a.real * b.real) - (a.imaginary * b.imaginary))), dot(weights, ((a.real * b.imaginary) + (a.imaginary * b.real))));
 }
 
-// The filtered noise at a place, with seven waves along each axis. If not `wanted`, computes only one row.
+// The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
 fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
     var m_1: vec2<f32>;
     var deviation_1: vec2<f32>;

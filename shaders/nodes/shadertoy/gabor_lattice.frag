@@ -129,17 +129,17 @@ struct GaborField {
 //     axis.
 
 // GaborPlace gabor_place_tiled(vec2 p, vec2 period)
-//     The position p in a world that repeats after `period` kernel radii, or is endless along an axis whose period is
-//     0. A period holds a whole number of nodes, from GABOR_TAPS to 2^31.
+//     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
+//     period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 
 // GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     Noise, quadrature and both gradients at a place. All noise functions call it.
+//     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 
 // float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
 //     The noise at gabor_place(cell, local).
 
 // vec3 gabor_stripes_at(GaborPlace place, vec2 wave, float sharpness, uint seed)
-//     gabor_stripes at a place.
+//     The same as gabor_stripes, at `place`.
 
 // ====================================================================================================================
 // Private implementation
