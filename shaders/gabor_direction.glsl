@@ -1,7 +1,7 @@
 // gabor_direction.glsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
 //
-// Paste or include this file after gabor_lattice.glsl, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.glsl, with GABOR_TAPS 3.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -14,14 +14,14 @@
 // within a kernel radius.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
-// gabor_lattice.glsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
+// gabor_noise.glsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
 // 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_GLSL
-#error Include gabor_lattice.glsl before gabor_direction.glsl
+#ifndef GABOR_NOISE_GLSL
+#error Include gabor_noise.glsl before gabor_direction.glsl
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.glsl needs GABOR_TAPS 3
@@ -63,7 +63,7 @@ struct GaborWaves {
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.glsl,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_noise.glsl,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

@@ -1,6 +1,6 @@
 // gabor_erosion.glsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
-// Paste or include this file after gabor_lattice.glsl.
+// Paste or include this file after gabor_noise.glsl.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -10,8 +10,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_GLSL
-#error Include gabor_lattice.glsl before gabor_erosion.glsl
+#ifndef GABOR_NOISE_GLSL
+#error Include gabor_noise.glsl before gabor_erosion.glsl
 #endif
 #ifndef GABOR_EROSION_GLSL
 #define GABOR_EROSION_GLSL
@@ -31,7 +31,7 @@ struct GaborErosion {
     float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
-    float sharpness;       // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
+    float uniformity;      // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
     float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
@@ -60,14 +60,14 @@ struct GaborErosion {
 //     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
 //     the hills.
 
-struct GaborGround { // the position cell + local
+struct GaborTerrainPlace { // the position cell + local
     ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     vec2 local;  // most precise in [0, 1)^2
     vec2 period; // 0 for none. With a period, cell + local is rounded to a float
 };
 
-// GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed)
-// GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
+// GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint seed)
+// GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
 //     The same with a period, a filter (unless dx and dy are vec2(0.0)), or both. Without a period, the result is
 //     precise at any distance from the origin.
@@ -79,7 +79,7 @@ struct GaborGround { // the position cell + local
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
 // that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
-GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
+GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(ivec2(0), vec2(0.0));
     place.radius = vec2(float(rounded) / 65536.0);
@@ -126,7 +126,7 @@ void gabor_impl_add_hills(inout GaborField sum, uvec4 words, vec4 x, vec4 slope_
 // each axis, the squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a
 // filter with a standard deviation of half a pixel multiplies each noise by `kept`, and the variance that it removes
 // from the second noise damps the sine.
-GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed) {
+GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint seed) {
     GaborPlace place = gabor_impl_ground(ground, 1.0);
     vec2 zero = floor(place.local);
     vec4 x, y, slope_x, slope_y;
@@ -163,7 +163,7 @@ float gabor_impl_mask(float t, float rounding) {
 // ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow. The
 // constant differs between the two sides, but the sides meet where the mask of the finer gullies is 0. If an octave is
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
-GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
+GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain(base.ridge, vec2(0.0), base.ridge); // t_i, its slope, and t_i with w = 1
     vec2 steer = base.slope;
@@ -179,7 +179,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain 
         vec2 z = vec2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            z = erosion.sharpness * gabor_field(place, GaborKernel(wave), gabor_lobe_seed(seed, i)).value;
+            z = erosion.uniformity * gabor_field(place, GaborKernel(wave), gabor_lobe_seed(seed, i)).value;
             z *= kept * inversesqrt(1.0 + dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = mix(gully.height, erosion.gully_weight * z.x, mask);
@@ -205,7 +205,7 @@ GaborErosion gabor_erosion() {
 }
 
 GaborTerrain gabor_terrain_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_terrain_at(GaborGround(ivec2(0), p, vec2(0.0)), dx, dy, seed);
+    return gabor_terrain_at(GaborTerrainPlace(ivec2(0), p, vec2(0.0)), dx, dy, seed);
 }
 
 GaborTerrain gabor_terrain(vec2 p, uint seed) {
@@ -213,11 +213,11 @@ GaborTerrain gabor_terrain(vec2 p, uint seed) {
 }
 
 GaborTerrain gabor_terrain_tiled(vec2 p, vec2 period, uint seed) {
-    return gabor_terrain_at(GaborGround(ivec2(0), p, period), vec2(0.0), vec2(0.0), seed);
+    return gabor_terrain_at(GaborTerrainPlace(ivec2(0), p, period), vec2(0.0), vec2(0.0), seed);
 }
 
 GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_at(GaborGround(ivec2(0), p, vec2(0.0)), dx, dy, base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace(ivec2(0), p, vec2(0.0)), dx, dy, base, erosion, seed);
 }
 
 GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed) {
@@ -225,7 +225,7 @@ GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint 
 }
 
 GaborTerrain gabor_eroded_tiled(vec2 p, vec2 period, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_at(GaborGround(ivec2(0), p, period), vec2(0.0), vec2(0.0), base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace(ivec2(0), p, period), vec2(0.0), vec2(0.0), base, erosion, seed);
 }
 
 #endif // GABOR_EROSION_GLSL

@@ -1,6 +1,6 @@
 // gabor_materials.glsl: twelve materials from Gabor noise.
 //
-// Paste or include this file after gabor_lattice.glsl and gabor_spectrum.glsl, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.glsl and gabor_spectrum.glsl, with GABOR_TAPS 3.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -14,7 +14,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_SPECTRUM_GLSL
-#error Include gabor_lattice.glsl and gabor_spectrum.glsl before gabor_materials.glsl
+#error Include gabor_noise.glsl and gabor_spectrum.glsl before gabor_materials.glsl
 #endif
 #if GABOR_TAPS != 3
 #error gabor_materials.glsl needs GABOR_TAPS 3

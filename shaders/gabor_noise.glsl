@@ -1,4 +1,4 @@
-// gabor_lattice.glsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
+// gabor_noise.glsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 // Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name
 // it adds begins with gabor_, Gabor or GABOR_. Names with gabor_impl_ are private.
@@ -25,11 +25,11 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifdef GABOR_NOISE_GLSL
-#error Include gabor_noise.glsl or gabor_lattice.glsl, not both: they define the same functions
+#ifdef GABOR_SPARSE_GLSL
+#error Include gabor_sparse.glsl or gabor_noise.glsl, not both: they define the same functions
 #endif
-#ifndef GABOR_LATTICE_GLSL
-#define GABOR_LATTICE_GLSL
+#ifndef GABOR_NOISE_GLSL
+#define GABOR_NOISE_GLSL
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
 #ifdef GL_ES
@@ -472,4 +472,4 @@ float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
-#endif // GABOR_LATTICE_GLSL
+#endif // GABOR_NOISE_GLSL

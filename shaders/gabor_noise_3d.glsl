@@ -1,12 +1,12 @@
-// gabor_lattice_3d.glsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// gabor_noise_3d.glsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point.
 //
-// Paste or include this file after gabor_lattice.glsl and gabor_spectrum.glsl, with GABOR_TAPS 3, the default.
+// Paste or include this file after gabor_noise.glsl and gabor_spectrum.glsl, with GABOR_TAPS 3, the default.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Arguments of all functions, besides those of gabor_lattice.glsl:
+// Arguments of all functions, besides those of gabor_noise.glsl:
 //     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
 //                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
@@ -15,12 +15,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_3D_GLSL
-#define GABOR_LATTICE_3D_GLSL
+#ifndef GABOR_NOISE_3D_GLSL
+#define GABOR_NOISE_3D_GLSL
 #ifndef GABOR_SPECTRUM_GLSL
-#error Include gabor_lattice.glsl and gabor_spectrum.glsl before gabor_lattice_3d.glsl
+#error Include gabor_noise.glsl and gabor_spectrum.glsl before gabor_noise_3d.glsl
 #elif GABOR_TAPS != 3
-#error gabor_lattice_3d.glsl needs GABOR_TAPS 3
+#error gabor_noise_3d.glsl needs GABOR_TAPS 3
 #endif
 
 // ---- Solid noise with one wave vector ------------------------------------------------------------------------------
@@ -102,9 +102,9 @@ struct GaborField3d {
 //     axis.
 
 // GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction, uint seed)
-// GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
-// GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed)
-// GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency, uint seed)
+// GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed)
+// GaborField3d gabor_field_surface(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed)
+// GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, vec3 normal, float frequency, uint seed)
 //     The noises above, for a GaborPlace3d. All noise functions call these four.
 
 // ====================================================================================================================
@@ -260,7 +260,7 @@ void gabor_impl_add_term(inout GaborField3d sum, GaborField3d term, float x) {
     sum.removed += power * term.removed;
 }
 
-GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed) {
+GaborField3d gabor_field_surface(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     vec3 other = cross(direction, abs(direction.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
@@ -435,13 +435,13 @@ GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTang
     return sum;
 }
 
-GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed) {
+GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed) {
     return gabor_impl_isotropic(place, frequency, GaborTangents(false, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)), seed);
 }
 
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
-GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency, uint seed) {
+GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, vec3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
     float aside = dot(normal.xy, normal.xy); // squared sine of the normal's angle to the z axis
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
@@ -503,25 +503,25 @@ vec2 gabor_noise_3d_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, vec3 dir
 }
 
 float gabor_noise_3d_isotropic(vec3 p, float frequency, uint seed) {
-    return gabor_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), frequency, seed).noise;
+    return gabor_field_3d_isotropic(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
 vec4 gabor_noise_3d_isotropic_gradient(vec3 p, float frequency, uint seed) {
-    GaborField3d field = gabor_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), frequency, seed);
+    GaborField3d field = gabor_field_3d_isotropic(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), frequency, seed);
     return vec4(field.noise, field.gradient);
 }
 
 vec2 gabor_noise_3d_isotropic_filtered(vec3 p, vec3 dx, vec3 dy, float frequency, uint seed) {
-    GaborField3d field = gabor_isotropic_3d(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
+    GaborField3d field = gabor_field_3d_isotropic(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
     return vec2(field.noise, field.removed);
 }
 
 float gabor_noise_surface(vec3 p, vec3 normal, float frequency, vec3 direction, uint seed) {
-    return gabor_surface_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
+    return gabor_field_surface(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
 float gabor_noise_surface_isotropic(vec3 p, vec3 normal, float frequency, uint seed) {
-    return gabor_surface_isotropic_3d(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
+    return gabor_field_surface_isotropic(gabor_place_3d(ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }
 
-#endif // GABOR_LATTICE_3D_GLSL
+#endif // GABOR_NOISE_3D_GLSL

@@ -1,4 +1,4 @@
-// gabor_noise.glsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// gabor_sparse.glsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point.
 //
 // Paste or include this file after `#version`: GLSL 450, 330 core or 300 es. It declares no resources, and every name
@@ -7,17 +7,17 @@
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Use this file for the paper's own noise. The noise of gabor_lattice.glsl, which has the same functions, is faster and
+// Use this file for the paper's own noise. The noise of gabor_noise.glsl, which has the same functions, is faster and
 // is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
 // in cycles per kernel radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifdef GABOR_LATTICE_GLSL
-#error Include gabor_noise.glsl or gabor_lattice.glsl, not both: they define the same functions
+#ifdef GABOR_NOISE_GLSL
+#error Include gabor_sparse.glsl or gabor_noise.glsl, not both: they define the same functions
 #endif
-#ifndef GABOR_NOISE_GLSL
-#define GABOR_NOISE_GLSL
+#ifndef GABOR_SPARSE_GLSL
+#define GABOR_SPARSE_GLSL
 
 #ifdef GL_ES
 precision highp float;
@@ -418,4 +418,4 @@ float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
-#endif // GABOR_NOISE_GLSL
+#endif // GABOR_SPARSE_GLSL

@@ -1,5 +1,5 @@
 """Generates the parts of shaders/nodes that come from the drop-ins: WGSL modules for Bevy, TSL for three.js, and MaterialX's library
-in GLSL, OSL and MDL. The library has a few functions of gabor_lattice.glsl, rewritten for languages without structs or unsigned
+in GLSL, OSL and MDL. The library has a few functions of gabor_noise.glsl, rewritten for languages without structs or unsigned
 integers. tools/translate calls this module."""
 
 import ast
@@ -12,12 +12,12 @@ NODES = ROOT / "shaders" / "nodes"
 LIBRARY = NODES / "materialx" / "libraries" / "gabor"
 COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
 MANIFEST = NODES / "blender" / "gabor_noise" / "blender_manifest.toml"
-OSL_SHADERS = NODES / "osl" / "gabor_lattice.osl", NODES / "osl" / "gabor_erosion.osl"
+OSL_SHADERS = NODES / "osl" / "gabor_noise.osl", NODES / "osl" / "gabor_erosion.osl"
 
 # Functions that the library takes unchanged from the drop-in.
 FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
              "gabor_impl_product", "gabor_impl_half_turn", "gabor_impl_wave"]
-TAKEN = r"(// ---- From gabor_lattice\.glsl ----\n)(?:.*\n)*?(// ---- End ----\n)"
+TAKEN = r"(// ---- From gabor_noise\.glsl ----\n)(?:.*\n)*?(// ---- End ----\n)"
 FUNCTION = re.compile(r"^(?P<type>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\)\s*\{\n(?P<body>.*?)^\}\n",
                       re.MULTILINE | re.DOTALL)
 LICENSE = "// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT\n"
@@ -52,12 +52,12 @@ def each_call(text, name, rewritten):
 
 # Each module's drop-in, and the modules that it imports.
 MODULES = {
-    "lattice": ("gabor_lattice", []),
-    "spectrum": ("gabor_spectrum", ["lattice"]),
-    "solid": ("gabor_lattice_3d", ["lattice", "spectrum"]),
-    "materials": ("gabor_materials", ["lattice", "spectrum"]),
-    "erosion": ("gabor_erosion", ["lattice"]),
-    "direction": ("gabor_direction", ["lattice"]),
+    "noise": ("gabor_noise", []),
+    "spectrum": ("gabor_spectrum", ["noise"]),
+    "noise_3d": ("gabor_noise_3d", ["noise", "spectrum"]),
+    "materials": ("gabor_materials", ["noise", "spectrum"]),
+    "erosion": ("gabor_erosion", ["noise"]),
+    "direction": ("gabor_direction", ["noise"]),
 }
 
 
@@ -81,7 +81,7 @@ def macro(source, name):
 
 def constants(source):
     """Returns the hash salts, and the factors that scale sums in the plane and in space to variance 1."""
-    lattice, others = source("gabor_lattice"), source("gabor_spectrum") + source("gabor_lattice_3d")
+    lattice, others = source("gabor_noise"), source("gabor_spectrum") + source("gabor_noise_3d")
     deviation = float(macro(lattice, "GABOR_IMPL_DEVIATION"))
     return {"ROWS": macro(lattice, "GABOR_IMPL_ROWS"), "SLICES": macro(others, "GABOR_IMPL_SLICES"),
             "SCALE2D": f"{1 / (deviation * 1.125):.8g}", "SCALE3D": f"{1 / (deviation * 1.125**1.5):.8g}"}
@@ -89,7 +89,7 @@ def constants(source):
 
 def common(source):
     """Returns the GLSL of the MaterialX library: the drop-in's functions and constants under MaterialX's names."""
-    lattice = source("gabor_lattice")
+    lattice = source("gabor_noise")
     found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
     text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in constants(source).items())
     for name in FUNCTIONS:
@@ -208,7 +208,7 @@ def mdl(texts):
 
 # ---- TSL, three.js's nodes in JavaScript -----------------------------------------------------------------------------
 
-TSL = NODES / "three" / "gabor_lattice.tsl.js"
+TSL = NODES / "three" / "gabor_noise.tsl.js"
 METHODS = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.BitXor: "bitXor", ast.BitOr: "bitOr", ast.LShift: "shiftLeft",
            ast.RShift: "shiftRight", ast.Lt: "lessThan"}
 
@@ -257,7 +257,7 @@ def tsl_function(match):
 
 def tsl(source):
     """Returns the module of TSL with the drop-in's constants and functions between its marker lines."""
-    lattice = source("gabor_lattice")
+    lattice = source("gabor_noise")
     found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
     numbers = [f"const {name} = {number.removesuffix('u')};\n" for name, number in constants(source).items()]
     text = "".join(numbers) + "\n" + "\n".join(tsl_function(found[name]) for name in FUNCTIONS)

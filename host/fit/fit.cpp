@@ -1,6 +1,6 @@
 #include "fit/fit.hpp"
 
-#include "fit/atoms.hpp"
+#include "fit/axis_spectrum.hpp"
 #include "fit/colour.hpp"
 #include "fit/greedy.hpp"
 #include "noise/lobe.hpp"

@@ -1,6 +1,6 @@
 #include "fit/fit_error.hpp"
 
-#include "fit/atoms.hpp"
+#include "fit/axis_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +29,11 @@ struct SpectrumRows {
 };
 
 // The rows of frequencies below 1 / window_side cycles per pixel.
-SpectrumRows low_rows(const Scale& scale) {
+SpectrumRows low_rows(const SpectrumScale& scale) {
     SpectrumRows rows{scale.begin, measures({scale})};
     const double limit = static_cast<double>(scale.grid) * scale.spacing / window_side;
     Eigen::Index row = 0;
-    for (const Scale::Frequency& k : scale.frequencies) {
+    for (const SpectrumScale::Frequency& k : scale.frequencies) {
         const int y = 2 * k.y > scale.grid ? scale.grid - k.y : k.y;
         if (std::hypot(k.x, y) > limit)
             rows.measure[row] = 0;
@@ -42,7 +42,7 @@ SpectrumRows low_rows(const Scale& scale) {
     return rows;
 }
 
-Autocovariance autocovariance(const Scale& scale, const std::vector<Wave>& waves,
+Autocovariance autocovariance(const SpectrumScale& scale, const std::vector<Wave>& waves,
                               const Eigen::VectorXd& weights) {
     Autocovariance result{Eigen::MatrixXd::Zero(scale.lags(), scale.lags()),
                           Eigen::MatrixXd::Zero(scale.lags(), scale.lags())};
@@ -57,7 +57,7 @@ Autocovariance autocovariance(const Scale& scale, const std::vector<Wave>& waves
 }
 
 // Compares autocovariances at lags of at most half a window's side.
-double largest_difference(const Scale& scale, const Autocovariance& a, const Autocovariance& b) {
+double largest_difference(const SpectrumScale& scale, const Autocovariance& a, const Autocovariance& b) {
     double largest = 0;
     for (Eigen::Index y = 0; y < scale.lags(); ++y)
         for (Eigen::Index x = 0; x < scale.lags() && std::hypot(x, y) < static_cast<double>(scale.lags());
@@ -81,7 +81,7 @@ FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     const Eigen::VectorXd all = Eigen::VectorXd::Ones(estimate.channels);
     const Eigen::ArrayXd power = total(estimate.values, all);
     const Eigen::ArrayXd apart = total(difference.values, all).abs();
-    const std::vector<Scale>& scales = *estimate.scales;
+    const std::vector<SpectrumScale>& scales = *estimate.scales;
     const SpectrumRows first{0, measures({scales.front()})};
     FitError error;
     error.l1 = first.sum(apart) / first.sum(power);
@@ -95,7 +95,7 @@ FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     const double variance = estimate.covariance().trace();
     double squares = 0; // the integral of the squared autocorrelation over all lags
     for (std::size_t i = 0; i < exemplar.autocovariances.size(); ++i) {
-        const Scale& scale = scales[i];
+        const SpectrumScale& scale = scales[i];
         const Autocovariance& seen = exemplar.autocovariances[i];
         error.autocorrelation =
             std::max(error.autocorrelation,

@@ -131,11 +131,11 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
             [&](std::size_t c) { return variances[c] / variance * degree_shares(colour.histogram[c])[n]; });
     };
     return fmt::format(
-        R"(// {name}.glsl: Gabor noise after {image}, by gabor fit. Paste it after gabor_lattice.glsl and gabor_spectrum.glsl.
+        R"(// {name}.glsl: Gabor noise after {image}, by gabor fit. Paste it after gabor_noise.glsl and gabor_spectrum.glsl.
 //     vec3 {name}(vec2 p): colour at p, in pixels of the photograph, {width} x {height}. Costs about {count} times gabor_noise.
 //     vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy): its mean over a screen pixel, dx = dFdx(p), dy = dFdy(p); w: removed variance.
 #ifndef GABOR_SPECTRUM_GLSL
-#error Include gabor_lattice.glsl and gabor_spectrum.glsl before {name}.glsl
+#error Include gabor_noise.glsl and gabor_spectrum.glsl before {name}.glsl
 #elif !defined(GABOR_TEXTURE_{name}_GLSL)
 #define GABOR_TEXTURE_{name}_GLSL
 const uint {name}_seed = 0u; // another seed gives another piece of the same texture

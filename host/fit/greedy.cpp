@@ -1,6 +1,6 @@
 #include "fit/greedy.hpp"
 
-#include "fit/atoms.hpp"
+#include "fit/axis_spectrum.hpp"
 
 #include <Eigen/LU>
 
@@ -18,11 +18,11 @@ using Eigen::Index;
 
 // Returns the values at all frequencies of the first scale's grid, from the stored half. The value at an
 // opposite frequency is multiplied by `opposite`, 1 or -1.
-Eigen::MatrixXf whole_plane(const Scale& scale, const Eigen::ArrayXd& half, float opposite) {
+Eigen::MatrixXf whole_plane(const SpectrumScale& scale, const Eigen::ArrayXd& half, float opposite) {
     const int grid = scale.grid;
     Eigen::MatrixXf plane(grid, grid);
     Index at = 0;
-    for (const Scale::Frequency& k : scale.frequencies) {
+    for (const SpectrumScale::Frequency& k : scale.frequencies) {
         const auto value = static_cast<float>(half[at++]);
         if (2 * k.x != grid && k.x != 0)
             plane((grid - k.y) % grid, grid - k.x) = opposite * value;
@@ -55,7 +55,7 @@ std::vector<double> radii(double from, double to) {
 
 // The frequencies of a scale at which a single wave would reduce the residual most, in cycles per pixel.
 std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Eigen::MatrixXd& left,
-                                   const Scale& scale) {
+                                   const SpectrumScale& scale) {
     constexpr std::size_t most = 8;
     constexpr int apart = 3;
     const Eigen::ArrayXd power = total(left.middleRows(scale.begin, std::ssize(scale.frequencies)),
@@ -65,7 +65,7 @@ std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Eigen::Mat
     std::ranges::sort(order, std::greater(), [&](Index i) { return power[i]; });
     std::vector<Eigen::Vector2d> found;
     for (const Index i : order) {
-        const Scale::Frequency& k = scale.frequencies[static_cast<std::size_t>(i)];
+        const SpectrumScale::Frequency& k = scale.frequencies[static_cast<std::size_t>(i)];
         Eigen::Vector2d place(k.x, 2 * k.y > scale.grid ? k.y - scale.grid : k.y);
         if (!(power[i] > 0) || found.size() == most)
             break;
@@ -82,7 +82,7 @@ std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Eigen::Mat
 
 } // namespace
 
-Search::Axis Search::axis_of(const Scale& scale, int which, double largest_radius, int lowest) {
+Search::Axis Search::axis_of(const SpectrumScale& scale, int which, double largest_radius, int lowest) {
     Axis axis;
     for (const double radius : radii(2, std::min<double>(largest_radius, scale.length()))) {
         // The distance between the frequencies to try. Narrow kernels have wide lobes, so few frequencies are
@@ -96,17 +96,17 @@ Search::Axis Search::axis_of(const Scale& scale, int which, double largest_radiu
     axis.frequency.push_back(0); // white noise
     axis.radius.push_back(smallest_radius);
     const auto count = std::ssize(axis.frequency);
-    axis.atoms.resize(count, scale.grid);
+    axis.spectra.resize(count, scale.grid);
     axis.mirrored.resize(count, scale.grid);
     for (Index i = 0; i < count; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        const Eigen::ArrayXd atom =
-            axis_atom(scale, which, static_cast<double>(axis.frequency[at]) / scale.grid, axis.radius[at],
-                      false)
+        const Eigen::ArrayXd spectrum =
+            axis_spectrum(scale, which, static_cast<double>(axis.frequency[at]) / scale.grid, axis.radius[at],
+                          false)
                 .value;
         for (int k = 0; k < scale.grid; ++k) {
-            axis.atoms(i, k) = static_cast<float>(atom[k]);
-            axis.mirrored(i, k) = static_cast<float>(atom[k] * atom[(scale.grid - k) % scale.grid]);
+            axis.spectra(i, k) = static_cast<float>(spectrum[k]);
+            axis.mirrored(i, k) = static_cast<float>(spectrum[k] * spectrum[(scale.grid - k) % scale.grid]);
         }
     }
     return axis;
@@ -115,16 +115,16 @@ Search::Axis Search::axis_of(const Scale& scale, int which, double largest_radiu
 Search::Search(const TargetSpectra& target)
     : x_(axis_of(target.scales->front(), 0, target.largest_radius, 0)),
       y_(axis_of(target.scales->front(), 1, target.largest_radius, 1 - target.scales->front().grid / 2)) {
-    const Scale& scale = target.scales->front();
+    const SpectrumScale& scale = target.scales->front();
     const Index rows = std::ssize(scale.frequencies);
     const Eigen::MatrixXf weight =
         whole_plane(scale, target.weight.head(rows).square() / measures({scale}), 1);
-    square_ = 0.25f * (y_.atoms.cwiseAbs2() * weight * x_.atoms.cwiseAbs2().transpose() +
+    square_ = 0.25f * (y_.spectra.cwiseAbs2() * weight * x_.spectra.cwiseAbs2().transpose() +
                        y_.mirrored * weight * x_.mirrored.transpose());
 }
 
 Wave Search::best(const TargetSpectra& target, const Eigen::MatrixXd& left) const {
-    const Scale& first = target.scales->front();
+    const SpectrumScale& first = target.scales->front();
     const Index rows = std::ssize(first.frequencies);
     const Eigen::ArrayXd factor = target.weight.head(rows) / measures({first});
     const std::vector<Entry> stored = entries(target.channels);
@@ -133,7 +133,7 @@ Wave Search::best(const TargetSpectra& target, const Eigen::MatrixXd& left) cons
         const double single = c == d ? 0.5 : 0.5 / std::numbers::sqrt2;
         const auto half = left.col(std::ssize(products)).head(rows).array();
         const Eigen::MatrixXf plane = whole_plane(first, single * half * factor, imaginary ? -1 : 1);
-        products.push_back(y_.atoms * plane * x_.atoms.transpose());
+        products.push_back(y_.spectra * plane * x_.spectra.transpose());
     }
     Wave wave{{0, 0}, {smallest_radius, smallest_radius}, Eigen::VectorXcd::Zero(target.channels)};
     double gained = 0;
@@ -166,7 +166,7 @@ Wave Search::best(const TargetSpectra& target, const Eigen::MatrixXd& left) cons
     // Replaces that wave if a wave at a peak of another scale gains more over all scales.
     Gain most = gain(target, left, wave.frequency, wave.radius);
     for (std::size_t s = 1; s < target.scales->size(); ++s) {
-        const Scale& scale = (*target.scales)[s];
+        const SpectrumScale& scale = (*target.scales)[s];
         const double narrowest = (*target.scales)[s - 1].length() / 4;
         const std::vector<double> wide =
             radii(narrowest, std::min<double>(target.largest_radius, scale.length()));

@@ -18,18 +18,19 @@ class Search {
     Wave best(const TargetSpectra& target, const Eigen::MatrixXd& left) const;
 
   private:
-    // The atoms of all frequencies and radii along an axis: one row for each pair.
+    // The spectra of all frequencies and radii along an axis: one row for each pair.
     struct Axis {
         std::vector<int> frequency; ///< indices on the grid
         std::vector<double> radius;
-        Eigen::MatrixXf atoms;
-        Eigen::MatrixXf mirrored; ///< atoms times those of the opposite frequencies
+        Eigen::MatrixXf spectra;
+        Eigen::MatrixXf mirrored; ///< spectra times those of the opposite frequencies
     };
-    static Axis axis_of(const Scale& scale, int which, double largest_radius, int lowest);
+    static Axis axis_of(const SpectrumScale& scale, int which, double largest_radius, int lowest);
 
     Axis x_;
     Axis y_;
-    Eigen::MatrixXf square_; ///< squared norm of each product of an atom of y_ (row) and one of x_ (column)
+    Eigen::MatrixXf
+        square_; ///< squared norm of each product of a spectrum of y_ (row) and one of x_ (column)
 };
 
 } // namespace gabor::fit

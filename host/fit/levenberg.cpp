@@ -1,6 +1,6 @@
 #include "fit/levenberg.hpp"
 
-#include "fit/atoms.hpp"
+#include "fit/axis_spectrum.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -19,21 +19,22 @@ using Eigen::Index;
 
 constexpr double root_2 = std::numbers::sqrt2;
 constexpr double largest_stretch = 99; // presets accept at most 100
-// The number of functions for each wave: its atom, and the atom's derivatives with respect to the frequencies
-// along x and y and to the logarithms of both radii.
+// The number of functions for each wave: its spectrum, and the spectrum's derivatives with respect to the
+// frequencies along x and y and to the logarithms of both radii.
 constexpr int functions = 5;
 
-// An atom on the grid has a part for the wave and a mirrored part for its opposite. The real parts of
+// A spectrum on the grid has a part for the wave and a mirrored part for its opposite. The real parts of
 // cross-spectra contain the sum of the two, the imaginary parts their difference.
 struct Parts {
     Eigen::MatrixXd sum;
     Eigen::MatrixXd difference;
 };
 
-void put(Parts& parts, Index column, const Scale& scale, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+void put(Parts& parts, Index column, const SpectrumScale& scale, const Eigen::ArrayXd& x,
+         const Eigen::ArrayXd& y) {
     const int grid = scale.grid;
     Index at = scale.begin;
-    for (const Scale::Frequency& k : scale.frequencies) {
+    for (const SpectrumScale::Frequency& k : scale.frequencies) {
         const double a = 0.5 * x[k.x] * y[k.y];
         const double b = 0.5 * x[(grid - k.x) % grid] * y[(grid - k.y) % grid];
         parts.sum(at, column) = a + b;
@@ -44,16 +45,18 @@ void put(Parts& parts, Index column, const Scale& scale, const Eigen::ArrayXd& x
 
 // Returns one column for each wave or, with derivatives, `functions` columns. Each row is multiplied by the
 // weight of its frequency.
-Parts parts_of(const std::vector<Wave>& waves, const Scales& scales, bool with_derivatives,
+Parts parts_of(const std::vector<Wave>& waves, const SpectrumScales& scales, bool with_derivatives,
                const Eigen::ArrayXd& weight) {
     const Index each = with_derivatives ? functions : 1;
     Parts parts{Eigen::MatrixXd(weight.size(), each * std::ssize(waves)),
                 Eigen::MatrixXd(weight.size(), each * std::ssize(waves))};
     Index column = 0;
     for (const Wave& wave : waves) {
-        for (const Scale& scale : *scales) {
-            const AxisAtom x = axis_atom(scale, 0, wave.frequency.x(), wave.radius.x(), with_derivatives);
-            const AxisAtom y = axis_atom(scale, 1, wave.frequency.y(), wave.radius.y(), with_derivatives);
+        for (const SpectrumScale& scale : *scales) {
+            const AxisSpectrum x =
+                axis_spectrum(scale, 0, wave.frequency.x(), wave.radius.x(), with_derivatives);
+            const AxisSpectrum y =
+                axis_spectrum(scale, 1, wave.frequency.y(), wave.radius.y(), with_derivatives);
             put(parts, column, scale, x.value, y.value);
             if (with_derivatives) {
                 put(parts, column + 1, scale, x.by_frequency, y.value);
@@ -246,7 +249,7 @@ void add(Eigen::MatrixXd& spectra, const std::vector<Wave>& waves, const Parts& 
 TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
     : channels(spectra.channels), scales(spectra.scales), values(spectra.values),
       importance(measures(*scales)), largest_radius(radius) {
-    for (const Scale& scale : *scales)
+    for (const SpectrumScale& scale : *scales)
         importance.segment(scale.begin, std::ssize(scale.frequencies)) *= scale.confidence;
     const Eigen::ArrayXd power = total(values, Eigen::VectorXd::Ones(channels));
     weight = (importance / (power + 0.01 * spectra.covariance().trace())).sqrt();
@@ -258,7 +261,7 @@ TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
 TargetSpectra TargetSpectra::reweighed(const std::vector<Wave>& waves) const {
     Eigen::ArrayXd error = residual(*this, waves).rowwise().norm().array() / weight;
     error += 0.1 * (importance * error).sum() / importance.sum();
-    for (const Scale& scale : *scales) {
+    for (const SpectrumScale& scale : *scales) {
         const auto rows = Eigen::seqN(scale.begin, std::ssize(scale.frequencies));
         // An estimate from n windows errs by 1 / sqrt(n) of the power; its confidence is n / (n + 100).
         const double chance = std::sqrt((1 - scale.confidence) / (100 * scale.confidence));
@@ -298,7 +301,7 @@ Gain gain(const TargetSpectra& target, const Eigen::MatrixXd& left, const Eigen:
             std::sqrt(value / square) * solver.eigenvectors().col(target.channels - 1)};
 }
 
-Spectra model(const std::vector<Wave>& waves, int channels, const Scales& scales) {
+Spectra model(const std::vector<Wave>& waves, int channels, const SpectrumScales& scales) {
     Spectra result(channels, scales);
     const Parts parts = parts_of(waves, scales, false, Eigen::ArrayXd::Ones(result.values.rows()));
     add(result.values, waves, parts, 1, 1);

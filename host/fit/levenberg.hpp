@@ -19,11 +19,11 @@ struct Wave {
 
 /// The spectra that waves are fitted to, weighted for least squares: each frequency is divided by the root of
 /// P + 0.01 mean P, where P is the power there. Unweighted least squares would leave weak frequencies empty,
-/// and dividing by P would give most weight to frequencies whose estimate is low by chance. Scales with few
-/// windows count less; otherwise lobes would be spent on peaks that occur by chance.
+/// and dividing by P would give most weight to frequencies whose estimate is low by chance. SpectrumScales
+/// with few windows count less; otherwise lobes would be spent on peaks that occur by chance.
 struct TargetSpectra {
     int channels;
-    Scales scales;
+    SpectrumScales scales;
     Eigen::MatrixXd values;    ///< as in Spectra, times `weight` and, off the diagonal, the root of 2
     Eigen::ArrayXd importance; ///< of each frequency: its share of the plane times the scale's confidence
     Eigen::ArrayXd weight;     ///< root of the weight of each frequency in the sum of squares
@@ -49,7 +49,7 @@ Gain gain(const TargetSpectra& target, const Eigen::MatrixXd& left, const Eigen:
           const Eigen::Vector2d& radius);
 
 /// The expected estimate of the waves' spectra.
-Spectra model(const std::vector<Wave>& waves, int channels, const Scales& scales = first_scale());
+Spectra model(const std::vector<Wave>& waves, int channels, const SpectrumScales& scales = first_scale());
 
 /// Which parameters may change: only weights, or also frequencies and radii.
 enum class FreeParameters { weights, all };

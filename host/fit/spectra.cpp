@@ -53,8 +53,8 @@ Eigen::ArrayXd hann_window(int side) {
     return hann;
 }
 
-Scale make_scale(int spacing, int window, int grid) {
-    Scale scale{.spacing = spacing, .window = window, .grid = grid};
+SpectrumScale make_scale(int spacing, int window, int grid) {
+    SpectrumScale scale{.spacing = spacing, .window = window, .grid = grid};
     scale.area = std::pow(2.0 * window_side / (grid * spacing), 2);
     const Eigen::ArrayXd hann = hann_window(window);
     scale.lag_window.fill(autocorrelation(hann / hann.matrix().norm()));
@@ -77,7 +77,7 @@ Scale make_scale(int spacing, int window, int grid) {
 class Power {
   public:
     Power() = default;
-    Power(const Scale& scale, const Eigen::MatrixXd& values, int channels)
+    Power(const SpectrumScale& scale, const Eigen::MatrixXd& values, int channels)
         : grid_(scale.grid), values_(total(values, Eigen::VectorXd::Ones(channels))) {}
 
     double at(int x, int y) const {
@@ -105,8 +105,8 @@ class Power {
 
 // The rows of a scale's frequencies that windows of the previous scale cannot resolve: those of long waves,
 // and those around peaks that rise above the spectrum seen by these windows.
-std::vector<Eigen::Index> unresolved(const Scale& scale, const Power& fine, const Scale& before,
-                                     const Power& coarse) {
+std::vector<Eigen::Index> unresolved(const SpectrumScale& scale, const Power& fine,
+                                     const SpectrumScale& before, const Power& coarse) {
     constexpr double peak = 2.5;
     constexpr double highest = 0.2; // cycles per sample; averaging attenuates higher frequencies
     constexpr std::size_t most = 4096;
@@ -147,15 +147,16 @@ std::vector<Eigen::Index> unresolved(const Scale& scale, const Power& fine, cons
 
 } // namespace
 
-const Scales& first_scale() {
-    static const Scales scales = [] {
-        return std::make_shared<const std::vector<Scale>>(1, make_scale(1, window_side, 2 * window_side));
+const SpectrumScales& first_scale() {
+    static const SpectrumScales scales = [] {
+        return std::make_shared<const std::vector<SpectrumScale>>(
+            1, make_scale(1, window_side, 2 * window_side));
     }();
     return scales;
 }
 
-std::vector<Scale> scales_of(int width, int height) {
-    std::vector<Scale> scales{first_scale()->front()};
+std::vector<SpectrumScale> scales_of(int width, int height) {
+    std::vector<SpectrumScale> scales{first_scale()->front()};
     int side = std::min(width, height);
     for (int spacing = 1; side / 2 >= least_window; spacing *= decimation, side = decimated(side)) {
         const int window = std::min(large_window, side / 32 * 16); // multiples of 16 have fast transforms
@@ -164,7 +165,7 @@ std::vector<Scale> scales_of(int width, int height) {
         if (side < static_cast<int>(triangle.size()))
             break;
     }
-    for (Scale& scale : scales) {
+    for (SpectrumScale& scale : scales) {
         // A Hann window's squared autocorrelation adds up to nearly half its side.
         const double windows = static_cast<double>(width) * height / std::pow(0.468 * scale.length(), 2);
         scale.confidence = windows / (windows + 100);
@@ -181,15 +182,15 @@ std::vector<Entry> entries(int channels) {
     return result;
 }
 
-Eigen::ArrayXd measures(const std::vector<Scale>& scales) {
+Eigen::ArrayXd measures(const std::vector<SpectrumScale>& scales) {
     std::vector<double> result;
-    for (const Scale& scale : scales)
-        for (const Scale::Frequency& frequency : scale.frequencies)
+    for (const SpectrumScale& scale : scales)
+        for (const SpectrumScale::Frequency& frequency : scale.frequencies)
             result.push_back(frequency.multiplicity * scale.area);
     return Eigen::Map<const Eigen::ArrayXd>(result.data(), std::ssize(result));
 }
 
-Spectra::Spectra(int count, const Scales& of) : channels(count), scales(of) {
+Spectra::Spectra(int count, const SpectrumScales& of) : channels(count), scales(of) {
     const Eigen::Index rows = scales->back().begin + std::ssize(scales->back().frequencies);
     values = Eigen::MatrixXd::Zero(rows, count * count);
 }
@@ -203,7 +204,7 @@ Eigen::ArrayXd total(const Eigen::MatrixXd& values, const Eigen::VectorXd& weigh
 }
 
 Eigen::MatrixXd Spectra::covariance() const {
-    const std::vector<Scale> first{scales->front()};
+    const std::vector<SpectrumScale> first{scales->front()};
     const Eigen::VectorXd weight = measures(first) / (first.front().grid * first.front().grid);
     const Eigen::VectorXd integral = values.topRows(weight.size()).transpose() * weight;
     Eigen::MatrixXd result(channels, channels);
@@ -235,7 +236,7 @@ Spectra Spectra::mapped(const Eigen::MatrixXd& map) const {
 /// Welch's estimate on one scale, at all frequencies of its grid.
 class SpectraEstimate::Welch {
   public:
-    Welch(Scale& scale, int width, int height, int channels)
+    Welch(SpectrumScale& scale, int width, int height, int channels)
         : scale_(&scale), channels_(channels), margin_(scale.window / 2),
           segments_(width + scale.window, height + scale.window, channels + 1, scale.window,
                     (scale.window + 2) /
@@ -327,7 +328,7 @@ class SpectraEstimate::Welch {
         }
     }
 
-    const Scale* scale_;
+    const SpectrumScale* scale_;
     int channels_;
     int margin_; ///< samples added on each side of the picture
     statistics::Segments segments_;
@@ -383,7 +384,7 @@ SpectraEstimate::SpectraEstimate(int width, int height, int channels)
     : channels_(channels), scales_(scales_of(width, height)) {
     for (int spacing = 1, w = width, h = height; spacing <= scales_.back().spacing;
          spacing *= decimation, w = decimated(w), h = decimated(h)) {
-        for (Scale& scale : scales_)
+        for (SpectrumScale& scale : scales_)
             if (scale.spacing == spacing)
                 estimates_.emplace_back(scale, w, h, channels);
         if (spacing < scales_.back().spacing)
@@ -417,7 +418,7 @@ void SpectraEstimate::add_row(std::span<const float> row, std::span<const float>
 }
 
 Spectra SpectraEstimate::spectra() const {
-    std::vector<Scale> kept;
+    std::vector<SpectrumScale> kept;
     std::vector<Eigen::MatrixXd> values;
     Power coarse;
     for (std::size_t i = 0; i < scales_.size(); ++i) {
@@ -426,12 +427,12 @@ Spectra SpectraEstimate::spectra() const {
             continue;
         if (i > 0 && kept.empty())
             break;
-        Scale scale = scales_[i];
+        SpectrumScale scale = scales_[i];
         Eigen::MatrixXd mean = estimate.mean();
         const Power fine(scale, mean, channels_);
         if (i > 0) {
             const std::vector<Eigen::Index> rows = unresolved(scale, fine, kept.back(), coarse);
-            std::vector<Scale::Frequency> frequencies;
+            std::vector<SpectrumScale::Frequency> frequencies;
             for (const Eigen::Index row : rows)
                 frequencies.push_back(scale.frequencies[static_cast<std::size_t>(row)]);
             scale.frequencies = std::move(frequencies);
@@ -444,7 +445,7 @@ Spectra SpectraEstimate::spectra() const {
     }
     if (kept.empty())
         throw RequestError(fmt::format("the picture has no opaque area of {0} x {0} pixels", window_side));
-    Spectra result(channels_, std::make_shared<const std::vector<Scale>>(kept));
+    Spectra result(channels_, std::make_shared<const std::vector<SpectrumScale>>(kept));
     for (std::size_t i = 0; i < kept.size(); ++i)
         result.values.middleRows(kept[i].begin, values[i].rows()) = values[i];
     return result;
@@ -454,12 +455,12 @@ Spectra SpectraEstimate::spectra() const {
 std::vector<Autocovariance> SpectraEstimate::autocovariances(const Eigen::VectorXd& weights) const {
     std::vector<Autocovariance> result;
     for (std::size_t i = 0; i < scales_.size() && estimates_[i].windows() > 0; ++i) {
-        const Scale& scale = scales_[i];
+        const SpectrumScale& scale = scales_[i];
         const Eigen::Index columns = scale.grid / 2 + 1;
         Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> power(scale.grid, columns);
         const Eigen::ArrayXd mean = total(estimates_[i].mean(), weights);
         Eigen::Index row = 0;
-        for (const Scale::Frequency& k : scale.frequencies)
+        for (const SpectrumScale::Frequency& k : scale.frequencies)
             power(k.y, k.x) = k.multiplicity * mean[row++];
         power /= std::pow(scale.grid * scale.spacing, 2);
         const Eigen::MatrixXd cosines = scale.cosine.leftCols(scale.lags()).transpose() * power *

@@ -15,9 +15,10 @@ namespace gabor::fit {
 /// The side of the smallest windows that spectra are estimated with, in pixels.
 constexpr int window_side = 64;
 
-/// Windows of one size, and the frequencies at which their estimate is compared with a model. Scales after
-/// the first keep only frequencies of long waves and those near peaks that smaller windows cannot resolve.
-struct Scale {
+/// Windows of one size, and the frequencies at which their estimate is compared with a model. SpectrumScales
+/// after the first keep only frequencies of long waves and those near peaks that smaller windows cannot
+/// resolve.
+struct SpectrumScale {
     int spacing;     ///< pixels from one sample to the next: 1, 4, 16 ...; samples are averages
     int window;      ///< samples along each axis
     int grid;        ///< frequency k is k / grid cycles per sample, negative ones last
@@ -47,15 +48,15 @@ struct Scale {
     /// The number of lags along an axis at which autocovariances are compared: 0, 1, 2 ... samples.
     Eigen::Index lags() const { return window / 2 + 1; }
 };
-using Scales = std::shared_ptr<const std::vector<Scale>>;
+using SpectrumScales = std::shared_ptr<const std::vector<SpectrumScale>>;
 
 /// The scale of the smallest windows alone, at all frequencies of a grid of twice their side, so that lags do
 /// not wrap around.
-const Scales& first_scale();
+const SpectrumScales& first_scale();
 
 /// The scales for a picture of this size, the smallest windows first, each with all its frequencies. The
 /// largest windows are at most half as long as the picture's shorter side.
-std::vector<Scale> scales_of(int width, int height);
+std::vector<SpectrumScale> scales_of(int width, int height);
 
 /// A stored entry of a Hermitian matrix of channels: the real part of (c, d) for c <= d, or the imaginary
 /// part for c < d.
@@ -75,11 +76,11 @@ constexpr Eigen::Index real_entries(int channels) {
 /// Opposite frequencies have conjugate matrices.
 struct Spectra {
     int channels = 0;
-    Scales scales;
+    SpectrumScales scales;
     Eigen::MatrixXd values;
 
     /// Sets all spectra to 0.
-    explicit Spectra(int channels, const Scales& scales = first_scale());
+    explicit Spectra(int channels, const SpectrumScales& scales = first_scale());
     /// The covariance of the channels: the integral of their spectra over the first scale.
     Eigen::MatrixXd covariance() const;
     /// Returns the spectra of the channels after this linear map.
@@ -96,7 +97,7 @@ struct Autocovariance {
 };
 
 /// The weight of each row of Spectra in an integral over its scale, in cells of the first scale.
-Eigen::ArrayXd measures(const std::vector<Scale>& scales);
+Eigen::ArrayXd measures(const std::vector<SpectrumScale>& scales);
 
 /// Estimates the spectra of a picture, row by row, by Welch's method [Welch 1967] on every scale. Windows
 /// extend beyond the picture's edges by half their side, so that all pixels count equally. Keeps only one
@@ -111,7 +112,7 @@ class SpectraEstimate {
     /// windows in which less than nine tenths of the pixels are seen are left out.
     void add_row(std::span<const float> row, std::span<const float> seen);
 
-    /// Returns the spectra; call it after the last row. Scales without windows are left out. Throws
+    /// Returns the spectra; call it after the last row. SpectrumScales without windows are left out. Throws
     /// RequestError if none is left.
     Spectra spectra() const;
     /// Returns the autocovariance on each scale of `spectra`, summed over channels with these weights.
@@ -121,7 +122,7 @@ class SpectraEstimate {
     class Welch;
     class Decimation;
     int channels_;
-    std::vector<Scale> scales_;
+    std::vector<SpectrumScale> scales_;
     std::vector<Welch> estimates_;        ///< one for each scale
     std::vector<Decimation> decimations_; ///< the picture at a quarter of its size, at a sixteenth ...
 };

@@ -64,7 +64,7 @@ std::span<const Recipe> sparse_recipes() {
 }
 
 std::string_view drop_in(const Recipe& recipe) {
-    return recipe.is_lattice() ? "gabor_lattice.glsl" : "gabor_noise.glsl";
+    return recipe.is_lattice() ? "gabor_noise.glsl" : "gabor_sparse.glsl";
 }
 
 Recipe find_recipe(std::string_view text) {

@@ -8,8 +8,8 @@
 
 namespace gabor::noise {
 
-/// A noise with its compile-time options: the GABOR_ macros of shaders/gabor_lattice.glsl, or of
-/// shaders/gabor_noise.glsl, the sparse noise.
+/// A noise with its compile-time options: the GABOR_ macros of shaders/gabor_noise.glsl, or of
+/// shaders/gabor_sparse.glsl, the sparse noise.
 struct Recipe {
     std::string_view name;
     int impulses;                ///< N, impulses per cell (GABOR_IMPULSES)

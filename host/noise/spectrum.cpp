@@ -7,7 +7,7 @@ namespace gabor::noise {
 
 namespace {
 
-// The same as gabor_lobe_seed in shaders/gabor_lattice.glsl.
+// The same as gabor_lobe_seed in shaders/gabor_noise.glsl.
 std::uint32_t lobe_seed(std::uint32_t seed, int index) {
     std::uint32_t word = seed + static_cast<std::uint32_t>(index) * 0x85ebca6bu;
     word = (word ^ word >> 16) * 0x21f0aaadu + 0x9e3779b1u;

@@ -367,7 +367,7 @@ Bytes erosion_table(const Erosion& e) {
         std::array<float, 11> values;
     } table{e.octaves, {}};
     std::ranges::transform(std::array{e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail,
-                                      e.sharpness, e.ridge_rounding, e.crease_rounding, e.gully_weight,
+                                      e.uniformity, e.ridge_rounding, e.crease_rounding, e.gully_weight,
                                       e.branching},
                            table.values.begin(), [](double value) { return static_cast<float>(value); });
     return bytes_of(table);

@@ -55,7 +55,7 @@ struct Erosion {
     double gain = 0.5;
     double onset = 0.5;
     double detail = 1.5;
-    double sharpness = 2;
+    double uniformity = 2;
     double ridge_rounding = 0.1;
     double crease_rounding = 0.1;
     double gully_weight = 0.5;

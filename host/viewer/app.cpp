@@ -252,7 +252,7 @@ void App::paint_presets(vk::CommandBuffer commands, int height) {
     const float per_unit = ImGui::GetIO().DisplayFramebufferScale.x;
     if (!preset_pixels_)
         preset_pixels_ = render::upload(device_, pictures.colours);
-    const float side = std::round(gallery_.side * per_unit);
+    const float side = std::round(gallery_.picture_side * per_unit);
     const float stride = side / PresetPictures::side;
     std::vector<PlacedColours> pieces;
     for (const ImVec2& corner : gallery_.corners) {

@@ -7,8 +7,8 @@
 #include "render/parameters.hpp"
 #include "render/texture.hpp"
 #include "seconds.hpp"
+#include "viewer/display.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/show.hpp"
 
 #include <fmt/format.h>
 

@@ -45,10 +45,11 @@ Gallery gallery_window(Session& session, float width, float height) {
         const std::string name(presets[static_cast<std::size_t>(index)].name);
         const ImVec2 corner{left + cell * static_cast<float>(index % columns),
                             origin.y + cell * static_cast<float>(index / columns)};
-        const ImVec2 end{corner.x + gallery.side, corner.y + gallery.side};
+        const ImVec2 end{corner.x + gallery.picture_side, corner.y + gallery.picture_side};
         gallery.corners.push_back(corner);
         ImGui::SetCursorScreenPos(corner);
-        const bool chosen = ImGui::InvisibleButton(name.c_str(), {gallery.side, gallery.side});
+        const bool chosen =
+            ImGui::InvisibleButton(name.c_str(), {gallery.picture_side, gallery.picture_side});
         draw.AddRect(corner, end,
                      ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark : ImGuiCol_Separator), 0,
                      0, 2);

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "show_frag.h"
-#include "show_vert.h"
+#include "display_frag.h"
+#include "display_vert.h"
 
 namespace gabor::viewer {
 
@@ -30,7 +30,7 @@ vk::raii::DescriptorSetLayout make_set_layout(const vk::raii::Device& device) {
 }
 
 vk::raii::PipelineLayout make_layout(const vk::raii::Device& device, vk::DescriptorSetLayout set) {
-    const vk::PushConstantRange push(vk::ShaderStageFlagBits::eFragment, 0, sizeof(passes::ShowPush));
+    const vk::PushConstantRange push(vk::ShaderStageFlagBits::eFragment, 0, sizeof(passes::DisplayPush));
     return {device, vk::PipelineLayoutCreateInfo({}, set, push)};
 }
 
@@ -46,7 +46,7 @@ vk::raii::ShaderModule make_module(const vk::raii::Device& device, std::span<con
 
 vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLayout layout,
                                  vk::RenderPass pass, vk::ShaderModule vertex, vk::ShaderModule fragment,
-                                 const ShowConstants& constants) {
+                                 const DisplayConstants& constants) {
     std::vector<vk::SpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < constants.size(); ++i)
         entries.emplace_back(i, i * 4, 4);
@@ -78,15 +78,15 @@ vk::raii::Pipeline make_pipeline(const vk::raii::Device& device, vk::PipelineLay
 Painter::Painter(const vulkan::Device& device, vk::RenderPass pass)
     : device_(device), set_layout_(make_set_layout(device.state().device)),
       layout_(make_layout(device.state().device, *set_layout_)), pool_(make_pool(device.state().device)),
-      pass_(pass), vertex_(make_module(device.state().device, show_vert_spirv)),
-      fragment_(make_module(device.state().device, show_frag_spirv)) {
+      pass_(pass), vertex_(make_module(device.state().device, display_vert_spirv)),
+      fragment_(make_module(device.state().device, display_frag_spirv)) {
     const std::vector<vk::DescriptorSetLayout> layouts(colours_set + 1, *set_layout_);
     vk::raii::DescriptorSets sets(device.state().device, vk::DescriptorSetAllocateInfo(*pool_, layouts));
     for (vk::raii::DescriptorSet& set : sets)
         sets_.push_back(std::move(set));
 }
 
-vk::Pipeline Painter::pipeline(const ShowConstants& constants) {
+vk::Pipeline Painter::pipeline(const DisplayConstants& constants) {
     const auto found = pipelines_.find(constants);
     if (found != pipelines_.end())
         return *found->second;
@@ -107,7 +107,7 @@ void Painter::prepare(vk::CommandBuffer commands) {
 void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area& area,
                     const Document& document, const std::optional<Tiling>& tiling) {
     const double zoom = tiling ? tiling->camera.zoom : document.camera.zoom;
-    passes::ShowPush push = show_push(document, canvas.stride(), zoom);
+    passes::DisplayPush push = display_push(document, canvas.stride(), zoom);
     Area visible = area;
     push.size = {static_cast<float>(area.width), static_cast<float>(area.height)};
     push.origin = {static_cast<float>(area.x), static_cast<float>(area.y)};
@@ -123,8 +123,8 @@ void Painter::paint(vk::CommandBuffer commands, const Canvas& canvas, const Area
     push.grid = {canvas.grid().width, canvas.grid().height};
     push.stride = static_cast<float>(canvas.stride());
     const bool coarse = canvas.stride() > 1;
-    bind(commands, canvas.values(), show_constants(document, canvas.channels(), coarse, tiling.has_value()),
-         canvas_set);
+    bind(commands, canvas.values(),
+         display_constants(document, canvas.channels(), coarse, tiling.has_value()), canvas_set);
     draw(commands, push, visible);
 }
 
@@ -142,7 +142,7 @@ void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& co
             within, {left, top, end(origin[0], grid.width) - left, end(origin[1], grid.height) - top});
         if (visible.width <= 0 || visible.height <= 0)
             continue;
-        passes::ShowPush push{};
+        passes::DisplayPush push{};
         push.origin = {origin[0], origin[1]};
         push.grid = {grid.width, grid.height};
         push.stride = stride;
@@ -150,8 +150,8 @@ void Painter::paint_colours(vk::CommandBuffer commands, const vulkan::Buffer& co
     }
 }
 
-void Painter::bind(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
-                   std::size_t index) {
+void Painter::bind(vk::CommandBuffer commands, const vulkan::Buffer& values,
+                   const DisplayConstants& constants, std::size_t index) {
     const vk::raii::DescriptorSet& set = sets_.at(index);
     const vk::DescriptorBufferInfo buffer(*values.state().buffer, 0, VK_WHOLE_SIZE);
     device_.state().device.updateDescriptorSets(
@@ -160,8 +160,8 @@ void Painter::bind(vk::CommandBuffer commands, const vulkan::Buffer& values, con
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set, {});
 }
 
-void Painter::draw(vk::CommandBuffer commands, const passes::ShowPush& push, const Area& area) {
-    commands.pushConstants<passes::ShowPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
+void Painter::draw(vk::CommandBuffer commands, const passes::DisplayPush& push, const Area& area) {
+    commands.pushConstants<passes::DisplayPush>(*layout_, vk::ShaderStageFlagBits::eFragment, 0, push);
     commands.setViewport(0,
                          vk::Viewport(static_cast<float>(area.x), static_cast<float>(area.y),
                                       static_cast<float>(area.width), static_cast<float>(area.height), 0, 1));

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "viewer/canvas.hpp"
+#include "viewer/display.hpp"
 #include "viewer/drawing.hpp"
-#include "viewer/show.hpp"
 #include "vulkan/state.hpp"
 
 #include <array>
@@ -25,7 +25,7 @@ struct PlacedColours {
     Area within;
 };
 
-/// Paints values through a colour map: shaders/viewer/show.vert and show.frag.
+/// Paints values through a colour map: shaders/viewer/display.vert and display.frag.
 class Painter {
   public:
     Painter(const vulkan::Device& device, vk::RenderPass pass);
@@ -41,10 +41,10 @@ class Painter {
                        const std::vector<PlacedColours>& pieces);
 
   private:
-    vk::Pipeline pipeline(const ShowConstants& constants);
-    void bind(vk::CommandBuffer commands, const vulkan::Buffer& values, const ShowConstants& constants,
+    vk::Pipeline pipeline(const DisplayConstants& constants);
+    void bind(vk::CommandBuffer commands, const vulkan::Buffer& values, const DisplayConstants& constants,
               std::size_t index);
-    void draw(vk::CommandBuffer commands, const passes::ShowPush& push, const Area& area);
+    void draw(vk::CommandBuffer commands, const passes::DisplayPush& push, const Area& area);
 
     const vulkan::Device& device_;
     vk::raii::DescriptorSetLayout set_layout_;
@@ -54,7 +54,7 @@ class Painter {
     vk::RenderPass pass_;
     vk::raii::ShaderModule vertex_;
     vk::raii::ShaderModule fragment_;
-    std::map<ShowConstants, vk::raii::Pipeline> pipelines_; ///< made on first use
+    std::map<DisplayConstants, vk::raii::Pipeline> pipelines_; ///< made on first use
 };
 
 } // namespace gabor::viewer

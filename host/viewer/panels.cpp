@@ -6,7 +6,7 @@
 #include "viewer/document_json.hpp"
 #include "viewer/photograph.hpp"
 
-#include "viewer/show_interface.h"
+#include "viewer/display_interface.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

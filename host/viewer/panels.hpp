@@ -67,7 +67,7 @@ bool key_went_down();
 
 /// Where the window shows the pictures of the presets, in the order of the presets and in Dear ImGui's units.
 struct Gallery {
-    float side = 0;
+    float picture_side = 0;
     std::vector<ImVec2> corners;
 };
 

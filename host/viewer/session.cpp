@@ -231,7 +231,7 @@ void poll_exporter(Session& session) {
 void copy_glsl(Session& session) {
     const std::optional<std::string> fitted = fitted_glsl(session);
     ImGui::SetClipboardText(fitted.value_or(snippet(session.document(), session.view)).c_str());
-    notify(session, fitted ? "copied the photograph's noise: paste it after gabor_lattice.glsl and "
+    notify(session, fitted ? "copied the photograph's noise: paste it after gabor_noise.glsl and "
                              "gabor_spectrum.glsl"
                            : "copied GLSL that draws this view");
 }

@@ -2,15 +2,15 @@
 
 #include "fit/glsl.hpp"
 #include "noise/glsl_literal.hpp"
+#include "viewer/display.hpp"
 #include "viewer/drawing.hpp"
 #include "viewer/embedded.hpp"
-#include "viewer/show.hpp"
 
 #include "passes/material_interface.h"
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
 #include "passes/terrain_interface.h"
-#include "viewer/show_interface.h"
+#include "viewer/display_interface.h"
 
 #include <fmt/format.h>
 
@@ -249,11 +249,11 @@ std::string field_in_space(const render::Request& request, const passes::SolidWa
     const std::string direction =
         fmt::format("vec3({}, {}, 0.0)", literal(wave.direction.x), literal(wave.direction.y));
     if (on_surface && wave.isotropic == 1)
-        return fmt::format("gabor_surface_isotropic_3d(place, normal, {}", frequency);
+        return fmt::format("gabor_field_surface_isotropic(place, normal, {}", frequency);
     if (on_surface)
-        return fmt::format("gabor_surface_3d(place, normal, {}, {}", frequency, direction);
+        return fmt::format("gabor_field_surface(place, normal, {}, {}", frequency, direction);
     if (wave.isotropic == 1)
-        return fmt::format("gabor_isotropic_3d(place, {}", frequency);
+        return fmt::format("gabor_field_3d_isotropic(place, {}", frequency);
     return fmt::format("gabor_field_3d(place, {}, {}", frequency, direction);
 }
 
@@ -398,7 +398,7 @@ std::string of_colours(const Document& document, const Quantity& of, Extent exte
     else if (!lit_stripes)
         text += fmt::format("    {} seen = {}_of_{};\n", of.type, of.name,
                             space ? "body(p, normal)" : "view(pixel)");
-    if (lit) { // as in lit_surface of shaders/viewer/show.glsl
+    if (lit) { // as in lit_surface of shaders/viewer/display.glsl
         const double relief = 0.5 * document.contrast / slope_deviation(request);
         const auto [right, below] = render::light_direction(request);
         text +=
@@ -516,7 +516,7 @@ std::string material_snippet(const Document& document, Extent extent) {
     const auto push = push_of<passes::MaterialPush>(document, extent);
     std::string text = fmt::format(
         R"(// A material of Gabor noise, as gabor-viewer showed it. Put this after #version.
-#include "gabor_lattice.glsl" // or paste it here
+#include "gabor_noise.glsl" // or paste it here
 #include "gabor_spectrum.glsl" // and this one
 #include "gabor_materials.glsl" // and this one
 {}{}
@@ -586,7 +586,7 @@ std::string terrain_snippet(const Document& document, Extent extent) {
     const render::Terrain& terrain = std::get<render::Terrain>(document.request.view);
     const render::Erosion& e = terrain.erosion;
     std::string members = fmt::format("{}", e.octaves);
-    for (const double value : {e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail, e.sharpness,
+    for (const double value : {e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail, e.uniformity,
                                e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching})
         members += ", " + literal(value);
     const auto pair = [](const passes::vec2& v) { return vec2(double{v.x}, double{v.y}); };
@@ -603,7 +603,7 @@ std::string terrain_snippet(const Document& document, Extent extent) {
             : fmt::format("    vec3 light = seen_from_above(ground, {} + {} * pixel, {}).light;\n",
                           pair(push.corner), pixel, pixel);
     return fmt::format(R"(// Eroded mountains, as gabor-viewer showed them. Put this after #version.
-#include "gabor_lattice.glsl" // or paste it here
+#include "gabor_noise.glsl" // or paste it here
 #include "gabor_erosion.glsl" // and this one
 
 {}
@@ -642,7 +642,7 @@ std::string snippet(const Document& document, Extent extent) {
     if (space || request.filter)
         text += "#include \"gabor_spectrum.glsl\" // and this one\n";
     if (space)
-        text += "#include \"gabor_lattice_3d.glsl\" // and this one\n";
+        text += "#include \"gabor_noise_3d.glsl\" // and this one\n";
     if (&of == &quantities::colour)
         text += fit::colour_function("noise", *request.colour);
     text += space ? of_space(request, of) : of_plane(document, of, extent);

@@ -1,11 +1,11 @@
 // Evaluates the C++ translations of the drop-ins on numpy arrays, on all cores. __init__.py broadcasts the
 // arguments and documents the functions.
 
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 
 #include "gabor_spectrum.hpp"
 
-#include "gabor_lattice_3d.hpp"
+#include "gabor_noise_3d.hpp"
 
 #include "gabor_erosion.hpp"
 
@@ -241,7 +241,7 @@ NB_MODULE(_native, module) {
         return evaluate(count, 4, [=](float* values, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const Split right(across[i], 1.0f), below(down[i], 1.0f);
-                const GaborGround ground{
+                const GaborTerrainPlace ground{
                     {right.cell, below.cell}, {right.local, below.local}, {period, period}};
                 const gabor_vec2 point{0.0f, 0.0f};
                 GaborTerrain terrain =

@@ -5,7 +5,7 @@
 // are binomial, (1, 4, 6, 4, 1) / 16, across the direction of a slope, and (-1, -2, 0, 2, 1) / 8 along it.
 
 #include "passes/erode_interface.h"
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 #include "gabor_erosion.glsl"
 
 layout(local_size_x = erode_group, local_size_y = erode_group) in;
@@ -43,7 +43,7 @@ void main() {
         return;
     int column = first_column + here.x;
     vec2 p = (vec2(column, first_row + here.y) + 0.5) * pixel;
-    GaborGround ground = GaborGround(ivec2(0), p, period);
+    GaborTerrainPlace ground = GaborTerrainPlace(ivec2(0), p, period);
     GaborTerrain base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
     GaborTerrain terrain = gabor_eroded_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), base, erosion, seed);
     int at = channels * (before + here.y * width + here.x);

@@ -16,10 +16,10 @@ vec3 sun_of(Ground ground) {
 
 // The hills and the ground at p, filtered for a pixel that is `pixel` wide on the ground.
 GaborTerrain hills_at(Ground ground, vec2 p, float pixel) {
-    return gabor_terrain_at(GaborGround(ground.cell, p, ground.period), vec2(pixel, 0.0), vec2(0.0, pixel), ground.seed);
+    return gabor_terrain_at(GaborTerrainPlace(ground.cell, p, ground.period), vec2(pixel, 0.0), vec2(0.0, pixel), ground.seed);
 }
 GaborTerrain ground_on(Ground ground, vec2 p, float pixel, GaborTerrain hills) {
-    return gabor_eroded_at(GaborGround(ground.cell, p, ground.period), vec2(pixel, 0.0), vec2(0.0, pixel), hills,
+    return gabor_eroded_at(GaborTerrainPlace(ground.cell, p, ground.period), vec2(pixel, 0.0), vec2(0.0, pixel), hills,
                            ground.erosion, ground.seed);
 }
 GaborTerrain ground_at(Ground ground, vec2 p, float pixel) {
@@ -96,7 +96,7 @@ float sunlight_at(Ground ground, vec3 at, float pixel) {
 }
 
 // The ground that a ray hits, its colour, and the linear light towards the eye. For a ray into the sky, the ground is 0.
-struct Sight {
+struct RayHit {
     GaborTerrain ground;
     float added; // height that erosion added
     vec3 colour;
@@ -104,36 +104,36 @@ struct Sight {
 };
 
 // The ground from above, under a pixel that is `pixel` wide.
-Sight seen_from_above(Ground ground, vec2 p, float pixel) {
-    Sight sight;
+RayHit seen_from_above(Ground ground, vec2 p, float pixel) {
+    RayHit hit;
     GaborTerrain hills = hills_at(ground, p, pixel);
-    sight.ground = ground_on(ground, p, pixel, hills);
-    sight.added = sight.ground.height - hills.height;
-    vec3 normal = normalize(vec3(-sight.ground.slope.x, 1.0, -sight.ground.slope.y));
-    sight.colour = ground_colour(sight.ground, normal);
-    sight.light = sunlit(sun_of(ground), sight.ground, normal, sight.colour, 1.0);
-    return sight;
+    hit.ground = ground_on(ground, p, pixel, hills);
+    hit.added = hit.ground.height - hills.height;
+    vec3 normal = normalize(vec3(-hit.ground.slope.x, 1.0, -hit.ground.slope.y));
+    hit.colour = ground_colour(hit.ground, normal);
+    hit.light = sunlit(sun_of(ground), hit.ground, normal, hit.colour, 1.0);
+    return hit;
 }
 
 // The ground or sky along a ray. Raises an eye that is too low. `clear` is the distance at which air begins to hide the ground.
-Sight seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
+RayHit seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     vec3 sun = sun_of(ground);
     eye.y = max(eye.y, hills_at(ground, eye.xz, 0.0).height + ground.reach + 0.02);
-    Sight sight = Sight(GaborTerrain(0.0, vec2(0.0), 0.0), 0.0, vec3(0.0), sky_along(sun, ray));
+    RayHit hit = RayHit(GaborTerrain(0.0, vec2(0.0), 0.0), 0.0, vec3(0.0), sky_along(sun, ray));
     float t = distance_to_ground(ground, eye, ray, wide, 6.0 * clear);
-    if (t < 0.0) return sight;
+    if (t < 0.0) return hit;
     vec3 at = eye + t * ray;
-    sight = seen_from_above(ground, at.xz, wide * t);
+    hit = seen_from_above(ground, at.xz, wide * t);
     float w = max(wide * t, 0.0008);
     float x = ground_at(ground, at.xz + vec2(w, 0.0), wide * t).height;
     float z = ground_at(ground, at.xz + vec2(0.0, w), wide * t).height;
-    vec3 normal = normalize(vec3(sight.ground.height - x, w, sight.ground.height - z));
-    sight.colour = ground_colour(sight.ground, normal);
+    vec3 normal = normalize(vec3(hit.ground.height - x, w, hit.ground.height - z));
+    hit.colour = ground_colour(hit.ground, normal);
     float sunlight = dot(normal, sun) > 0.0 ? sunlight_at(ground, at + 0.004 * normal, wide * t) : 0.0;
-    sight.light = sunlit(sun, sight.ground, normal, sight.colour, sunlight);
+    hit.light = sunlit(sun, hit.ground, normal, hit.colour, sunlight);
     vec3 air = sky_along(sun, normalize(vec3(ray.x, max(ray.y, 0.02), ray.z)));
-    sight.light = mix(air, sight.light, exp(-0.25 * t * t / (clear * clear)));
-    return sight;
+    hit.light = mix(air, hit.light, exp(-0.25 * t * t / (clear * clear)));
+    return hit;
 }
 
 // A camera that looks at the origin from distance 1: its position and its rays. `yaw` and `pitch` are (cosine, sine) of its

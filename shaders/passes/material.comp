@@ -5,7 +5,7 @@
 // roughness and metalness, its lit colour, and its slopes or, for a body, the coverage.
 
 #include "passes/material_interface.h"
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 #include "gabor_spectrum.glsl"
 #include "gabor_materials.glsl"
 

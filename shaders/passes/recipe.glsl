@@ -4,7 +4,7 @@
 #extension GL_EXT_control_flow_attributes : require
 
 #ifdef GABOR_TAPS
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 #else
 
 #include "passes/constants.h"
@@ -25,6 +25,6 @@ layout(constant_id = window_id + 2) const float recipe_window_z = 0.0;
 #define GABOR_PHASES recipe_phases
 #define GABOR_WINDOW vec3(recipe_window_x, recipe_window_y, recipe_window_z)
 
-#include "gabor_noise.glsl"
+#include "gabor_sparse.glsl"
 
 #endif

@@ -22,9 +22,9 @@ layout(constant_id = normals_id) const bool with_normal = false;
 const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (with_normal ? 4 : 0);
 
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 #include "gabor_spectrum.glsl"
-#include "gabor_lattice_3d.glsl"
+#include "gabor_noise_3d.glsl"
 
 layout(local_size_x = solid_group, local_size_y = solid_group) in;
 
@@ -40,11 +40,11 @@ GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
     vec3 along = vec3(wave.direction, 0.0);
 #ifdef GABOR_OF_surface
     if (isotropic)
-        return gabor_surface_isotropic_3d(place, normal, wave.frequency, wave.seed);
-    return gabor_surface_3d(place, normal, wave.frequency, along, wave.seed);
+        return gabor_field_surface_isotropic(place, normal, wave.frequency, wave.seed);
+    return gabor_field_surface(place, normal, wave.frequency, along, wave.seed);
 #else
     if (isotropic)
-        return gabor_isotropic_3d(place, wave.frequency, wave.seed);
+        return gabor_field_3d_isotropic(place, wave.frequency, wave.seed);
     return gabor_field_3d(place, wave.frequency, along, wave.seed);
 #endif
 }

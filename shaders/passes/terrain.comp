@@ -4,7 +4,7 @@
 // Draws eroded hills from above or in perspective: colour, height, slope, light, ridge, and the height that erosion added.
 
 #include "passes/terrain_interface.h"
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 #include "gabor_erosion.glsl"
 #include "landscape.glsl"
 
@@ -24,22 +24,22 @@ void main() {
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
     Ground ground = Ground(cell, period, seed, table, reach, sun);
-    Sight sight;
+    RayHit hit;
     if (view == view_terrain) {
-        sight = seen_from_above(ground, corner + pixel * place, pixel);
+        hit = seen_from_above(ground, corner + pixel * place, pixel);
     } else {
         vec3 eye = vec3(corner.x, 0.0, corner.y) + distance * camera_at(yaw, pitch);
-        sight = seen_along(ground, eye, camera_ray(yaw, pitch, pixel * (place - center)), pixel, distance);
+        hit = seen_along(ground, eye, camera_ray(yaw, pitch, pixel * (place - center)), pixel, distance);
     }
-    picture[at++] = sight.colour.r;
-    picture[at++] = sight.colour.g;
-    picture[at++] = sight.colour.b;
-    picture[at++] = unit * sight.ground.height;
-    picture[at++] = sight.ground.slope.x;
-    picture[at++] = sight.ground.slope.y;
-    picture[at++] = sight.light.r;
-    picture[at++] = sight.light.g;
-    picture[at++] = sight.light.b;
-    picture[at++] = sight.ground.ridge;
-    picture[at] = unit * sight.added;
+    picture[at++] = hit.colour.r;
+    picture[at++] = hit.colour.g;
+    picture[at++] = hit.colour.b;
+    picture[at++] = unit * hit.ground.height;
+    picture[at++] = hit.ground.slope.x;
+    picture[at++] = hit.ground.slope.y;
+    picture[at++] = hit.light.r;
+    picture[at++] = hit.light.g;
+    picture[at++] = hit.light.b;
+    picture[at++] = hit.ground.ridge;
+    picture[at] = unit * hit.added;
 }

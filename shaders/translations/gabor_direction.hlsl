@@ -1,7 +1,7 @@
 // gabor_direction.hlsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for HLSL, shader model 5.0 and up.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl.
+// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl.
 //
 //     float2 flow(float2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -14,14 +14,14 @@
 // within a kernel radius.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
-// gabor_lattice.hlsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
+// gabor_noise.hlsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
 // 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_HLSL
-#error Include gabor_lattice.hlsl before gabor_direction.hlsl
+#ifndef GABOR_NOISE_HLSL
+#error Include gabor_noise.hlsl before gabor_direction.hlsl
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.hlsl needs GABOR_TAPS 3
@@ -63,7 +63,7 @@ struct GaborWaves {
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.hlsl,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_noise.hlsl,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

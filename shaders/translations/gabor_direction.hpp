@@ -2,7 +2,7 @@
 // gabor_direction.hpp: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for C++ on the CPU.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
+// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -15,14 +15,14 @@
 // within a kernel radius.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
-// gabor_lattice.hpp), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
+// gabor_noise.hpp), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
 // 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_HPP
-#error Include gabor_lattice.hpp before gabor_direction.hpp
+#ifndef GABOR_NOISE_HPP
+#error Include gabor_noise.hpp before gabor_direction.hpp
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.hpp needs GABOR_TAPS 3
@@ -64,7 +64,7 @@ struct GaborWaves {
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.hpp,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_noise.hpp,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

@@ -1,7 +1,7 @@
 // gabor_direction.metal: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for the Metal shading language.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
+// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal.
 //
 //     float2 flow(float2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -14,14 +14,14 @@
 // within a kernel radius.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
-// gabor_lattice.metal), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
+// gabor_noise.metal), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
 // 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_METAL
-#error Include gabor_lattice.metal before gabor_direction.metal
+#ifndef GABOR_NOISE_METAL
+#error Include gabor_noise.metal before gabor_direction.metal
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.metal needs GABOR_TAPS 3
@@ -67,7 +67,7 @@ struct GaborWaves {
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.metal,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_noise.metal,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

@@ -1,8 +1,8 @@
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for WGSL.
 //
-// Digest of the GLSL and of this file: fa90ac845f02d25e
-// Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
+// Digest of the GLSL and of this file: a710aee944383450
+// Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -15,7 +15,7 @@
 // within a kernel radius.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
-// gabor_lattice.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
+// gabor_noise.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
 // 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
@@ -138,7 +138,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.wgsl,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_noise.wgsl,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

@@ -1,6 +1,6 @@
 // gabor_erosion.hlsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for HLSL, shader model 5.0 and up.
 //
-// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl.
+// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -10,8 +10,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_HLSL
-#error Include gabor_lattice.hlsl before gabor_erosion.hlsl
+#ifndef GABOR_NOISE_HLSL
+#error Include gabor_noise.hlsl before gabor_erosion.hlsl
 #endif
 #ifndef GABOR_EROSION_HLSL
 #define GABOR_EROSION_HLSL
@@ -40,14 +40,14 @@ struct GaborErosion {
     float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
-    float sharpness;       // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
+    float uniformity;      // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
     float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
     float branching;       // how much of a gully's slope turns finer gullies, 0 to 10: 0 for none, 1 for all of it
 };
 
-GaborErosion GaborErosion_of(int octaves, float frequency, float strength, float lacunarity, float gain, float onset, float detail, float sharpness, float ridge_rounding, float crease_rounding, float gully_weight, float branching)
+GaborErosion GaborErosion_of(int octaves, float frequency, float strength, float lacunarity, float gain, float onset, float detail, float uniformity, float ridge_rounding, float crease_rounding, float gully_weight, float branching)
 {
     GaborErosion made;
     made.octaves = octaves;
@@ -57,7 +57,7 @@ GaborErosion GaborErosion_of(int octaves, float frequency, float strength, float
     made.gain = gain;
     made.onset = onset;
     made.detail = detail;
-    made.sharpness = sharpness;
+    made.uniformity = uniformity;
     made.ridge_rounding = ridge_rounding;
     made.crease_rounding = crease_rounding;
     made.gully_weight = gully_weight;
@@ -87,23 +87,23 @@ GaborErosion GaborErosion_of(int octaves, float frequency, float strength, float
 //     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
 //     the hills.
 
-struct GaborGround { // the position cell + local
+struct GaborTerrainPlace { // the position cell + local
     int2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     float2 local;  // most precise in [0, 1)^2
     float2 period; // 0 for none. With a period, cell + local is rounded to a float
 };
 
-GaborGround GaborGround_of(int2 cell, float2 local, float2 period)
+GaborTerrainPlace GaborTerrainPlace_of(int2 cell, float2 local, float2 period)
 {
-    GaborGround made;
+    GaborTerrainPlace made;
     made.cell = cell;
     made.local = local;
     made.period = period;
     return made;
 }
 
-// GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed)
-// GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
+// GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, uint seed)
+// GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
 //     The same with a period, a filter (unless dx and dy are float2(0.0)), or both. Without a period, the result is
 //     precise at any distance from the origin.
@@ -115,7 +115,7 @@ GaborGround GaborGround_of(int2 cell, float2 local, float2 period)
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
 // that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
-GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
+GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place((int2)(0), (float2)(0.0));
     place.radius = (float2)(float(rounded) / 65536.0);
@@ -162,7 +162,7 @@ void gabor_impl_add_hills(inout GaborField sum, uint4 words, float4 x, float4 sl
 // each axis, the squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a
 // filter with a standard deviation of half a pixel multiplies each noise by `kept`, and the variance that it removes
 // from the second noise damps the sine.
-GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed) {
+GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, uint seed) {
     GaborPlace place = gabor_impl_ground(ground, 1.0);
     float2 zero = floor(place.local);
     float4 x, y, slope_x, slope_y;
@@ -199,7 +199,7 @@ float gabor_impl_mask(float t, float rounding) {
 // ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow. The
 // constant differs between the two sides, but the sides meet where the mask of the finer gullies is 0. If an octave is
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
-GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
+GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain_of(base.ridge, (float2)(0.0), base.ridge); // t_i, its slope, and t_i with w = 1
     float2 steer = base.slope;
@@ -215,7 +215,7 @@ GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerr
         float2 z = (float2)(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            z = erosion.sharpness * gabor_field(place, GaborKernel_of(wave), gabor_lobe_seed(seed, i)).value;
+            z = erosion.uniformity * gabor_field(place, GaborKernel_of(wave), gabor_lobe_seed(seed, i)).value;
             z *= kept * rsqrt(1.0 + dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = lerp(gully.height, erosion.gully_weight * z.x, mask);
@@ -241,7 +241,7 @@ GaborErosion gabor_erosion() {
 }
 
 GaborTerrain gabor_terrain_filtered(float2 p, float2 dx, float2 dy, uint seed) {
-    return gabor_terrain_at(GaborGround_of((int2)(0), p, (float2)(0.0)), dx, dy, seed);
+    return gabor_terrain_at(GaborTerrainPlace_of((int2)(0), p, (float2)(0.0)), dx, dy, seed);
 }
 
 GaborTerrain gabor_terrain(float2 p, uint seed) {
@@ -249,11 +249,11 @@ GaborTerrain gabor_terrain(float2 p, uint seed) {
 }
 
 GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed) {
-    return gabor_terrain_at(GaborGround_of((int2)(0), p, period), (float2)(0.0), (float2)(0.0), seed);
+    return gabor_terrain_at(GaborTerrainPlace_of((int2)(0), p, period), (float2)(0.0), (float2)(0.0), seed);
 }
 
 GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_at(GaborGround_of((int2)(0), p, (float2)(0.0)), dx, dy, base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace_of((int2)(0), p, (float2)(0.0)), dx, dy, base, erosion, seed);
 }
 
 GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed) {
@@ -261,7 +261,7 @@ GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uin
 }
 
 GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_at(GaborGround_of((int2)(0), p, period), (float2)(0.0), (float2)(0.0), base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace_of((int2)(0), p, period), (float2)(0.0), (float2)(0.0), base, erosion, seed);
 }
 
 #endif // GABOR_EROSION_HLSL

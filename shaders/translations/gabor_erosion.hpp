@@ -1,7 +1,7 @@
 // clang-format off
 // gabor_erosion.hpp: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for C++ on the CPU.
 //
-// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
+// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -11,8 +11,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_HPP
-#error Include gabor_lattice.hpp before gabor_erosion.hpp
+#ifndef GABOR_NOISE_HPP
+#error Include gabor_noise.hpp before gabor_erosion.hpp
 #endif
 #ifndef GABOR_EROSION_HPP
 #define GABOR_EROSION_HPP
@@ -32,7 +32,7 @@ struct GaborErosion {
     float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
-    float sharpness;       // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
+    float uniformity;      // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
     float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
@@ -61,14 +61,14 @@ struct GaborErosion {
 //     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
 //     the hills.
 
-struct GaborGround { // the position cell + local
+struct GaborTerrainPlace { // the position cell + local
     gabor_ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     gabor_vec2 local;  // most precise in [0, 1)^2
     gabor_vec2 period; // 0 for none. With a period, cell + local is rounded to a float
 };
 
-// GaborTerrain gabor_terrain_at(GaborGround ground, vec2 dx, vec2 dy, uint seed)
-// GaborTerrain gabor_eroded_at(GaborGround ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
+// GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint seed)
+// GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
 //     The same with a period, a filter (unless dx and dy are vec2(0.0)), or both. Without a period, the result is
 //     precise at any distance from the origin.
@@ -80,7 +80,7 @@ struct GaborGround { // the position cell + local
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
 // that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
-GABOR_INLINE GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
+GABOR_INLINE GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     std::uint32_t rounded = std::uint32_t(gabor_cpp_clamp(nodes, 1.0e-4f, 3.0e4f) * 65536.0f + 0.5f);
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
     place.radius = gabor_vec2(float(rounded) / 65536.0f);
@@ -127,7 +127,7 @@ GABOR_INLINE void gabor_impl_add_hills(GaborField& sum, gabor_uvec4 words, gabor
 // each axis, the squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a
 // filter with a standard deviation of half a pixel multiplies each noise by `kept`, and the variance that it removes
 // from the second noise damps the sine.
-GABOR_INLINE GaborTerrain gabor_terrain_at(GaborGround ground, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
+GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     GaborPlace place = gabor_impl_ground(ground, 1.0f);
     gabor_vec2 zero = gabor_cpp_floor(place.local);
     gabor_vec4 x, y, slope_x, slope_y;
@@ -164,7 +164,7 @@ GABOR_INLINE float gabor_impl_mask(float t, float rounding) {
 // ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow. The
 // constant differs between the two sides, but the sides meet where the mask of the finer gullies is 0. If an octave is
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
-GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
+GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain{base.ridge, gabor_vec2(0.0f), base.ridge}; // t_i, its slope, and t_i with w = 1
     gabor_vec2 steer = base.slope;
@@ -180,7 +180,7 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborGround ground, gabor_vec2 dx, gab
         gabor_vec2 z = gabor_vec2(0.0f);
         if (kept > 0.0f) {
             GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            z = erosion.sharpness * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
+            z = erosion.uniformity * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
             z *= kept * gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = gabor_cpp_mix(gully.height, erosion.gully_weight * z.x, mask);
@@ -206,7 +206,7 @@ GABOR_INLINE GaborErosion gabor_erosion() {
 }
 
 GABOR_INLINE GaborTerrain gabor_terrain_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_terrain_at(GaborGround{gabor_ivec2(0), p, gabor_vec2(0.0f)}, dx, dy, seed);
+    return gabor_terrain_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, dx, dy, seed);
 }
 
 GABOR_INLINE GaborTerrain gabor_terrain(gabor_vec2 p, std::uint32_t seed) {
@@ -214,11 +214,11 @@ GABOR_INLINE GaborTerrain gabor_terrain(gabor_vec2 p, std::uint32_t seed) {
 }
 
 GABOR_INLINE GaborTerrain gabor_terrain_tiled(gabor_vec2 p, gabor_vec2 period, std::uint32_t seed) {
-    return gabor_terrain_at(GaborGround{gabor_ivec2(0), p, period}, gabor_vec2(0.0f), gabor_vec2(0.0f), seed);
+    return gabor_terrain_at(GaborTerrainPlace{gabor_ivec2(0), p, period}, gabor_vec2(0.0f), gabor_vec2(0.0f), seed);
 }
 
 GABOR_INLINE GaborTerrain gabor_eroded_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
-    return gabor_eroded_at(GaborGround{gabor_ivec2(0), p, gabor_vec2(0.0f)}, dx, dy, base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, dx, dy, base, erosion, seed);
 }
 
 GABOR_INLINE GaborTerrain gabor_eroded(gabor_vec2 p, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
@@ -226,7 +226,7 @@ GABOR_INLINE GaborTerrain gabor_eroded(gabor_vec2 p, GaborTerrain base, GaborEro
 }
 
 GABOR_INLINE GaborTerrain gabor_eroded_tiled(gabor_vec2 p, gabor_vec2 period, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
-    return gabor_eroded_at(GaborGround{gabor_ivec2(0), p, period}, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace{gabor_ivec2(0), p, period}, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
 }
 
 #endif // GABOR_EROSION_HPP

@@ -1,6 +1,6 @@
 // gabor_erosion.metal: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for the Metal shading language.
 //
-// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
+// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -10,8 +10,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_METAL
-#error Include gabor_lattice.metal before gabor_erosion.metal
+#ifndef GABOR_NOISE_METAL
+#error Include gabor_noise.metal before gabor_erosion.metal
 #endif
 #ifndef GABOR_EROSION_METAL
 #define GABOR_EROSION_METAL
@@ -35,7 +35,7 @@ struct GaborErosion {
     float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
     float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
-    float sharpness;       // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
+    float uniformity;      // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
     float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
     float crease_rounding; // the same for creases
     float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
@@ -64,14 +64,14 @@ struct GaborErosion {
 //     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
 //     the hills.
 
-struct GaborGround { // the position cell + local
+struct GaborTerrainPlace { // the position cell + local
     int2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     float2 local;  // most precise in [0, 1)^2
     float2 period; // 0 for none. With a period, cell + local is rounded to a float
 };
 
-// GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed)
-// GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
+// GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, uint seed)
+// GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
 //     The same with a period, a filter (unless dx and dy are float2(0.0)), or both. Without a period, the result is
 //     precise at any distance from the origin.
@@ -83,7 +83,7 @@ struct GaborGround { // the position cell + local
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
 // that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
-inline GaborPlace gabor_impl_ground(GaborGround ground, float nodes) {
+inline GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes) {
     uint rounded = uint(clamp(nodes, 1.0e-4, 3.0e4) * 65536.0 + 0.5);
     GaborPlace place = gabor_place(int2(0), float2(0.0));
     place.radius = float2(float(rounded) / 65536.0);
@@ -130,7 +130,7 @@ inline void gabor_impl_add_hills(thread GaborField& sum, uint4 words, float4 x, 
 // each axis, the squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a
 // filter with a standard deviation of half a pixel multiplies each noise by `kept`, and the variance that it removes
 // from the second noise damps the sine.
-inline GaborTerrain gabor_terrain_at(GaborGround ground, float2 dx, float2 dy, uint seed) {
+inline GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, uint seed) {
     GaborPlace place = gabor_impl_ground(ground, 1.0);
     float2 zero = floor(place.local);
     float4 x, y, slope_x, slope_y;
@@ -167,7 +167,7 @@ inline float gabor_impl_mask(float t, float rounding) {
 // ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow. The
 // constant differs between the two sides, but the sides meet where the mask of the finer gullies is 0. If an octave is
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
-inline GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
+inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     GaborTerrain terrain = base;
     GaborTerrain gully = GaborTerrain{base.ridge, float2(0.0), base.ridge}; // t_i, its slope, and t_i with w = 1
     float2 steer = base.slope;
@@ -183,7 +183,7 @@ inline GaborTerrain gabor_eroded_at(GaborGround ground, float2 dx, float2 dy, Ga
         float2 z = float2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            z = erosion.sharpness * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
+            z = erosion.uniformity * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
             z *= kept * rsqrt(1.0 + dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = mix(gully.height, erosion.gully_weight * z.x, mask);
@@ -209,7 +209,7 @@ inline GaborErosion gabor_erosion() {
 }
 
 inline GaborTerrain gabor_terrain_filtered(float2 p, float2 dx, float2 dy, uint seed) {
-    return gabor_terrain_at(GaborGround{int2(0), p, float2(0.0)}, dx, dy, seed);
+    return gabor_terrain_at(GaborTerrainPlace{int2(0), p, float2(0.0)}, dx, dy, seed);
 }
 
 inline GaborTerrain gabor_terrain(float2 p, uint seed) {
@@ -217,11 +217,11 @@ inline GaborTerrain gabor_terrain(float2 p, uint seed) {
 }
 
 inline GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed) {
-    return gabor_terrain_at(GaborGround{int2(0), p, period}, float2(0.0), float2(0.0), seed);
+    return gabor_terrain_at(GaborTerrainPlace{int2(0), p, period}, float2(0.0), float2(0.0), seed);
 }
 
 inline GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_at(GaborGround{int2(0), p, float2(0.0)}, dx, dy, base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace{int2(0), p, float2(0.0)}, dx, dy, base, erosion, seed);
 }
 
 inline GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed) {
@@ -229,7 +229,7 @@ inline GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosi
 }
 
 inline GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_at(GaborGround{int2(0), p, period}, float2(0.0), float2(0.0), base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace{int2(0), p, period}, float2(0.0), float2(0.0), base, erosion, seed);
 }
 
 #endif // GABOR_EROSION_METAL

@@ -1,6 +1,6 @@
 // gabor_materials.hlsl: twelve materials from Gabor noise: for HLSL, shader model 5.0 and up.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl. Paste or include it after gabor_spectrum.hlsl.
+// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl. Paste or include it after gabor_spectrum.hlsl.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -14,7 +14,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_SPECTRUM_HLSL
-#error Include gabor_lattice.hlsl and gabor_spectrum.hlsl before gabor_materials.hlsl
+#error Include gabor_noise.hlsl and gabor_spectrum.hlsl before gabor_materials.hlsl
 #endif
 #if GABOR_TAPS != 3
 #error gabor_materials.hlsl needs GABOR_TAPS 3

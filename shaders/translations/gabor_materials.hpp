@@ -1,7 +1,7 @@
 // clang-format off
 // gabor_materials.hpp: twelve materials from Gabor noise: for C++ on the CPU.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
+// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -15,7 +15,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_SPECTRUM_HPP
-#error Include gabor_lattice.hpp and gabor_spectrum.hpp before gabor_materials.hpp
+#error Include gabor_noise.hpp and gabor_spectrum.hpp before gabor_materials.hpp
 #endif
 #if GABOR_TAPS != 3
 #error gabor_materials.hpp needs GABOR_TAPS 3

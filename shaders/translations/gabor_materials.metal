@@ -1,6 +1,6 @@
 // gabor_materials.metal: twelve materials from Gabor noise: for the Metal shading language.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal. Paste or include it after gabor_spectrum.metal.
+// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal. Paste or include it after gabor_spectrum.metal.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -14,7 +14,7 @@
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_SPECTRUM_METAL
-#error Include gabor_lattice.metal and gabor_spectrum.metal before gabor_materials.metal
+#error Include gabor_noise.metal and gabor_spectrum.metal before gabor_materials.metal
 #endif
 #if GABOR_TAPS != 3
 #error gabor_materials.metal needs GABOR_TAPS 3

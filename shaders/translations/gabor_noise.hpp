@@ -1,7 +1,7 @@
 // clang-format off
-// gabor_lattice.hpp: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for C++ on the CPU.
+// gabor_noise.hpp: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for C++ on the CPU.
 //
-// Generated from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
+// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -25,11 +25,11 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifdef GABOR_NOISE_HPP
-#error Include gabor_noise.hpp or gabor_lattice.hpp, not both: they define the same functions
+#ifdef GABOR_SPARSE_HPP
+#error Include gabor_sparse.hpp or gabor_noise.hpp, not both: they define the same functions
 #endif
-#ifndef GABOR_LATTICE_HPP
-#define GABOR_LATTICE_HPP
+#ifndef GABOR_NOISE_HPP
+#define GABOR_NOISE_HPP
 
 // ---- The types and functions of GLSL that the noise uses ------------------------------------------------
 
@@ -772,4 +772,4 @@ GABOR_INLINE float gabor_unorm(float noise) {
     return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
 }
 
-#endif // GABOR_LATTICE_HPP
+#endif // GABOR_NOISE_HPP

@@ -1,6 +1,6 @@
-// gabor_lattice.metal: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for the Metal shading language.
+// gabor_noise.metal: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for the Metal shading language.
 //
-// Generated from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
+// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -24,11 +24,11 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifdef GABOR_NOISE_METAL
-#error Include gabor_noise.metal or gabor_lattice.metal, not both: they define the same functions
+#ifdef GABOR_SPARSE_METAL
+#error Include gabor_sparse.metal or gabor_noise.metal, not both: they define the same functions
 #endif
-#ifndef GABOR_LATTICE_METAL
-#define GABOR_LATTICE_METAL
+#ifndef GABOR_NOISE_METAL
+#define GABOR_NOISE_METAL
 
 #include <metal_stdlib>
 
@@ -470,4 +470,4 @@ inline float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
-#endif // GABOR_LATTICE_METAL
+#endif // GABOR_NOISE_METAL

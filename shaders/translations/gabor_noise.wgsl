@@ -1,7 +1,7 @@
-// gabor_lattice.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
+// gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
 //
-// Generated from shaders/gabor_lattice.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: f1a0688a7247be33
+// Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Digest of the GLSL and of this file: 5b93cf86e42b1fbe
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display

@@ -1,12 +1,12 @@
-// gabor_lattice_3d.hlsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// gabor_noise_3d.hlsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point: for HLSL, shader model 5.0 and up.
 //
-// Generated from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hlsl. Paste or include it after gabor_spectrum.hlsl.
+// Generated from shaders/gabor_noise_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl. Paste or include it after gabor_spectrum.hlsl.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Arguments of all functions, besides those of gabor_lattice.hlsl:
+// Arguments of all functions, besides those of gabor_noise.hlsl:
 //     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
 //                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
@@ -15,12 +15,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_3D_HLSL
-#define GABOR_LATTICE_3D_HLSL
+#ifndef GABOR_NOISE_3D_HLSL
+#define GABOR_NOISE_3D_HLSL
 #ifndef GABOR_SPECTRUM_HLSL
-#error Include gabor_lattice.hlsl and gabor_spectrum.hlsl before gabor_lattice_3d.hlsl
+#error Include gabor_noise.hlsl and gabor_spectrum.hlsl before gabor_noise_3d.hlsl
 #elif GABOR_TAPS != 3
-#error gabor_lattice_3d.hlsl needs GABOR_TAPS 3
+#error gabor_noise_3d.hlsl needs GABOR_TAPS 3
 #endif
 
 // ---- Solid noise with one wave vector ------------------------------------------------------------------------------
@@ -128,9 +128,9 @@ GaborField3d GaborField3d_of(float noise, float3 gradient, float quadrature, flo
 //     axis.
 
 // GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 direction, uint seed)
-// GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
-// GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
-// GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed)
+// GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed)
+// GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
+// GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 normal, float frequency, uint seed)
 //     The noises above, for a GaborPlace3d. All noise functions call these four.
 
 // ====================================================================================================================
@@ -294,7 +294,7 @@ void gabor_impl_add_term(inout GaborField3d sum, GaborField3d term, float x) {
     sum.removed += power * term.removed;
 }
 
-GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
+GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     float3 other = cross(direction, abs(direction.z) < 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
@@ -478,13 +478,13 @@ GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTang
     return sum;
 }
 
-GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed) {
+GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed) {
     return gabor_impl_isotropic(place, frequency, GaborTangents_of(false, float3(1.0, 0.0, 0.0), float3(0.0, 1.0, 0.0)), seed);
 }
 
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
-GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed) {
+GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
     float aside = dot(normal.xy, normal.xy); // squared sine of the normal's angle to the z axis
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
@@ -546,25 +546,25 @@ float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, 
 }
 
 float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed) {
-    return gabor_isotropic_3d(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, seed).noise;
+    return gabor_field_3d_isotropic(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
 float4 gabor_noise_3d_isotropic_gradient(float3 p, float frequency, uint seed) {
-    GaborField3d field = gabor_isotropic_3d(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, seed);
+    GaborField3d field = gabor_field_3d_isotropic(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, seed);
     return float4(field.noise, field.gradient);
 }
 
 float2 gabor_noise_3d_isotropic_filtered(float3 p, float3 dx, float3 dy, float frequency, uint seed) {
-    GaborField3d field = gabor_isotropic_3d(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
+    GaborField3d field = gabor_field_3d_isotropic(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
     return float2(field.noise, field.removed);
 }
 
 float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed) {
-    return gabor_surface_3d(gabor_place_3d((int3)(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
+    return gabor_field_surface(gabor_place_3d((int3)(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
 float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed) {
-    return gabor_surface_isotropic_3d(gabor_place_3d((int3)(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
+    return gabor_field_surface_isotropic(gabor_place_3d((int3)(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }
 
-#endif // GABOR_LATTICE_3D_HLSL
+#endif // GABOR_NOISE_3D_HLSL

@@ -1,13 +1,13 @@
 // clang-format off
-// gabor_lattice_3d.hpp: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// gabor_noise_3d.hpp: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point: for C++ on the CPU.
 //
-// Generated from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp. Paste or include it after gabor_spectrum.hpp.
+// Generated from shaders/gabor_noise_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Arguments of all functions, besides those of gabor_lattice.hpp:
+// Arguments of all functions, besides those of gabor_noise.hpp:
 //     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
 //                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
@@ -16,12 +16,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_3D_HPP
-#define GABOR_LATTICE_3D_HPP
+#ifndef GABOR_NOISE_3D_HPP
+#define GABOR_NOISE_3D_HPP
 #ifndef GABOR_SPECTRUM_HPP
-#error Include gabor_lattice.hpp and gabor_spectrum.hpp before gabor_lattice_3d.hpp
+#error Include gabor_noise.hpp and gabor_spectrum.hpp before gabor_noise_3d.hpp
 #elif GABOR_TAPS != 3
-#error gabor_lattice_3d.hpp needs GABOR_TAPS 3
+#error gabor_noise_3d.hpp needs GABOR_TAPS 3
 #endif
 
 // ---- Solid noise with one wave vector ------------------------------------------------------------------------------
@@ -103,9 +103,9 @@ struct GaborField3d {
 //     axis.
 
 // GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction, uint seed)
-// GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
-// GaborField3d gabor_surface_3d(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed)
-// GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, vec3 normal, float frequency, uint seed)
+// GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed)
+// GaborField3d gabor_field_surface(GaborPlace3d place, vec3 normal, float frequency, vec3 direction, uint seed)
+// GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, vec3 normal, float frequency, uint seed)
 //     The noises above, for a GaborPlace3d. All noise functions call these four.
 
 // ====================================================================================================================
@@ -261,7 +261,7 @@ GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborField3d term, floa
     sum.removed += power * term.removed;
 }
 
-GABOR_INLINE GaborField3d gabor_surface_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
+GABOR_INLINE GaborField3d gabor_field_surface(GaborPlace3d place, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     gabor_vec3 other = gabor_cpp_cross(direction, gabor_cpp_abs(direction.z) < 0.7f ? gabor_vec3(0.0f, 0.0f, 1.0f) : gabor_vec3(1.0f, 0.0f, 0.0f));
@@ -436,13 +436,13 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequen
     return sum;
 }
 
-GABOR_INLINE GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, std::uint32_t seed) {
+GABOR_INLINE GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, std::uint32_t seed) {
     return gabor_impl_isotropic(place, frequency, GaborTangents{false, gabor_vec3(1.0f, 0.0f, 0.0f), gabor_vec3(0.0f, 1.0f, 0.0f)}, seed);
 }
 
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
-GABOR_INLINE GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, gabor_vec3 normal, float frequency, std::uint32_t seed) {
+GABOR_INLINE GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, gabor_vec3 normal, float frequency, std::uint32_t seed) {
     normal = gabor_impl_unit(normal);
     float aside = gabor_cpp_dot(normal.xy(), normal.xy()); // squared sine of the normal's angle to the z axis
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
@@ -504,25 +504,25 @@ GABOR_INLINE gabor_vec2 gabor_noise_3d_filtered(gabor_vec3 p, gabor_vec3 dx, gab
 }
 
 GABOR_INLINE float gabor_noise_3d_isotropic(gabor_vec3 p, float frequency, std::uint32_t seed) {
-    return gabor_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, seed).noise;
+    return gabor_field_3d_isotropic(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
 GABOR_INLINE gabor_vec4 gabor_noise_3d_isotropic_gradient(gabor_vec3 p, float frequency, std::uint32_t seed) {
-    GaborField3d field = gabor_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, seed);
+    GaborField3d field = gabor_field_3d_isotropic(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), frequency, seed);
     return gabor_vec4(field.noise, field.gradient);
 }
 
 GABOR_INLINE gabor_vec2 gabor_noise_3d_isotropic_filtered(gabor_vec3 p, gabor_vec3 dx, gabor_vec3 dy, float frequency, std::uint32_t seed) {
-    GaborField3d field = gabor_isotropic_3d(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
+    GaborField3d field = gabor_field_3d_isotropic(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
     return gabor_vec2(field.noise, field.removed);
 }
 
 GABOR_INLINE float gabor_noise_surface(gabor_vec3 p, gabor_vec3 normal, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    return gabor_surface_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
+    return gabor_field_surface(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
 GABOR_INLINE float gabor_noise_surface_isotropic(gabor_vec3 p, gabor_vec3 normal, float frequency, std::uint32_t seed) {
-    return gabor_surface_isotropic_3d(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
+    return gabor_field_surface_isotropic(gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }
 
-#endif // GABOR_LATTICE_3D_HPP
+#endif // GABOR_NOISE_3D_HPP

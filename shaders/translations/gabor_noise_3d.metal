@@ -1,12 +1,12 @@
-// gabor_lattice_3d.metal: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// gabor_noise_3d.metal: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point: for the Metal shading language.
 //
-// Generated from shaders/gabor_lattice_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal. Paste or include it after gabor_spectrum.metal.
+// Generated from shaders/gabor_noise_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal. Paste or include it after gabor_spectrum.metal.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Arguments of all functions, besides those of gabor_lattice.metal:
+// Arguments of all functions, besides those of gabor_noise.metal:
 //     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
 //                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
@@ -15,16 +15,16 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_3D_METAL
-#define GABOR_LATTICE_3D_METAL
+#ifndef GABOR_NOISE_3D_METAL
+#define GABOR_NOISE_3D_METAL
 
 #include <metal_stdlib>
 
 using namespace metal;
 #ifndef GABOR_SPECTRUM_METAL
-#error Include gabor_lattice.metal and gabor_spectrum.metal before gabor_lattice_3d.metal
+#error Include gabor_noise.metal and gabor_spectrum.metal before gabor_noise_3d.metal
 #elif GABOR_TAPS != 3
-#error gabor_lattice_3d.metal needs GABOR_TAPS 3
+#error gabor_noise_3d.metal needs GABOR_TAPS 3
 #endif
 
 // ---- Solid noise with one wave vector ------------------------------------------------------------------------------
@@ -106,9 +106,9 @@ struct GaborField3d {
 //     axis.
 
 // GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 direction, uint seed)
-// GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed)
-// GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
-// GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed)
+// GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed)
+// GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
+// GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 normal, float frequency, uint seed)
 //     The noises above, for a GaborPlace3d. All noise functions call these four.
 
 // ====================================================================================================================
@@ -264,7 +264,7 @@ inline void gabor_impl_add_term(thread GaborField3d& sum, GaborField3d term, flo
     sum.removed += power * term.removed;
 }
 
-inline GaborField3d gabor_surface_3d(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
+inline GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     float3 other = cross(direction, abs(direction.z) < 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
@@ -439,13 +439,13 @@ inline GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, Ga
     return sum;
 }
 
-inline GaborField3d gabor_isotropic_3d(GaborPlace3d place, float frequency, uint seed) {
+inline GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed) {
     return gabor_impl_isotropic(place, frequency, GaborTangents{false, float3(1.0, 0.0, 0.0), float3(0.0, 1.0, 0.0)}, seed);
 }
 
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
-inline GaborField3d gabor_surface_isotropic_3d(GaborPlace3d place, float3 normal, float frequency, uint seed) {
+inline GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
     float aside = dot(normal.xy, normal.xy); // squared sine of the normal's angle to the z axis
     GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
@@ -507,25 +507,25 @@ inline float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float freq
 }
 
 inline float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed) {
-    return gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).noise;
+    return gabor_field_3d_isotropic(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed).noise;
 }
 
 inline float4 gabor_noise_3d_isotropic_gradient(float3 p, float frequency, uint seed) {
-    GaborField3d field = gabor_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed);
+    GaborField3d field = gabor_field_3d_isotropic(gabor_place_3d(int3(0), p * GABOR_RADIUS), frequency, seed);
     return float4(field.noise, field.gradient);
 }
 
 inline float2 gabor_noise_3d_isotropic_filtered(float3 p, float3 dx, float3 dy, float frequency, uint seed) {
-    GaborField3d field = gabor_isotropic_3d(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
+    GaborField3d field = gabor_field_3d_isotropic(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
     return float2(field.noise, field.removed);
 }
 
 inline float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed) {
-    return gabor_surface_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
+    return gabor_field_surface(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
 }
 
 inline float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed) {
-    return gabor_surface_isotropic_3d(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
+    return gabor_field_surface_isotropic(gabor_place_3d(int3(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }
 
-#endif // GABOR_LATTICE_3D_METAL
+#endif // GABOR_NOISE_3D_METAL

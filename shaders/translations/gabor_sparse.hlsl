@@ -1,22 +1,22 @@
-// gabor_noise.hlsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// gabor_sparse.hlsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for HLSL, shader model 5.0 and up.
 //
-// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+// Generated from shaders/gabor_sparse.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Use this file for the paper's own noise. The noise of gabor_lattice.hlsl, which has the same functions, is faster and
+// Use this file for the paper's own noise. The noise of gabor_noise.hlsl, which has the same functions, is faster and
 // is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
 // in cycles per kernel radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifdef GABOR_LATTICE_HLSL
-#error Include gabor_noise.hlsl or gabor_lattice.hlsl, not both: they define the same functions
+#ifdef GABOR_NOISE_HLSL
+#error Include gabor_sparse.hlsl or gabor_noise.hlsl, not both: they define the same functions
 #endif
-#ifndef GABOR_NOISE_HLSL
-#define GABOR_NOISE_HLSL
+#ifndef GABOR_SPARSE_HLSL
+#define GABOR_SPARSE_HLSL
 
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
@@ -460,4 +460,4 @@ float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
-#endif // GABOR_NOISE_HLSL
+#endif // GABOR_SPARSE_HLSL

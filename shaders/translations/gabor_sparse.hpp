@@ -1,23 +1,23 @@
 // clang-format off
-// gabor_noise.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// gabor_sparse.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for C++ on the CPU.
 //
-// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+// Generated from shaders/gabor_sparse.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Use this file for the paper's own noise. The noise of gabor_lattice.hpp, which has the same functions, is faster and
+// Use this file for the paper's own noise. The noise of gabor_noise.hpp, which has the same functions, is faster and
 // is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
 // in cycles per kernel radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifdef GABOR_LATTICE_HPP
-#error Include gabor_noise.hpp or gabor_lattice.hpp, not both: they define the same functions
+#ifdef GABOR_NOISE_HPP
+#error Include gabor_sparse.hpp or gabor_noise.hpp, not both: they define the same functions
 #endif
-#ifndef GABOR_NOISE_HPP
-#define GABOR_NOISE_HPP
+#ifndef GABOR_SPARSE_HPP
+#define GABOR_SPARSE_HPP
 
 // ---- The types and functions of GLSL that the noise uses ------------------------------------------------
 
@@ -718,4 +718,4 @@ GABOR_INLINE float gabor_unorm(float noise) {
     return gabor_cpp_clamp(0.5f + 0.25f * noise, 0.0f, 1.0f);
 }
 
-#endif // GABOR_NOISE_HPP
+#endif // GABOR_SPARSE_HPP

@@ -1,22 +1,22 @@
-// gabor_noise.metal: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// gabor_sparse.metal: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for the Metal shading language.
 //
-// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+// Generated from shaders/gabor_sparse.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Use this file for the paper's own noise. The noise of gabor_lattice.metal, which has the same functions, is faster and
+// Use this file for the paper's own noise. The noise of gabor_noise.metal, which has the same functions, is faster and
 // is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
 // in cycles per kernel radius.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifdef GABOR_LATTICE_METAL
-#error Include gabor_noise.metal or gabor_lattice.metal, not both: they define the same functions
+#ifdef GABOR_NOISE_METAL
+#error Include gabor_sparse.metal or gabor_noise.metal, not both: they define the same functions
 #endif
-#ifndef GABOR_NOISE_METAL
-#define GABOR_NOISE_METAL
+#ifndef GABOR_SPARSE_METAL
+#define GABOR_SPARSE_METAL
 
 #include <metal_stdlib>
 
@@ -416,4 +416,4 @@ inline float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
-#endif // GABOR_NOISE_METAL
+#endif // GABOR_SPARSE_METAL

@@ -1,13 +1,13 @@
-// gabor_noise.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for WGSL.
 //
-// Digest of the GLSL and of this file: 682e93ac6e1aa7c7
-// Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Digest of the GLSL and of this file: 4f99bc87bb981466
+// Generated from shaders/gabor_sparse.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
 //
-// Use this file for the paper's own noise. The noise of gabor_lattice.wgsl, which has the same functions, is faster and
+// Use this file for the paper's own noise. The noise of gabor_noise.wgsl, which has the same functions, is faster and
 // is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
 // in cycles per kernel radius.
 //

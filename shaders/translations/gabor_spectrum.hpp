@@ -1,18 +1,18 @@
 // clang-format off
 // gabor_spectrum.hpp: Gabor noise with any power spectrum, or averaged over a pixel: for C++ on the CPU.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.hpp.
+// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
-// Positions are in kernel radii, as in gabor_lattice.hpp. Noise has variance 1; filtered noise has variance 1 minus
+// Positions are in kernel radii, as in gabor_noise.hpp. Noise has variance 1; filtered noise has variance 1 minus
 // the removed share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_HPP
-#error Include gabor_lattice.hpp before gabor_spectrum.hpp
+#ifndef GABOR_NOISE_HPP
+#error Include gabor_noise.hpp before gabor_spectrum.hpp
 #endif
 #ifndef GABOR_SPECTRUM_HPP
 #define GABOR_SPECTRUM_HPP
@@ -414,7 +414,7 @@ struct GaborFactors {
 // The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
 //     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
 // where C and S are the cosine and sine of 2 pi d / 2w.
-struct GaborBand {
+struct GaborFilteredAxis {
     gabor_vec3 even_0;
     gabor_vec3 even_1;
     gabor_vec3 even_2;
@@ -434,8 +434,8 @@ struct GaborBand {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in space.
-GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, std::uint32_t salt, gabor_vec2 step) {
-    GaborBand b;
+GABOR_INLINE GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, std::uint32_t salt, gabor_vec2 step) {
+    GaborFilteredAxis b;
     b.reach = gabor_cpp_clamp(0.35f + 5.0f * deviation, 2.0f, 2.5f);
     b.count = b.reach > 2.0f ? 5 : 4;
     float zero = gabor_cpp_floor(local + (b.count == 5 ? 0.5f : 1.0f)) - 2.0f;
@@ -474,7 +474,7 @@ GABOR_INLINE GaborBand gabor_impl_band(float deviation, float m, float c, int ce
 }
 
 // A column or a row of nodes: its word, and for each factor its window times the noise's wave.
-struct GaborLine {
+struct GaborFilteredLine {
     std::uint32_t word;
     GaborFactors window;
     gabor_vec2 turn;  // e^(2 pi i d / 2w)
@@ -482,14 +482,14 @@ struct GaborLine {
 };
 
 // The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
-GABOR_INLINE float gabor_impl_fade(GaborBand b, int index) {
+GABOR_INLINE float gabor_impl_fade(GaborFilteredAxis b, int index) {
     float fade = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(b.offset - float(index))), 0.0f, 1.0f);
     return fade * fade * (3.0f - 2.0f * fade);
 }
 
 // Computes line `index` from its turn and phase.
-GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborBand b, int index, gabor_vec2 turn, gabor_vec2 phase, float fade) {
-    GaborLine line;
+GABOR_INLINE GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, gabor_vec2 turn, gabor_vec2 phase, float fade) {
+    GaborFilteredLine line;
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = turn;
     line.phase = phase;
@@ -501,22 +501,22 @@ GABOR_INLINE GaborLine gabor_impl_filtered_line(GaborBand b, int index, gabor_ve
 }
 
 // Computes line `index` from the previous one.
-GABOR_INLINE GaborLine gabor_impl_next_line(GaborLine line, GaborBand b, int index, float fade) {
+GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line, GaborFilteredAxis b, int index, float fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line.turn, b.turn_back),
                                     gabor_impl_product(line.phase, b.back), fade);
 }
 
 // The four or five columns of nodes that reach a point.
 struct GaborColumns {
-    GaborLine column_0;
-    GaborLine column_1;
-    GaborLine column_2;
-    GaborLine column_3;
-    GaborLine column_4;
+    GaborFilteredLine column_0;
+    GaborFilteredLine column_1;
+    GaborFilteredLine column_2;
+    GaborFilteredLine column_3;
+    GaborFilteredLine column_4;
     bool five;
 };
 
-GABOR_INLINE GaborColumns gabor_impl_columns(GaborBand b) {
+GABOR_INLINE GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
     GaborColumns columns;
     gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * b.offset);
     columns.five = b.count == 5;
@@ -530,8 +530,8 @@ GABOR_INLINE GaborColumns gabor_impl_columns(GaborBand b) {
 }
 
 // The line before line 0, given the phase of the noise's wave there.
-GABOR_INLINE GaborLine gabor_impl_line_before(GaborBand b, gabor_vec2 phase) {
-    GaborLine line;
+GABOR_INLINE GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, gabor_vec2 phase) {
+    GaborFilteredLine line;
     line.turn = gabor_impl_wave(0.5f / b.reach * (b.offset + 1.0f));
     line.phase = phase;
     return line;
@@ -544,7 +544,7 @@ GABOR_INLINE GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factor
 }
 
 // Adds a node to the sums of a row.
-GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, GaborLine column, std::uint32_t row_word, bool animated, float time) {
+GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, GaborFilteredLine column, std::uint32_t row_word, bool animated, float time) {
     gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
     row = gabor_impl_added(row, column.window, a.x, a.y);
 }
@@ -584,12 +584,12 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * mixed, 2.0f * mixed * mixed);
     gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     gabor_vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborBand across = gabor_impl_band(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
+    GaborFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
                                        step_x);
-    GaborBand along = gabor_impl_band(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
+    GaborFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
                                       salt ^ GABOR_IMPL_ROWS, step_y);
     GaborColumns columns = gabor_impl_columns(across);
-    GaborLine line = gabor_impl_line_before(
+    GaborFilteredLine line = gabor_impl_line_before(
         along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f);
@@ -646,7 +646,7 @@ GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kerne
 
 // ---- The filter in space -------------------------------------------------------------------------------------------
 //
-// For gabor_lattice_3d.hpp. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
+// For gabor_noise_3d.hpp. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
 // D^(-1/2), B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), the coupling of three axes is again a sum of products:
 //     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...).
 // The right side is the series of exp(z.B z) with Hermite polynomials instead of powers of z, and without B's diagonal,
@@ -704,15 +704,15 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
     gabor_vec3 pairs = gabor_cpp_sqrt(d.yzx() * d.zxy());
     adjugate = gabor_impl_adjugate(GaborMatrix{1.0f + m.diagonal / d, s.mixed / pairs}, determinant); // of 1 + C
     gabor_vec3 w = 157.91367f / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
-    GaborBand x = gabor_impl_band(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
+    GaborFilteredAxis x = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
                                   gabor_impl_wave(wave.x / GABOR_RADIUS));
-    GaborBand y = gabor_impl_band(gabor_cpp_sqrt(s.diagonal.y), d.y, c.y, cell.y, local.y, period.y,
+    GaborFilteredAxis y = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.y), d.y, c.y, cell.y, local.y, period.y,
                                   salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(wave.y / GABOR_RADIUS));
-    GaborBand z = gabor_impl_band(gabor_cpp_sqrt(s.diagonal.z), d.z, c.z, cell.z, local.z, period.z,
+    GaborFilteredAxis z = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.diagonal.z), d.z, c.z, cell.z, local.z, period.z,
                                   salt ^ GABOR_IMPL_SLICES, gabor_impl_wave(wave.z / GABOR_RADIUS));
     GaborColumns columns = gabor_impl_columns(x);
-    GaborLine first = gabor_impl_line_before(y, gabor_vec2(y.back.x, -y.back.y));
-    GaborLine slice = gabor_impl_line_before(
+    GaborFilteredLine first = gabor_impl_line_before(y, gabor_vec2(y.back.x, -y.back.y));
+    GaborFilteredLine slice = gabor_impl_line_before(
         z, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec3(x.offset, y.offset, z.offset + 1.0f)) / GABOR_RADIUS));
     GaborFactors none = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
     int rows = wanted ? y.count : 0, slices = wanted ? z.count : 0; // see gabor_impl_filtered_wide
@@ -721,7 +721,7 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
     do {
         slice = gabor_impl_next_line(slice, z, k, gabor_impl_fade(z, k));
         GaborFactors y_0 = none, y_1 = none, y_2 = none;
-        GaborLine row = first;
+        GaborFilteredLine row = first;
         int j = 0;
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));

@@ -1,17 +1,17 @@
 // gabor_spectrum.metal: Gabor noise with any power spectrum, or averaged over a pixel: for the Metal shading language.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_lattice.metal.
+// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
-// Positions are in kernel radii, as in gabor_lattice.metal. Noise has variance 1; filtered noise has variance 1 minus
+// Positions are in kernel radii, as in gabor_noise.metal. Noise has variance 1; filtered noise has variance 1 minus
 // the removed share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_LATTICE_METAL
-#error Include gabor_lattice.metal before gabor_spectrum.metal
+#ifndef GABOR_NOISE_METAL
+#error Include gabor_noise.metal before gabor_spectrum.metal
 #endif
 #ifndef GABOR_SPECTRUM_METAL
 #define GABOR_SPECTRUM_METAL
@@ -417,7 +417,7 @@ struct GaborFactors {
 // The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
 //     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
 // where C and S are the cosine and sine of 2 pi d / 2w.
-struct GaborBand {
+struct GaborFilteredAxis {
     float3 even_0;
     float3 even_1;
     float3 even_2;
@@ -437,8 +437,8 @@ struct GaborBand {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in space.
-inline GaborBand gabor_impl_band(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
-    GaborBand b;
+inline GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
+    GaborFilteredAxis b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);
     b.count = b.reach > 2.0 ? 5 : 4;
     float zero = floor(local + (b.count == 5 ? 0.5 : 1.0)) - 2.0;
@@ -477,7 +477,7 @@ inline GaborBand gabor_impl_band(float deviation, float m, float c, int cell, fl
 }
 
 // A column or a row of nodes: its word, and for each factor its window times the noise's wave.
-struct GaborLine {
+struct GaborFilteredLine {
     uint word;
     GaborFactors window;
     float2 turn;  // e^(2 pi i d / 2w)
@@ -485,14 +485,14 @@ struct GaborLine {
 };
 
 // The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
-inline float gabor_impl_fade(GaborBand b, int index) {
+inline float gabor_impl_fade(GaborFilteredAxis b, int index) {
     float fade = clamp(4.0 * (b.reach - abs(b.offset - float(index))), 0.0, 1.0);
     return fade * fade * (3.0 - 2.0 * fade);
 }
 
 // Computes line `index` from its turn and phase.
-inline GaborLine gabor_impl_filtered_line(GaborBand b, int index, float2 turn, float2 phase, float fade) {
-    GaborLine line_;
+inline GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, float2 turn, float2 phase, float fade) {
+    GaborFilteredLine line_;
     line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line_.turn = turn;
     line_.phase = phase;
@@ -504,22 +504,22 @@ inline GaborLine gabor_impl_filtered_line(GaborBand b, int index, float2 turn, f
 }
 
 // Computes line `index` from the previous one.
-inline GaborLine gabor_impl_next_line(GaborLine line_, GaborBand b, int index, float fade) {
+inline GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line_, GaborFilteredAxis b, int index, float fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line_.turn, b.turn_back),
                                     gabor_impl_product(line_.phase, b.back), fade);
 }
 
 // The four or five columns of nodes that reach a point.
 struct GaborColumns {
-    GaborLine column_0;
-    GaborLine column_1;
-    GaborLine column_2;
-    GaborLine column_3;
-    GaborLine column_4;
+    GaborFilteredLine column_0;
+    GaborFilteredLine column_1;
+    GaborFilteredLine column_2;
+    GaborFilteredLine column_3;
+    GaborFilteredLine column_4;
     bool five;
 };
 
-inline GaborColumns gabor_impl_columns(GaborBand b) {
+inline GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
     GaborColumns columns;
     float2 turn = gabor_impl_wave(0.5 / b.reach * b.offset);
     columns.five = b.count == 5;
@@ -533,8 +533,8 @@ inline GaborColumns gabor_impl_columns(GaborBand b) {
 }
 
 // The line before line 0, given the phase of the noise's wave there.
-inline GaborLine gabor_impl_line_before(GaborBand b, float2 phase) {
-    GaborLine line_;
+inline GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, float2 phase) {
+    GaborFilteredLine line_;
     line_.turn = gabor_impl_wave(0.5 / b.reach * (b.offset + 1.0));
     line_.phase = phase;
     return line_;
@@ -547,7 +547,7 @@ inline GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factors, flo
 }
 
 // Adds a node to the sums of a row.
-inline void gabor_impl_add_filtered(thread GaborFactors& row, GaborLine column, uint row_word, bool animated, float time) {
+inline void gabor_impl_add_filtered(thread GaborFactors& row, GaborFilteredLine column, uint row_word, bool animated, float time) {
     float2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
     row = gabor_impl_added(row, column.window, a.x, a.y);
 }
@@ -587,12 +587,12 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     float3 weights = float3(1.0, -2.0 * mixed, 2.0 * mixed * mixed);
     float2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
     float2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
-    GaborBand across = gabor_impl_band(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
+    GaborFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
                                        step_x);
-    GaborBand along = gabor_impl_band(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
+    GaborFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
                                       salt ^ GABOR_IMPL_ROWS, step_y);
     GaborColumns columns = gabor_impl_columns(across);
-    GaborLine line_ = gabor_impl_line_before(
+    GaborFilteredLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     float2 value = float2(0.0), next_x = float2(0.0), next_y = float2(0.0);
@@ -649,7 +649,7 @@ inline GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, Ga
 
 // ---- The filter in space -------------------------------------------------------------------------------------------
 //
-// For gabor_lattice_3d.metal. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
+// For gabor_noise_3d.metal. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
 // D^(-1/2), B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), the coupling of three axes is again a sum of products:
 //     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...).
 // The right side is the series of exp(z.B z) with Hermite polynomials instead of powers of z, and without B's diagonal,
@@ -707,15 +707,15 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
     float3 pairs = sqrt(d.yzx * d.zxy);
     adjugate = gabor_impl_adjugate(GaborMatrix{1.0 + m.diagonal / d, s.mixed / pairs}, determinant); // of 1 + C
     float3 w = 157.91367 / determinant * pairs * adjugate.mixed; // 8 pi^2 sqrt(D_yy D_zz) B_yz and so on
-    GaborBand x = gabor_impl_band(sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
+    GaborFilteredAxis x = gabor_impl_filtered_axis(sqrt(s.diagonal.x), d.x, c.x, cell.x, local.x, period.x, salt,
                                   gabor_impl_wave(wave.x / GABOR_RADIUS));
-    GaborBand y = gabor_impl_band(sqrt(s.diagonal.y), d.y, c.y, cell.y, local.y, period.y,
+    GaborFilteredAxis y = gabor_impl_filtered_axis(sqrt(s.diagonal.y), d.y, c.y, cell.y, local.y, period.y,
                                   salt ^ GABOR_IMPL_ROWS, gabor_impl_wave(wave.y / GABOR_RADIUS));
-    GaborBand z = gabor_impl_band(sqrt(s.diagonal.z), d.z, c.z, cell.z, local.z, period.z,
+    GaborFilteredAxis z = gabor_impl_filtered_axis(sqrt(s.diagonal.z), d.z, c.z, cell.z, local.z, period.z,
                                   salt ^ GABOR_IMPL_SLICES, gabor_impl_wave(wave.z / GABOR_RADIUS));
     GaborColumns columns = gabor_impl_columns(x);
-    GaborLine first = gabor_impl_line_before(y, float2(y.back.x, -y.back.y));
-    GaborLine slice = gabor_impl_line_before(
+    GaborFilteredLine first = gabor_impl_line_before(y, float2(y.back.x, -y.back.y));
+    GaborFilteredLine slice = gabor_impl_line_before(
         z, gabor_impl_wave(dot(wave, float3(x.offset, y.offset, z.offset + 1.0)) / GABOR_RADIUS));
     GaborFactors none = GaborFactors{float3(0.0), float3(0.0)};
     int rows = wanted ? y.count : 0, slices = wanted ? z.count : 0; // see gabor_impl_filtered_wide
@@ -724,7 +724,7 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
     do {
         slice = gabor_impl_next_line(slice, z, k, gabor_impl_fade(z, k));
         GaborFactors y_0 = none, y_1 = none, y_2 = none;
-        GaborLine row = first;
+        GaborFilteredLine row = first;
         int j = 0;
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));

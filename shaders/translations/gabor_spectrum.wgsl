@@ -1,12 +1,12 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_lattice.wgsl.
-// Digest of the GLSL and of this file: 19a5f3471bc2331e
+// Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
+// Digest of the GLSL and of this file: 12b19157639510ef
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
-// Positions are in kernel radii, as in gabor_lattice.wgsl. Noise has variance 1; filtered noise has variance 1 minus
+// Positions are in kernel radii, as in gabor_noise.wgsl. Noise has variance 1; filtered noise has variance 1 minus
 // the removed share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
@@ -1535,7 +1535,7 @@ struct GaborFactors {
 // The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
 //     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
 // where C and S are the cosine and sine of 2 pi d / 2w.
-struct GaborBand {
+struct GaborFilteredAxis {
     even_0_: vec3<f32>,
     even_1_: vec3<f32>,
     even_2_: vec3<f32>,
@@ -1555,8 +1555,8 @@ struct GaborBand {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in space.
-fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborBand {
-    var b_2: GaborBand;
+fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborFilteredAxis {
+    var b_2: GaborFilteredAxis;
     var local_16: i32;
     var local_17: f32;
     var zero_1: f32;
@@ -1725,7 +1725,7 @@ fn gabor_impl_band(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period
 }
 
 // A column or a row of nodes: its word, and for each factor its window times the noise's wave.
-struct GaborLine {
+struct GaborFilteredLine {
     word: u32,
     window: GaborFactors,
     turn: vec2<f32>,
@@ -1733,7 +1733,7 @@ struct GaborLine {
 }
 
 // The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
-fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
+fn gabor_impl_fade(b: GaborFilteredAxis, index: i32) -> f32 {
     var fade_1: f32;
 
     fade_1 = clamp((4f * (b.reach - abs((b.offset - f32(index))))), 0f, 1f);
@@ -1744,9 +1744,9 @@ fn gabor_impl_fade(b: GaborBand, index: i32) -> f32 {
 }
 
 // Computes line `index` from its turn and phase.
-fn gabor_impl_filtered_line(b: GaborBand, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: f32) -> GaborLine {
+fn gabor_impl_filtered_line(b: GaborFilteredAxis, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: f32) -> GaborFilteredLine {
     var phase_3: vec2<f32>;
-    var line: GaborLine;
+    var line: GaborFilteredLine;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
 
@@ -1775,7 +1775,7 @@ fn gabor_impl_filtered_line(b: GaborBand, index: i32, turn: vec2<f32>, phase: ve
 }
 
 // Computes line `index` from the previous one.
-fn gabor_impl_next_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) -> GaborLine {
+fn gabor_impl_next_line(line: GaborFilteredLine, b: GaborFilteredAxis, index: i32, fade: f32) -> GaborFilteredLine {
     let _e6 = gabor_impl_product(line.turn, b.turn_back);
     let _e9 = gabor_impl_product(line.phase, b.back);
     let _e10 = gabor_impl_filtered_line(b, index, _e6, _e9, fade);
@@ -1784,15 +1784,15 @@ fn gabor_impl_next_line(line: GaborLine, b: GaborBand, index: i32, fade: f32) ->
 
 // The four or five columns of nodes that reach a point.
 struct GaborColumns {
-    column_0_: GaborLine,
-    column_1_: GaborLine,
-    column_2_: GaborLine,
-    column_3_: GaborLine,
-    column_4_: GaborLine,
+    column_0_: GaborFilteredLine,
+    column_1_: GaborFilteredLine,
+    column_2_: GaborFilteredLine,
+    column_3_: GaborFilteredLine,
+    column_4_: GaborFilteredLine,
     five: bool,
 }
 
-fn gabor_impl_columns(b: GaborBand) -> GaborColumns {
+fn gabor_impl_columns(b: GaborFilteredAxis) -> GaborColumns {
     var columns_1: GaborColumns;
     var turn_9: vec2<f32>;
 
@@ -1827,8 +1827,8 @@ fn gabor_impl_columns(b: GaborBand) -> GaborColumns {
 }
 
 // The line before line 0, given the phase of the noise's wave there.
-fn gabor_impl_line_before(b: GaborBand, phase: vec2<f32>) -> GaborLine {
-    var line_2: GaborLine;
+fn gabor_impl_line_before(b: GaborFilteredAxis, phase: vec2<f32>) -> GaborFilteredLine {
+    var line_2: GaborFilteredLine;
 
     let _e11 = gabor_impl_wave(((0.5f / b.reach) * (b.offset + 1f)));
     line_2.turn = _e11;
@@ -1843,7 +1843,7 @@ fn gabor_impl_added(sum: GaborFactors, factors: GaborFactors, real: f32, imagina
 }
 
 // Adds a node to the sums of a row.
-fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborLine, row_word: u32, animated: bool, time: f32) {
+fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, animated: bool, time: f32) {
     var a_2: vec2<f32>;
 
     let _e7 = gabor_impl_amplitude_at((column.word * row_word), animated, time);
@@ -1896,10 +1896,10 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var weights_1: vec3<f32>;
     var step_x: vec2<f32>;
     var step_y: vec2<f32>;
-    var across: GaborBand;
-    var along: GaborBand;
+    var across: GaborFilteredAxis;
+    var along: GaborFilteredAxis;
     var columns_3: GaborColumns;
-    var line_3: GaborLine;
+    var line_3: GaborFilteredLine;
     var local_19: i32;
     var rows_1: i32;
     var value_7: vec2<f32> = vec2(0f);
@@ -1951,14 +1951,14 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e99 = m_1;
     let _e102 = c_4;
     let _e110 = step_x;
-    let _e111 = gabor_impl_band(_e96.x, (_e98 * _e99.x), _e102.x, place.cell.x, place.local.x, place.period.x, salt, _e110);
+    let _e111 = gabor_impl_filtered_axis(_e96.x, (_e98 * _e99.x), _e102.x, place.cell.x, place.local.x, place.period.x, salt, _e110);
     across = _e111;
     let _e113 = deviation_1;
     let _e115 = r_1;
     let _e116 = m_1;
     let _e119 = c_4;
     let _e129 = step_y;
-    let _e130 = gabor_impl_band(_e113.y, (_e115 * _e116.y), _e119.y, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e129);
+    let _e130 = gabor_impl_filtered_axis(_e113.y, (_e115 * _e116.y), _e119.y, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e129);
     along = _e130;
     let _e132 = across;
     let _e133 = gabor_impl_columns(_e132);
@@ -2190,12 +2190,12 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var d_1: vec3<f32>;
     var pairs: vec3<f32>;
     var w_2: vec3<f32>;
-    var x_6: GaborBand;
-    var y_5: GaborBand;
-    var z_2: GaborBand;
+    var x_6: GaborFilteredAxis;
+    var y_5: GaborFilteredAxis;
+    var z_2: GaborFilteredAxis;
     var columns_4: GaborColumns;
-    var first: GaborLine;
-    var slice_2: GaborLine;
+    var first: GaborFilteredLine;
+    var slice_2: GaborFilteredLine;
     var none: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
     var local_22: i32;
     var rows_2: i32;
@@ -2209,7 +2209,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var y_0_2: GaborFactors;
     var y_1_2: GaborFactors;
     var y_2_2: GaborFactors;
-    var row_5: GaborLine;
+    var row_5: GaborFilteredLine;
     var j_3: i32;
     var sum_10: GaborFactors;
     var real_2: vec3<f32>;
@@ -2250,17 +2250,17 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     let _e76 = d_1;
     let _e78 = c_5;
     let _e89 = gabor_impl_wave((wave.x / 1.5f));
-    let _e90 = gabor_impl_band(sqrt(s.diagonal.x), _e76.x, _e78.x, cell.x, local.x, period.x, salt, _e89);
+    let _e90 = gabor_impl_filtered_axis(sqrt(s.diagonal.x), _e76.x, _e78.x, cell.x, local.x, period.x, salt, _e89);
     x_6 = _e90;
     let _e95 = d_1;
     let _e97 = c_5;
     let _e110 = gabor_impl_wave((wave.y / 1.5f));
-    let _e111 = gabor_impl_band(sqrt(s.diagonal.y), _e95.y, _e97.y, cell.y, local.y, period.y, (salt ^ 1540483477u), _e110);
+    let _e111 = gabor_impl_filtered_axis(sqrt(s.diagonal.y), _e95.y, _e97.y, cell.y, local.y, period.y, (salt ^ 1540483477u), _e110);
     y_5 = _e111;
     let _e116 = d_1;
     let _e118 = c_5;
     let _e131 = gabor_impl_wave((wave.z / 1.5f));
-    let _e132 = gabor_impl_band(sqrt(s.diagonal.z), _e116.z, _e118.z, cell.z, local.z, period.z, (salt ^ 668265263u), _e131);
+    let _e132 = gabor_impl_filtered_axis(sqrt(s.diagonal.z), _e116.z, _e118.z, cell.z, local.z, period.z, (salt ^ 668265263u), _e131);
     z_2 = _e132;
     let _e134 = x_6;
     let _e135 = gabor_impl_columns(_e134);

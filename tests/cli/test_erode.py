@@ -103,7 +103,7 @@ class Erode(ProgramTest):
         seen += [self.eroded(f"--preset={name}")["height"] for name in ("badlands", "canyon", "hills")]
         seen += [self.eroded(option)["height"] for option in
                  ("--octaves=2", "--gully-frequency=3", "--strength=0.05", "--lacunarity=2.5", "--gain=0.3", "--onset=2",
-                  "--detail=5", "--sharpness=1", "--ridge-rounding=1", "--crease-rounding=1", "--gully-weight=1",
+                  "--detail=5", "--uniformity=1", "--ridge-rounding=1", "--crease-rounding=1", "--gully-weight=1",
                   "--branching=0", "--seed=3", "--extent=5")]
         for i, one in enumerate(seen):
             for other in seen[:i]:

@@ -8,7 +8,7 @@ import unittest
 from program import ProgramTest
 
 
-GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--sharpness", "--ridge-rounding",
+GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--uniformity", "--ridge-rounding",
            "--crease-rounding", "--gully-weight", "--branching")
 
 
@@ -46,7 +46,7 @@ class Help(ProgramTest):
         page = (pathlib.Path(__file__).parents[2] / "docs" / "recipes.md").read_text()
         recipes = json.loads(self.succeed("recipes", "--json"))
         self.assertEqual([(recipe["file"], recipe["macros"]) for recipe in recipes[:3]],
-                         [("gabor_lattice.glsl", macros) for macros in ({}, {"GABOR_TAPS": "2"}, {"GABOR_TAPS": "4"})])
+                         [("gabor_noise.glsl", macros) for macros in ({}, {"GABOR_TAPS": "2"}, {"GABOR_TAPS": "4"})])
         text = self.succeed("recipes")
         for recipe in recipes:
             self.assertIn(f"{recipe['name']} ", text)

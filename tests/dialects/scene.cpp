@@ -1,6 +1,6 @@
 #include <fstream>
 
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 
 int main(int, char** argv) {
     std::ofstream file(argv[1], std::ios::binary);

@@ -1,4 +1,4 @@
-#include "gabor_lattice.hlsl"
+#include "gabor_noise.hlsl"
 
 RWStructuredBuffer<float> values : register(u0);
 

@@ -15,8 +15,8 @@ int main(int, char** argv) {
             float noise, value, phase, intensity;
             const vector p((float(x) + 0.5f) / 32, (float(y) + 0.5f) / 32, 0.3f);
             for (const int solid : {0, 1}) {
-                gabor_lattice(p * 0.25f, 4, 4, 0.7854f, 7, solid, vector(1, 2, 3), value, phase, intensity,
-                              noise, gradient);
+                gabor_noise(p * 0.25f, 4, 4, 0.7854f, 7, solid, vector(1, 2, 3), value, phase, intensity,
+                            noise, gradient);
                 const float outputs[]{noise, gradient.x, gradient.y, gradient.z, value, phase, intensity};
                 file.write(reinterpret_cast<const char*>(outputs), sizeof outputs);
             }

@@ -8,7 +8,7 @@ namespace osl {
 #include GABOR_OSL
 }
 
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 
 #include "gabor_erosion.hpp"
 

@@ -2,7 +2,7 @@
 // name of the first parameter.
 #define MaterialFloat float
 #define MaterialFloat2 float2
-#include "shaders/nodes/unreal/gabor_lattice.ush"
+#include "shaders/nodes/unreal/gabor_noise.ush"
 
 struct FMaterialPixelParameters {
     float4 SvPosition;

@@ -87,11 +87,11 @@ class UnityStripes(UnityNoise):
     graph_file = "Gabor Stripes.shadersubgraph"
 
 
-# Writes the values of functions.mjs, one for each function of gabor_lattice.tsl.js, at the scene's points.
+# Writes the values of functions.mjs, one for each function of gabor_noise.tsl.js, at the scene's points.
 TSL = """
 import { writeFileSync } from "node:fs";
 import { float, vec2, vec3 } from "./three_tsl.mjs";
-import * as gabor from "./gabor_lattice.mjs";
+import * as gabor from "./gabor_noise.mjs";
 
 const points = Array.from({ length: 256 * 32 }, (_, i) => i);
 const node = values => { const made = float(0); made.parts = [Float32Array.from(values)]; return made; };
@@ -104,9 +104,9 @@ console.log(JSON.stringify(Object.keys(functions)));
 
 # Writes quadrature and gradient in the plane, and noise and gradient in space, at the scene's points.
 BESIDE = """
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 #include "gabor_spectrum.hpp"
-#include "gabor_lattice_3d.hpp"
+#include "gabor_noise_3d.hpp"
 #include <fstream>
 int main(int, char** argv)
 {
@@ -153,7 +153,7 @@ class ByHand(unittest.TestCase):
 
     def test_open_shading_language(self):
         """Compares the noise with the reference and the shader's other outputs with the translation to C++."""
-        values = self.run_osl("gabor_lattice.osl", "scene_osl.cpp")
+        values = self.run_osl("gabor_noise.osl", "scene_osl.cpp")
         plane, space = values.reshape(-1, 2, 7).transpose(1, 2, 0).astype(float)
         error, place = reference.largest_difference("lattice", plane[0].astype("<f4"))
         print(f"largest difference {error:.2g} at row and column {place}")
@@ -183,10 +183,10 @@ class ByHand(unittest.TestCase):
     def test_nodes_of_three(self):
         if not shutil.which("node"):
             self.skipTest("node is not installed")
-        source = (NODES / "three" / "gabor_lattice.tsl.js").read_text()
+        source = (NODES / "three" / "gabor_noise.tsl.js").read_text()
         functions = HERE.parent / "engines" / "tsl" / "functions.mjs"
         for name, text in {"functions.mjs": functions.read_text(), "three_tsl.mjs": (HERE / "three_tsl.mjs").read_text(), "scene.mjs": TSL,
-                           "gabor_lattice.mjs": source.replace('"three/tsl"', '"./three_tsl.mjs"')}.items():
+                           "gabor_noise.mjs": source.replace('"three/tsl"', '"./three_tsl.mjs"')}.items():
             (self.folder / name).write_text(text)
         self.compare("node", self.folder / "scene.mjs")
 

@@ -21,7 +21,7 @@ sys.path.insert(0, str(HERE.parent / "fit"))
 from textures import colour_noise, write_png
 
 # gabor fit writes the last one
-FILES = ["gabor_lattice", "gabor_spectrum", "gabor_direction", "gabor_lattice_3d", "gabor_erosion", "gabor_materials", "sea"]
+FILES = ["gabor_noise", "gabor_spectrum", "gabor_direction", "gabor_noise_3d", "gabor_erosion", "gabor_materials", "sea"]
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 

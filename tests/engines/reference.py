@@ -1,5 +1,5 @@
 """The scene that every engine draws, computed in double precision from the equations, not from the shaders: the `one`
-recipe of gabor_noise.glsl, and gabor_lattice.glsl.
+recipe of gabor_sparse.glsl, and gabor_noise.glsl.
 
 The target has 256 x 257 floats, and p = (pixel + 0.5) / 32 with the pixel's row and column counted from 0:
     rows 0 to 255   gabor_noise(p, 4.0, 0.7854, 7u)
@@ -204,11 +204,11 @@ FUNCTIONS = {
 
 # Each scene: the drop-in, the macros before it, its noise, and its cells per kernel radius.
 SCENES = {
-    "one": ("gabor_noise", {}, one, 1),
-    "lattice": ("gabor_lattice", {}, lattice, 1.5),
-    "lattice 2": ("gabor_lattice", {"GABOR_TAPS": 2}, functools.partial(lattice, taps=2), 1),
-    "lattice 4": ("gabor_lattice", {"GABOR_TAPS": 4}, functools.partial(lattice, taps=4), 2),
-    "tile of 8": ("gabor_lattice", {}, functools.partial(lattice, period=12), 1.5),  # 12 / 1.5 = 8 kernel radii
+    "one": ("gabor_sparse", {}, one, 1),
+    "lattice": ("gabor_noise", {}, lattice, 1.5),
+    "lattice 2": ("gabor_noise", {"GABOR_TAPS": 2}, functools.partial(lattice, taps=2), 1),
+    "lattice 4": ("gabor_noise", {"GABOR_TAPS": 4}, functools.partial(lattice, taps=4), 2),
+    "tile of 8": ("gabor_noise", {}, functools.partial(lattice, period=12), 1.5),  # 12 / 1.5 = 8 kernel radii
 }
 
 

@@ -1,7 +1,7 @@
 // Tests the parts of a fit on spectra and values with known answers.
 
 #include "../largest.hpp"
-#include "fit/atoms.hpp"
+#include "fit/axis_spectrum.hpp"
 #include "fit/colour.hpp"
 #include "fit/fit.hpp"
 #include "fit/structure.hpp"
@@ -105,44 +105,46 @@ TEST_CASE("the correlation of kernels equals the integrated autocorrelation of H
     largest.check("correlation");
 }
 
-TEST_CASE("atoms equal the expected windowed spectra of a wave") {
-    const Scale& scale = first_scale()->front();
+TEST_CASE("axis spectra equal the expected windowed spectra of a wave") {
+    const SpectrumScale& scale = first_scale()->front();
     for (const auto& [frequency, radius] :
          {std::pair(0.0, 7.0), std::pair(0.31, 20.0), std::pair(-0.48, 2.5)}) {
-        const AxisAtom atom = axis_atom(scale, 0, frequency, radius, true);
+        const AxisSpectrum spectrum = axis_spectrum(scale, 0, frequency, radius, true);
         gabor::test::Largest largest;
         for (int k = 0; k < 128; k += 9)
-            largest.see(atom.value[k], expected_power(k / 128.0, frequency, radius), 1e-5,
+            largest.see(spectrum.value[k], expected_power(k / 128.0, frequency, radius), 1e-5,
                         [&] { return fmt::format("{} cycles / 128", k); });
         largest.check(fmt::format("frequency {}, radius {}", frequency, radius));
 
         constexpr double h = 1e-6;
-        const Eigen::ArrayXd by_frequency = (axis_atom(scale, 0, frequency + h, radius, true).value -
-                                             axis_atom(scale, 0, frequency - h, radius, true).value) /
+        const Eigen::ArrayXd by_frequency = (axis_spectrum(scale, 0, frequency + h, radius, true).value -
+                                             axis_spectrum(scale, 0, frequency - h, radius, true).value) /
                                             (2 * h);
-        CHECK((by_frequency - atom.by_frequency).abs().maxCoeff() <
-              1e-4 * atom.by_frequency.abs().maxCoeff());
-        const Eigen::ArrayXd by_radius = (axis_atom(scale, 0, frequency, radius * std::exp(h), true).value -
-                                          axis_atom(scale, 0, frequency, radius * std::exp(-h), true).value) /
-                                         (2 * h);
-        CHECK((by_radius - atom.by_log_radius).abs().maxCoeff() < 1e-4 * atom.by_log_radius.abs().maxCoeff());
+        CHECK((by_frequency - spectrum.by_frequency).abs().maxCoeff() <
+              1e-4 * spectrum.by_frequency.abs().maxCoeff());
+        const Eigen::ArrayXd by_radius =
+            (axis_spectrum(scale, 0, frequency, radius * std::exp(h), true).value -
+             axis_spectrum(scale, 0, frequency, radius * std::exp(-h), true).value) /
+            (2 * h);
+        CHECK((by_radius - spectrum.by_log_radius).abs().maxCoeff() <
+              1e-4 * spectrum.by_log_radius.abs().maxCoeff());
     }
 }
 
-TEST_CASE("atoms of averaged samples equal their expected windowed spectra") {
+TEST_CASE("axis spectra of averaged samples equal their expected windowed spectra") {
     // The last scale has samples four pixels apart, each a weighted average of eight. The expected spectra
     // are brute-force sums over every pair of pixels that contribute to two samples of a window.
-    const std::vector<Scale> scales = scales_of(2400, 2400);
+    const std::vector<SpectrumScale> scales = scales_of(2400, 2400);
     REQUIRE(scales.size() == 3);
     // A scale's weights add up to the area of its whole grid, in cells of the first scale.
-    for (const Scale& each : scales)
+    for (const SpectrumScale& each : scales)
         CHECK(measures({each}).sum() == Approx(std::pow(2.0 * window_side / each.spacing, 2)));
-    const Scale& scale = scales.back();
+    const SpectrumScale& scale = scales.back();
     REQUIRE(scale.spacing == 4);
     constexpr double triangle[8]{1 / 32.0, 3 / 32.0, 5 / 32.0, 7 / 32.0,
                                  7 / 32.0, 5 / 32.0, 3 / 32.0, 1 / 32.0};
     for (const auto& [frequency, radius] : {std::pair(0.004, 150.0), std::pair(0.21, 40.0)}) {
-        const AxisAtom atom = axis_atom(scale, 0, frequency, radius, false);
+        const AxisSpectrum spectrum = axis_spectrum(scale, 0, frequency, radius, false);
         std::vector<std::complex<double>> covariance; // of samples
         for (int t = -(scale.window - 1); t < scale.window; ++t) {
             std::complex<double> sum = 0;
@@ -160,7 +162,7 @@ TEST_CASE("atoms of averaged samples equal their expected windowed spectra") {
             for (int t = -(scale.window - 1); t < scale.window; ++t)
                 sum += covariance[static_cast<std::size_t>(t + scale.window - 1)] *
                        std::exp(std::complex<double>(0, -2 * pi * k * t / scale.grid));
-            largest.see(atom.value[k], sum.real(), 1e-9 * atom.value.maxCoeff(),
+            largest.see(spectrum.value[k], sum.real(), 1e-9 * spectrum.value.maxCoeff(),
                         [&] { return fmt::format("frequency {} of {}", k, scale.grid); });
         }
         largest.check(fmt::format("frequency {}, radius {}", frequency, radius));
@@ -200,8 +202,8 @@ TEST_CASE("the errors show that a model's long waves are too strong") {
     Wave swell{{0.004, 0}, {160, 90}, weights({0.6})};
     Exemplar exemplar = exemplar_of({noise, swell}, 1024);
     exemplar.components.setIdentity();
-    exemplar.spectra = model({noise, swell}, 1, std::make_shared<const std::vector<Scale>>([] {
-                                 std::vector<Scale> scales = scales_of(1024, 1024);
+    exemplar.spectra = model({noise, swell}, 1, std::make_shared<const std::vector<SpectrumScale>>([] {
+                                 std::vector<SpectrumScale> scales = scales_of(1024, 1024);
                                  for (std::size_t i = 1; i < scales.size(); ++i)
                                      scales[i].begin =
                                          scales[i - 1].begin + std::ssize(scales[i - 1].frequencies);
@@ -272,7 +274,7 @@ TEST_CASE("the spectrum estimated from white noise is flat and has the noise's v
     INFO(covariance);
     CHECK((covariance - expected).cwiseAbs().maxCoeff() < 0.01);
     REQUIRE(spectra.scales->size() == 3);
-    for (const Scale& scale : *spectra.scales) {
+    for (const SpectrumScale& scale : *spectra.scales) {
         const Eigen::VectorXd power =
             spectra.values.col(0).segment(scale.begin, std::ssize(scale.frequencies));
         INFO("windows of " << scale.length() << " pixels: mean " << power.mean() << ", from "

@@ -1,47 +1,47 @@
 #pragma once
 
-// gabor_lattice.glsl and the drop-ins that need it, translated to C++. Each class has the functions for one
+// gabor_noise.glsl and the drop-ins that need it, translated to C++. Each class has the functions for one
 // number of taps as members. tests/render/test_golden.cpp checks that the device computes the same values.
 
 #include "compare.hpp"
 #include "reference/sum.hpp"
 
-#include "gabor_lattice.hpp" // for gabor_vec2 and gabor_vec3
+#include "gabor_noise.hpp" // for gabor_vec2 and gabor_vec3
 
 namespace gabor::test {
 
 namespace { // each source compiles its own copy, with its own compiler options
 
 #undef GABOR_TAPS
-#undef GABOR_LATTICE_HPP
+#undef GABOR_NOISE_HPP
 struct Lattice2 {
     static constexpr int taps = 2;
 #define GABOR_TAPS 2
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 
 #include "gabor_erosion.hpp"
 };
 
 #undef GABOR_TAPS
-#undef GABOR_LATTICE_HPP
+#undef GABOR_NOISE_HPP
 #undef GABOR_EROSION_HPP
 struct Lattice4 {
     static constexpr int taps = 4;
 #define GABOR_TAPS 4
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 };
 
 #undef GABOR_TAPS
-#undef GABOR_LATTICE_HPP
+#undef GABOR_NOISE_HPP
 struct Lattice3 {
     static constexpr int taps = 3;
 #define GABOR_LOBES 3
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 
 #include "gabor_erosion.hpp"
 #include "gabor_spectrum.hpp"
 
-#include "gabor_lattice_3d.hpp"
+#include "gabor_noise_3d.hpp"
 
     /// A direction map with a jump across the line x + y = 1.
     static gabor_vec2 map_at(gabor_vec2 p) {

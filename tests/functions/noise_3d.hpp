@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lattice.hpp"
+#include "noise.hpp"
 
 namespace gabor::test {
 

@@ -1,23 +1,23 @@
 #pragma once
 
-// gabor_noise.glsl translated to C++. Each class has the functions for one choice of the macros as members.
+// gabor_sparse.glsl translated to C++. Each class has the functions for one choice of the macros as members.
 
 #include "compare.hpp"
 #include "reference/reference.hpp"
 
-#include "gabor_noise.hpp" // for gabor_vec2
+#include "gabor_sparse.hpp" // for gabor_vec2
 
 namespace gabor::test {
 
 namespace {
 
-#undef GABOR_NOISE_HPP
+#undef GABOR_SPARSE_HPP
 struct One {
     const noise::Recipe recipe = noise::find_recipe("one");
-#include "gabor_noise.hpp"
+#include "gabor_sparse.hpp"
 };
 
-#undef GABOR_NOISE_HPP
+#undef GABOR_SPARSE_HPP
 #undef GABOR_RADIUS
 #undef GABOR_WEIGHT_FLOOR
 #undef GABOR_WINDOW
@@ -26,10 +26,10 @@ struct One {
 #define GABOR_WINDOW gabor_vec3(1, -1, 1)
 struct Pure {
     const noise::Recipe recipe = noise::find_recipe("pure");
-#include "gabor_noise.hpp"
+#include "gabor_sparse.hpp"
 };
 
-#undef GABOR_NOISE_HPP
+#undef GABOR_SPARSE_HPP
 #undef GABOR_IMPULSES
 #undef GABOR_RADIUS
 #undef GABOR_WEIGHT_FLOOR
@@ -41,10 +41,10 @@ struct Pure {
 #define GABOR_WINDOW gabor_vec3(1, 0, 0)
 struct Paper {
     const noise::Recipe recipe = noise::find_recipe("paper");
-#include "gabor_noise.hpp"
+#include "gabor_sparse.hpp"
 };
 
-#undef GABOR_NOISE_HPP
+#undef GABOR_SPARSE_HPP
 #undef GABOR_IMPULSES
 #undef GABOR_RADIUS
 #undef GABOR_WEIGHT_FLOOR
@@ -55,10 +55,10 @@ struct Paper {
 #define GABOR_WINDOW gabor_vec3(0.5f, 1.5f, -1)
 struct Sines {
     const noise::Recipe recipe{"sines", 3, 1.5f, 0.2f, 2, {0.5f, 1.5f, -1.0f}, ""};
-#include "gabor_noise.hpp"
+#include "gabor_sparse.hpp"
 };
 
-#undef GABOR_NOISE_HPP
+#undef GABOR_SPARSE_HPP
 #undef GABOR_IMPULSES
 #undef GABOR_RADIUS
 #undef GABOR_WEIGHT_FLOOR
@@ -70,7 +70,7 @@ struct Sines {
 #define GABOR_WINDOW gabor_vec3(1, 0, 0)
 struct Uneven {
     const noise::Recipe recipe{"uneven", 1, 1.06f, 0.5f, 4, {1, 0, 0}, ""};
-#include "gabor_noise.hpp"
+#include "gabor_sparse.hpp"
 };
 
 } // namespace

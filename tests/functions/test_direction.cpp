@@ -1,6 +1,6 @@
 // Compares gabor_direction.glsl with the double-precision reference.
 
-#include "lattice.hpp"
+#include "noise.hpp"
 
 using namespace gabor;
 using test::Differences;

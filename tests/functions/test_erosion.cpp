@@ -1,7 +1,7 @@
 // Compares hills and erosion with the double-precision reference, and checks the properties of a good
 // terrain.
 
-#include "lattice.hpp"
+#include "noise.hpp"
 #include "reference/erosion.hpp"
 #include "statistics/moments.hpp"
 
@@ -38,7 +38,7 @@ std::string to_string(const Sample& s) {
                        s.column, s.row, s.local.x, s.local.y, s.period.x, s.period.y, s.dx.x, s.dx.y, s.dy.x,
                        s.dy.y, s.base.has_value(), base.height, base.slope[0], base.slope[1], base.ridge,
                        s.seed, e.octaves, e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail,
-                       e.sharpness, e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching);
+                       e.uniformity, e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching);
 }
 
 // The drop-in's terrain, converted to the reference's types.
@@ -58,14 +58,14 @@ struct Terrains {
                                                 narrow(e.gain),
                                                 narrow(e.onset),
                                                 narrow(e.detail),
-                                                narrow(e.sharpness),
+                                                narrow(e.uniformity),
                                                 narrow(e.ridge_rounding),
                                                 narrow(e.crease_rounding),
                                                 narrow(e.gully_weight),
                                                 narrow(e.branching)};
     }
     static auto ground(const Sample& s) {
-        return typename Functions::GaborGround{{s.column, s.row}, s.local, s.period};
+        return typename Functions::GaborTerrainPlace{{s.column, s.row}, s.local, s.period};
     }
 
     GaborTerrain base(const Sample& s) {

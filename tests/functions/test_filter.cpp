@@ -1,7 +1,7 @@
 // Compares the filters in the plane, in space and on surfaces with quadrature of the double-precision
 // reference.
 
-#include "lattice_3d.hpp"
+#include "noise_3d.hpp"
 
 #include <vector>
 
@@ -162,19 +162,19 @@ constexpr Function<3> space{"in space",
 constexpr Function<3> surface{
     "on a surface",
     [](auto place, const auto& s) {
-        return n.gabor_surface_3d(place, narrow(s.normal), s.frequency, narrow(s.direction), s.seed);
+        return n.gabor_field_surface(place, narrow(s.normal), s.frequency, narrow(s.direction), s.seed);
     },
     [](const auto& s) {
         return noise::surface_noise(unit(s.normal), s.frequency, unit(s.direction), s.seed);
     }};
 constexpr Function<3> isotropic_3d{
     "isotropic in space",
-    [](auto place, const auto& s) { return n.gabor_isotropic_3d(place, s.frequency, s.seed); },
+    [](auto place, const auto& s) { return n.gabor_field_3d_isotropic(place, s.frequency, s.seed); },
     [](const auto& s) -> noise::Sum<3> { return noise::isotropic_noise_3d(s.frequency, s.seed); }};
 constexpr Function<3> isotropic_surface{
     "isotropic on a surface",
     [](auto place, const auto& s) {
-        return n.gabor_surface_isotropic_3d(place, narrow(s.normal), s.frequency, s.seed);
+        return n.gabor_field_surface_isotropic(place, narrow(s.normal), s.frequency, s.seed);
     },
     [](const auto& s) { return noise::isotropic_surface_noise(unit(s.normal), s.frequency, s.seed); }};
 

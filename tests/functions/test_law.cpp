@@ -1,8 +1,8 @@
 // Checks over independent instances that the lattice's noises, in the plane, in space and on surfaces, are
 // normal at each point and jointly.
 
-#include "lattice_3d.hpp"
 #include "law.hpp"
+#include "noise_3d.hpp"
 #include "reference/normal_mean.hpp"
 #include "statistics/estimate.hpp"
 
@@ -243,8 +243,8 @@ TEST_CASE("surface noise on the lattice is normally distributed for every surfac
                 s.direction = s.normal + 0.45f * s.direction;
             const auto field =
                 isotropic
-                    ? n.gabor_surface_isotropic_3d(place_of(n, s.place), s.normal, s.frequency, s.seed)
-                    : n.gabor_surface_3d(place_of(n, s.place), s.normal, s.frequency, s.direction, s.seed);
+                    ? n.gabor_field_surface_isotropic(place_of(n, s.place), s.normal, s.frequency, s.seed)
+                    : n.gabor_field_surface(place_of(n, s.place), s.normal, s.frequency, s.direction, s.seed);
             return std::array{field.quadrature, field.noise};
         });
         laws.check(isotropic ? "surface, isotropic" : "surface");
@@ -331,9 +331,9 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
             quarter,
             [&, place = place, normal = normal] {
                 const Sample3d s = solid_sample(draw, place);
-                return numbers_of(on_surface
-                                      ? n.gabor_surface_isotropic_3d(place_of(n, s.place), normal, 1, s.seed)
-                                      : n.gabor_isotropic_3d(place_of(n, s.place), 1, s.seed));
+                return numbers_of(
+                    on_surface ? n.gabor_field_surface_isotropic(place_of(n, s.place), normal, 1, s.seed)
+                               : n.gabor_field_3d_isotropic(place_of(n, s.place), 1, s.seed));
             },
             of_isotropic(slope, {{2, x}, {4, z}}, {3}));
     }
@@ -381,9 +381,9 @@ TEST_CASE("the covariance of isotropic noise is that of a uniform ring or shell 
                       [&](const Vector& lag, float f) {
                           const Sample3d s = solid_sample(
                               draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
-                          const auto first = n.gabor_isotropic_3d(place_of(n, s.place), f, s.seed);
+                          const auto first = n.gabor_field_3d_isotropic(place_of(n, s.place), f, s.seed);
                           const auto second =
-                              n.gabor_isotropic_3d(place_of(n, moved(s, lag).place), f, s.seed);
+                              n.gabor_field_3d_isotropic(place_of(n, moved(s, lag).place), f, s.seed);
                           return std::array{first.quadrature, first.noise, second.quadrature, second.noise};
                       });
     plane.check("in the plane, in units of 4.5 standard errors");

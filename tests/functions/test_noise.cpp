@@ -1,7 +1,7 @@
-// Compares every function of gabor_lattice.glsl with the double-precision reference.
+// Compares every function of gabor_noise.glsl with the double-precision reference.
 
 #include "compare.hpp"
-#include "lattice.hpp"
+#include "noise.hpp"
 
 using namespace gabor;
 using test::Differences;

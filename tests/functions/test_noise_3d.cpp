@@ -1,6 +1,6 @@
-// Compares every function of gabor_lattice_3d.glsl with the double-precision reference.
+// Compares every function of gabor_noise_3d.glsl with the double-precision reference.
 
-#include "lattice_3d.hpp"
+#include "noise_3d.hpp"
 
 using namespace gabor;
 using test::Differences;
@@ -92,11 +92,12 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
 
         see_field(of["gabor_field_3d"], n.gabor_field_3d(place, f, s.direction, s.seed), wave.field(s.place),
                   s);
-        see_field(of["gabor_isotropic_3d"], n.gabor_isotropic_3d(place, f, s.seed), isotropic.field(s.place),
-                  s);
-        see_field(of["gabor_surface_3d"], n.gabor_surface_3d(place, s.normal, f, s.direction, s.seed),
+        see_field(of["gabor_field_3d_isotropic"], n.gabor_field_3d_isotropic(place, f, s.seed),
+                  isotropic.field(s.place), s);
+        see_field(of["gabor_field_surface"], n.gabor_field_surface(place, s.normal, f, s.direction, s.seed),
                   surface.field(s.place), s);
-        see_field(of["gabor_surface_isotropic_3d"], n.gabor_surface_isotropic_3d(place, s.normal, f, s.seed),
+        see_field(of["gabor_field_surface_isotropic"],
+                  n.gabor_field_surface_isotropic(place, s.normal, f, s.seed),
                   surface_isotropic.field(s.place), s);
 
         if (animated) {

@@ -1,7 +1,7 @@
 // Compares profiles, which draw stripes as waves of other shapes, and filtered stripes with their
 // definitions.
 
-#include "lattice.hpp"
+#include "noise.hpp"
 #include "reference/sum.hpp"
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Compares every function of gabor_noise.glsl with the double-precision reference. Also compares the noise's
+// Compares every function of gabor_sparse.glsl with the double-precision reference. Also compares the noise's
 // distribution over independent instances with theory.
 
 #include "sparse.hpp"

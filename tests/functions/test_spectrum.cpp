@@ -1,6 +1,6 @@
 // Compares lobes, spreads and isotropic noise of gabor_spectrum.glsl with the double-precision reference.
 
-#include "lattice.hpp"
+#include "noise.hpp"
 
 #include <boost/math/special_functions/sinc.hpp>
 

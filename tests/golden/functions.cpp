@@ -17,21 +17,21 @@
 #define uint std::uint32_t
 
 #include "sets.h"
-#if defined GOLDEN_NOISE
-#include "gabor_noise.hpp"
+#if defined GOLDEN_SPARSE
+#include "gabor_sparse.hpp"
 #else
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 #endif
 #if defined GOLDEN_EROSION
 #include "gabor_erosion.hpp"
 #elif defined GOLDEN_DIRECTION
 #define GABOR_DIRECTION(p) (0.3f * (p))
 #include "gabor_direction.hpp"
-#elif !defined GOLDEN_NOISE && !defined GOLDEN_LATTICE
+#elif !defined GOLDEN_SPARSE && !defined GOLDEN_NOISE
 #include "gabor_spectrum.hpp"
 #endif
-#if defined GOLDEN_LATTICE_3D
-#include "gabor_lattice_3d.hpp"
+#if defined GOLDEN_NOISE_3D
+#include "gabor_noise_3d.hpp"
 #endif
 #if defined GOLDEN_MATERIALS
 #include "gabor_materials.hpp"

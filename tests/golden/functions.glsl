@@ -91,7 +91,7 @@ Point any_of(Point s, int i) {
         s.time = any_within(i, 109, 1.0e38f);
     }
     if (kind == 2) { // no index of a node or cell may overflow
-#if defined GOLDEN_NOISE
+#if defined GOLDEN_SPARSE
         const float longest = 1.0e9f;
 #else
         const float longest = MOST;
@@ -131,7 +131,7 @@ Point point_of(int point) {
 #if defined GOLDEN_SPECTRUM
     if (i % 16 == 1) s.frequency = 8.0f;
 #endif
-#if !defined GOLDEN_NOISE
+#if !defined GOLDEN_SPARSE
     if (i % 16 == 3) s.frequency = 0.0f;
 #endif
     s.orientation = drawn(i, 6, -4.0f, 4.0f);
@@ -139,7 +139,7 @@ Point point_of(int point) {
     s.orientation_spread = i % 8 == 5 ? 0.0f : drawn(i, 8, 0.0f, 1.7f);
     s.direction = vec3(drawn(i, 9, -1.0f, 1.0f), drawn(i, 10, -1.0f, 1.0f), drawn(i, 11, -1.0f, 1.0f));
     s.normal = vec3(drawn(i, 12, -0.5f, 0.5f), drawn(i, 13, -0.5f, 0.5f), drawn(i, 14, -0.5f, 0.5f));
-#if defined GOLDEN_LATTICE_3D
+#if defined GOLDEN_NOISE_3D
     if (i % 16 == 9) // the longest direction allowed
         s.direction = 1.0e15f * vec3(s.direction.x < 0.0f ? -1.0f : 1.0f, s.direction.y, s.direction.z);
 #endif
@@ -190,7 +190,7 @@ float kept(GaborField f) {
     return kept(f.value) + 0.05f * (kept(f.slope_x) + 0.3f * kept(f.slope_y));
 }
 
-#if defined GOLDEN_LATTICE_3D
+#if defined GOLDEN_NOISE_3D
 float kept(GaborField3d f) {
     return f.noise + 0.7f * f.quadrature + f.removed + 0.05f * kept(f.gradient) + 0.03f * kept(f.quadrature_gradient);
 }
@@ -215,7 +215,7 @@ float kept_gradient(vec3 v) {
 void see_all(int i) {
     Point s = point_of(i);
     i = abs(i);
-#if defined GOLDEN_LATTICE || defined GOLDEN_NOISE
+#if defined GOLDEN_NOISE || defined GOLDEN_SPARSE
     SEE(gabor_noise(s.p, s.frequency, s.orientation, s.seed))
     SEE(gabor_unorm(gabor_noise(s.p, s.frequency, s.orientation, s.seed)))
     SEE(kept_gradient(gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed)))
@@ -230,7 +230,7 @@ void see_all(int i) {
     place.period = ivec2(7, 12);
     place.time = s.time;
 #endif
-#if defined GOLDEN_LATTICE
+#if defined GOLDEN_NOISE
     place.animated = i % 2 == 0;
     SEE(kept(gabor_noise_four(s.p, s.frequency, s.orientation, s.seed)))
     SEE(float(gabor_lobe_seed(s.seed, i) >> 8u) / 16777216.0f)
@@ -247,7 +247,7 @@ void see_all(int i) {
     SEE(kept(gabor_stripes_tiled(s.p, s.period, wave, sharpness, s.seed)))
     SEE(kept(gabor_field(gabor_place_tiled(s.p, s.period), gabor_kernel(s.frequency, s.orientation), s.seed)))
 #endif
-#if defined GOLDEN_LATTICE || defined GOLDEN_NOISE
+#if defined GOLDEN_NOISE || defined GOLDEN_SPARSE
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
 #endif
 #if defined GOLDEN_SPECTRUM
@@ -334,7 +334,7 @@ void see_all(int i) {
     SEE(kept(gabor_stripes_direction_tiled(p, s.period, 2.0f, s.seed)))
     SEE(kept(gabor_stripes_direction_at(place, 2.0f, s.seed)))
 #endif
-#if defined GOLDEN_LATTICE_3D
+#if defined GOLDEN_NOISE_3D
     GaborPlace3d place = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));
     place.radius *= vec3(0.9f, 1.1f, 1.0f);
     place.period = ivec3(7, 0, 12);
@@ -356,9 +356,9 @@ void see_all(int i) {
     SEE(gabor_noise_surface(s.q, s.normal, s.frequency, s.direction, s.seed))
     SEE(gabor_noise_surface_isotropic(s.q, s.normal, 2.0f * s.frequency, s.seed))
     SEE(kept(gabor_field_3d(place, s.frequency, s.direction, s.seed)))
-    SEE(kept(gabor_isotropic_3d(place, 0.3f * s.frequency, s.seed)))
-    SEE(kept(gabor_surface_3d(place, s.normal, s.frequency, s.direction, s.seed)))
-    SEE(kept(gabor_surface_isotropic_3d(place, s.normal, s.frequency, s.seed)))
+    SEE(kept(gabor_field_3d_isotropic(place, 0.3f * s.frequency, s.seed)))
+    SEE(kept(gabor_field_surface(place, s.normal, s.frequency, s.direction, s.seed)))
+    SEE(kept(gabor_field_surface_isotropic(place, s.normal, s.frequency, s.seed)))
 #endif
 #if defined GOLDEN_EROSION
     GaborErosion erosion = gabor_erosion();
@@ -370,7 +370,7 @@ void see_all(int i) {
         erosion.gain = drawn(i, 37, 0.3f, 0.7f);
         erosion.onset = drawn(i, 38, 0.05f, 1.0f);
         erosion.detail = drawn(i, 39, 1.0f, 4.0f);
-        erosion.sharpness = drawn(i, 40, 0.5f, 4.0f);
+        erosion.uniformity = drawn(i, 40, 0.5f, 4.0f);
         erosion.ridge_rounding = drawn(i, 41, 0.0f, 1.0f);
         erosion.crease_rounding = drawn(i, 42, 0.0f, 1.0f);
         erosion.gully_weight = drawn(i, 43, 0.0f, 1.0f);
@@ -381,7 +381,7 @@ void see_all(int i) {
     slope.height = s.time;
     slope.slope = i % 16 == 6 ? vec2(0.0f, 0.0f) : vec2(s.direction.x, s.direction.y);
     slope.ridge = s.direction.z;
-    GaborGround ground;
+    GaborTerrainPlace ground;
     ground.cell = ivec2(s.cell.x / 4, s.cell.y / 4);
     ground.local = s.local;
     ground.period = i % 2 == 0 ? vec2(0.0f, 0.0f) : vec2(4.0f, 7.5f) + s.period;

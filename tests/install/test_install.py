@@ -26,10 +26,10 @@ INSTALLED = {
     "share/gabor-noise/LICENSE",
     "share/gabor-noise/shaders/gabor_direction.glsl",
     "share/gabor-noise/shaders/gabor_erosion.glsl",
-    "share/gabor-noise/shaders/gabor_lattice.glsl",
-    "share/gabor-noise/shaders/gabor_lattice_3d.glsl",
-    "share/gabor-noise/shaders/gabor_materials.glsl",
     "share/gabor-noise/shaders/gabor_noise.glsl",
+    "share/gabor-noise/shaders/gabor_noise_3d.glsl",
+    "share/gabor-noise/shaders/gabor_materials.glsl",
+    "share/gabor-noise/shaders/gabor_sparse.glsl",
     "share/gabor-noise/shaders/gabor_spectrum.glsl",
     "share/gabor-noise/shaders/passes/bake.comp",
     "share/gabor-noise/shaders/passes/bake_colour.comp",
@@ -40,7 +40,7 @@ INSTALLED = {
     "share/gabor-noise/shaders/passes/interface.h",
     "share/gabor-noise/shaders/passes/recipe.glsl",
     *(f"share/gabor-noise/shaders/translations/gabor_{name}.{dialect}"
-      for name in ("direction", "erosion", "lattice", "lattice_3d", "materials", "noise", "spectrum")
+      for name in ("direction", "erosion", "materials", "noise", "noise_3d", "sparse", "spectrum")
       for dialect in ("gdshaderinc", "hlsl", "hpp", "metal", "wgsl")),
 }
 
@@ -70,8 +70,8 @@ class Install(unittest.TestCase):
         self.assertEqual(files - {"bin/gabor-viewer"}, INSTALLED)  # the viewer needs packages that may be missing
 
     def test_the_installed_drop_in_equals_the_source(self):
-        source = pathlib.Path(__file__).parents[2] / "shaders" / "gabor_noise.glsl"
-        self.assertEqual((self.prefix / "share/gabor-noise/shaders/gabor_noise.glsl").read_bytes(), source.read_bytes())
+        source = pathlib.Path(__file__).parents[2] / "shaders" / "gabor_sparse.glsl"
+        self.assertEqual((self.prefix / "share/gabor-noise/shaders/gabor_sparse.glsl").read_bytes(), source.read_bytes())
 
     def test_a_version_that_is_too_new_is_refused(self):
         with self.assertRaisesRegex(AssertionError, "gabor-noise"):
@@ -79,7 +79,7 @@ class Install(unittest.TestCase):
 
     def test_targets_serve_an_installed_and_a_fetched_copy(self):
         """Builds a project with the code in shaders/nodes/cpp/README.md, once with find_package and once with FetchContent."""
-        main = "#include \"gabor_lattice.hpp\"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n"
+        main = "#include \"gabor_noise.hpp\"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n"
         ways = {"found": "find_package(gabor-noise CONFIG REQUIRED)",
                 "fetched": f"include(FetchContent)\nset(GABOR_BUILD_HOST OFF)\n"
                            f"FetchContent_Declare(gabor_noise SOURCE_DIR [[{pathlib.Path(__file__).parents[2]}]])\n"
@@ -98,7 +98,7 @@ class Install(unittest.TestCase):
 
     def test_a_consumer_renders_what_the_program_does(self):
         listed = subprocess.run([self.prefix / "bin/gabor", "recipes", "--json"], capture_output=True, check=True)
-        recipes = {recipe["name"]: recipe["macros"] | ({"LATTICE": "1"} if "lattice" in recipe["file"] else {})
+        recipes = {recipe["name"]: recipe["macros"] | ({"LATTICE": "1"} if recipe["file"] == "gabor_noise.glsl" else {})
                    for recipe in json.loads(listed.stdout)}
         self.assertGreaterEqual(len(recipes), 3)
         macros = [f"-D{name}=" + ";".join(f"-D{macro}={value.replace(' ', '')}" for macro, value in defined.items())

@@ -108,7 +108,7 @@ console.log(JSON.stringify(texts));
         self.assertEqual(texts, [path.read_text() for path in DROP_INS])
 
         (project / "noise.mjs").write_text("""
-import * as gabor from "gabor-noise/shaders/nodes/three/gabor_lattice.tsl.js";
+import * as gabor from "gabor-noise/shaders/nodes/three/gabor_noise.tsl.js";
 console.log(typeof gabor.gabor_noise);
 """)
         self.assertEqual(run("node", "noise.mjs", cwd=project), "function\n")
@@ -137,11 +137,11 @@ np.save("solid.npy", gabor_noise.noise_3d(x, y, 0.3, frequency=4.0, direction=(1
 hills = gabor_noise.terrain(x, y, seed=7, octaves=0)
 mountains = gabor_noise.terrain(x, y, seed=7)
 badlands = gabor_noise.terrain(x, y, mountains, seed=8, octaves=3, frequency=2, strength=0.2, lacunarity=1.9, gain=0.6, onset=0.4,
-                               detail=1.2, sharpness=3, ridge_rounding=0.2, crease_rounding=0.3, gully_weight=0.7, branching=0.8)
+                               detail=1.2, uniformity=3, ridge_rounding=0.2, crease_rounding=0.3, gully_weight=0.7, branching=0.8)
 island = gabor_noise.terrain(x, y, seed=7, period=8)
 np.save("terrain.npy", [hills, mountains, badlands, island])
 np.testing.assert_allclose(island, gabor_noise.terrain(x + 8, y - 16, seed=7, period=8), atol=1e-5)
-for bad in (lambda: gabor_noise.source("lattice", "basic"), lambda: gabor_noise.source("perlin"),
+for bad in (lambda: gabor_noise.source("noise", "basic"), lambda: gabor_noise.source("perlin"),
             lambda: gabor_noise.noise([0, 1], [0, 1, 2]), lambda: gabor_noise.noise(0, 0, period=-1),
             lambda: gabor_noise.terrain(0, 0, [1, 2, 3]), lambda: gabor_noise.terrain(0, 0, period=3)):
     try:
@@ -187,7 +187,7 @@ print(gabor_noise.__version__)
         self.check_terrain()
 
     TERRAIN = """
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 #include "gabor_erosion.hpp"
 #include <cstdio>
 int main() {
@@ -195,7 +195,7 @@ int main() {
         for (int i = 0; i < 256 * 256; ++i) {
             const gabor_ivec2 cell(i % 256 / 32, i / 256 / 32);
             const gabor_vec2 local((i % 32 + 0.5f) / 32, (i / 256 % 32 + 0.5f) / 32), none(0.0f);
-            const GaborGround ground{cell, local, kind == 3 ? gabor_vec2(8.0f) : none};
+            const GaborTerrainPlace ground{cell, local, kind == 3 ? gabor_vec2(8.0f) : none};
             GaborTerrain t = gabor_terrain_at(ground, none, none, 7u);
             if (kind > 0)
                 t = gabor_eroded_at(ground, none, none, t, gabor_erosion(), 7u);
@@ -245,7 +245,7 @@ class Godot(Package):
         files = self.unpack()
         self.assertEqual({pathlib.PurePath(name).parts[:2] for name in files}, {("addons", "gabor_noise")})
         root = self.folder / "addons" / "gabor_noise"
-        for resource in ("gabor_lattice.gdshaderinc", "gabor_noise.gd"):
+        for resource in ("gabor_noise.gdshaderinc", "gabor_noise.gd"):
             self.assertRegex((root / f"{resource}.uid").read_text(), r"^uid://[a-y0-8]+\n?$")
         for path in re.findall(r"res://([\w./]+)", (root / "gabor_noise.gd").read_text()):
             self.assertIn(path, files)
@@ -319,7 +319,7 @@ include("${FOLDER}/gabor-noise/portfile.cmake")
         user = self.folder / "user"
         user.mkdir()
         (user / "main.cpp").write_text(
-            '#include "gabor_lattice.hpp"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n')
+            '#include "gabor_noise.hpp"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n')
         (user / "CMakeLists.txt").write_text(
             "cmake_minimum_required(VERSION 3.25)\nproject(user LANGUAGES CXX)\nfind_package(gabor-noise CONFIG REQUIRED)\n"
             "add_executable(user main.cpp)\ntarget_link_libraries(user PRIVATE gabor_noise::cpp)\n")

@@ -125,7 +125,7 @@ Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const
             const Field<2> field =
                 wave_noise(taps, wave, lattice_lobe_seed(seed, octave))
                     .field({{x.cell, y.cell}, {x.local, y.local}, {x.nodes, y.nodes}, {x.period, y.period}});
-            const double s = erosion.sharpness;
+            const double s = erosion.uniformity;
             z = kept * s / std::sqrt(1 + s * s * std::norm(field.value)) * field.value;
         }
         gully = std::lerp(gully, erosion.gully_weight * z.real(), mask);

@@ -7,7 +7,7 @@
 
 namespace gabor::noise {
 
-/// Terrain, Erosion and Ground mirror the structs GaborTerrain, GaborErosion and GaborGround of
+/// Terrain, Erosion and Ground mirror the structs GaborTerrain, GaborErosion and GaborTerrainPlace of
 /// shaders/gabor_erosion.glsl.
 struct Terrain {
     double height = 0;
@@ -22,7 +22,7 @@ struct Erosion {
     double gain = 0.5;
     double onset = 0.5;
     double detail = 1.5;
-    double sharpness = 2;
+    double uniformity = 2;
     double ridge_rounding = 0.1;
     double crease_rounding = 0.1;
     double gully_weight = 0.5;

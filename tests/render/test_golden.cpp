@@ -12,12 +12,12 @@
 #include "passes/golden_erosion.h"
 #include "passes/golden_lattice_2.h"
 #include "passes/golden_lattice_3.h"
-#include "passes/golden_lattice_3d.h"
 #include "passes/golden_lattice_4.h"
-#include "passes/golden_noise_one.h"
-#include "passes/golden_noise_own.h"
-#include "passes/golden_noise_paper.h"
-#include "passes/golden_noise_pure.h"
+#include "passes/golden_noise_3d.h"
+#include "passes/golden_sparse_one.h"
+#include "passes/golden_sparse_own.h"
+#include "passes/golden_sparse_paper.h"
+#include "passes/golden_sparse_pure.h"
 #include "passes/golden_spectrum.h"
 
 #include <catch2/catch.hpp>
@@ -42,11 +42,11 @@ struct Set {
     std::string file() const { return std::string(GABOR_GOLDEN_FOLDER "/") + name + ".txt"; }
 };
 
-const Set core[]{{"noise_one", golden_noise_one_spirv}, {"lattice_3", golden_lattice_3_spirv}};
-const Set others[]{{"noise_pure", golden_noise_pure_spirv}, {"noise_paper", golden_noise_paper_spirv},
-                   {"noise_own", golden_noise_own_spirv},   {"lattice_2", golden_lattice_2_spirv},
-                   {"lattice_4", golden_lattice_4_spirv},   {"spectrum", golden_spectrum_spirv},
-                   {"direction", golden_direction_spirv},   {"lattice_3d", golden_lattice_3d_spirv},
+const Set core[]{{"sparse_one", golden_sparse_one_spirv}, {"lattice_3", golden_lattice_3_spirv}};
+const Set others[]{{"sparse_pure", golden_sparse_pure_spirv}, {"sparse_paper", golden_sparse_paper_spirv},
+                   {"sparse_own", golden_sparse_own_spirv},   {"lattice_2", golden_lattice_2_spirv},
+                   {"lattice_4", golden_lattice_4_spirv},     {"spectrum", golden_spectrum_spirv},
+                   {"direction", golden_direction_spirv},     {"noise_3d", golden_noise_3d_spirv},
                    {"erosion", golden_erosion_spirv}};
 
 // The first 64 points have golden values, the next 4096 have arbitrary arguments.

@@ -1,7 +1,7 @@
 // Compares each material's filtered form with the average of many sharp samples, its tiles with each other,
 // and its pictures with its function.
 
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 
 #include "gabor_spectrum.hpp"
 

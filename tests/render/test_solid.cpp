@@ -1,11 +1,11 @@
 // Compares pictures of slices and bodies with the drop-in's functions, translated to C++, at the points that
 // the pixels show. tests/functions compares these functions with the reference.
 
-#include "gabor_lattice.hpp"
+#include "gabor_noise.hpp"
 
 #include "gabor_spectrum.hpp"
 
-#include "gabor_lattice_3d.hpp"
+#include "gabor_noise_3d.hpp"
 
 #include "largest.hpp"
 #include "reference/vector.hpp"
@@ -144,9 +144,9 @@ GaborField3d field_at(const Request& request, const Seen& seen) {
     const Body* body = std::get_if<Body>(&request.view);
     if (body && !body->solid)
         return lobe.orientation_spread > 0
-                   ? gabor_surface_isotropic_3d(place, normal, frequency, request.seed)
-                   : gabor_surface_3d(place, normal, frequency, along, request.seed);
-    return lobe.orientation_spread > 0 ? gabor_isotropic_3d(place, frequency, request.seed)
+                   ? gabor_field_surface_isotropic(place, normal, frequency, request.seed)
+                   : gabor_field_surface(place, normal, frequency, along, request.seed);
+    return lobe.orientation_spread > 0 ? gabor_field_3d_isotropic(place, frequency, request.seed)
                                        : gabor_field_3d(place, frequency, along, request.seed);
 }
 

@@ -16,27 +16,27 @@ VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
 
 # Each drop-in, and the files to include for it, in order.
 FILES = {
+    "gabor_sparse": ["gabor_sparse"],
     "gabor_noise": ["gabor_noise"],
-    "gabor_lattice": ["gabor_lattice"],
-    "gabor_spectrum": ["gabor_lattice", "gabor_spectrum"],
-    "gabor_lattice_3d": ["gabor_lattice", "gabor_spectrum", "gabor_lattice_3d"],
-    "gabor_materials": ["gabor_lattice", "gabor_spectrum", "gabor_materials"],
-    "gabor_erosion": ["gabor_lattice", "gabor_erosion"],
-    "gabor_direction": ["gabor_lattice", "gabor_direction"],
+    "gabor_spectrum": ["gabor_noise", "gabor_spectrum"],
+    "gabor_noise_3d": ["gabor_noise", "gabor_spectrum", "gabor_noise_3d"],
+    "gabor_materials": ["gabor_noise", "gabor_spectrum", "gabor_materials"],
+    "gabor_erosion": ["gabor_noise", "gabor_erosion"],
+    "gabor_direction": ["gabor_noise", "gabor_direction"],
 }
 MAP = "vec2 gabor_map(vec2 p)\n{\n    return p.yx;\n}\n#define GABOR_DIRECTION(p) gabor_map(p)\n"
 SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
 
 LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--json"], capture_output=True, check=True).stdout)
 RECIPES = {
+    "gabor_sparse": {
+        **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_sparse.glsl"},
+    },
     "gabor_noise": {
         **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_noise.glsl"},
     },
-    "gabor_lattice": {
-        **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_lattice.glsl"},
-    },
     "gabor_spectrum": {"default": {}, "lobes": {"GABOR_LOBES": "6"}},
-    "gabor_lattice_3d": {"default": {}},
+    "gabor_noise_3d": {"default": {}},
     "gabor_materials": {"default": {}},
     "gabor_direction": {"default": {}},
     "gabor_erosion": {"default": {}, "lattice-2": {"GABOR_TAPS": "2"}, "lattice-4": {"GABOR_TAPS": "4"}},
@@ -44,7 +44,7 @@ RECIPES = {
 
 # Invalid values of macros, and the compiler's expected message.
 BAD_MACROS = {
-    "gabor_noise": [
+    "gabor_sparse": [
         ("GABOR_IMPULSES", "0", "GABOR_IMPULSES must be an int *, at least 1"),
         ("GABOR_IMPULSES", "2.0", "'preprocessor evaluation' : bad expression"),
         ("GABOR_PHASES", "3", "GABOR_PHASES must be a power of two *, from 2 to 256"),
@@ -53,13 +53,13 @@ BAD_MACROS = {
         ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
         ("GABOR_WINDOW", "1.0", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
     ],
-    "gabor_lattice": [
+    "gabor_noise": [
         ("GABOR_TAPS", "1", "GABOR_TAPS must be 2 *, 3 or 4"),
         ("GABOR_TAPS", "5", "GABOR_TAPS must be 2 *, 3 or 4"),
         ("GABOR_TAPS", "5.5", "'preprocessor evaluation' : bad expression"),
     ],
     "gabor_spectrum": [("GABOR_LOBES", "0", "GABOR_LOBES must be an int *, at least 1")],
-    "gabor_lattice_3d": [("GABOR_TAPS", "4", "gabor_lattice_3d . glsl needs GABOR_TAPS 3")],
+    "gabor_noise_3d": [("GABOR_TAPS", "4", "gabor_noise_3d . glsl needs GABOR_TAPS 3")],
     "gabor_materials": [("GABOR_TAPS", "4", "gabor_materials . glsl needs GABOR_TAPS 3")],
     "gabor_direction": [("GABOR_TAPS", "4", "gabor_direction . glsl needs GABOR_TAPS 3")],
     "gabor_erosion": [("GABOR_TAPS", "5", "GABOR_TAPS must be 2 *, 3 or 4")],
@@ -145,8 +145,8 @@ class Dialects(unittest.TestCase):
 
     def test_a_missing_include_is_named(self):
         (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
-        for name in ("gabor_spectrum", "gabor_lattice_3d", "gabor_materials", "gabor_erosion", "gabor_direction"):
-            with self.subTest(name), self.assertRaisesRegex(AssertionError, r"Include gabor_lattice . glsl \S*.*before"):
+        for name in ("gabor_spectrum", "gabor_noise_3d", "gabor_materials", "gabor_erosion", "gabor_direction"):
+            with self.subTest(name), self.assertRaisesRegex(AssertionError, r"Include gabor_noise . glsl \S*.*before"):
                 self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
 
     def test_bundles_compile(self):
@@ -163,7 +163,7 @@ class Dialects(unittest.TestCase):
                     self.compile(f"#version {version}\n{text}\n{output} vec4 c;\nvoid main()\n{{\n    {use}\n}}\n", "frag", [])
 
     def test_including_two_base_drop_ins_is_an_error(self):
-        for both in (("gabor_noise", "gabor_lattice"), ("gabor_lattice", "gabor_noise")):
+        for both in (("gabor_sparse", "gabor_noise"), ("gabor_noise", "gabor_sparse")):
             with self.assertRaisesRegex(AssertionError, "not both"):
                 self.compile("#version 450\n" + "".join(map(SOURCES.get, both)) + "void main() {}\n", "frag", [])
 
@@ -213,7 +213,7 @@ class Names(unittest.TestCase):
 
     def test_it_states_its_precision(self):
         guard = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n"
-        for name in ("gabor_lattice", "gabor_noise"):  # all other files are included after one of these
+        for name in ("gabor_noise", "gabor_sparse"):  # all other files are included after one of these
             with self.subTest(name):
                 text = (SHADERS / f"{name}.glsl").read_text()
                 self.assertEqual(text.count(guard), 1)

@@ -37,8 +37,8 @@ class Pages(unittest.TestCase):
         self.assertLessEqual(len(README.split()), 900)
 
     def test_the_code_to_paste_compiles(self):
-        code = re.search(r"(?ms)^```glsl\n(.*?)^```", README)[1].replace('#include "gabor_lattice.glsl"',
-                                                                         (ROOT / "shaders/gabor_lattice.glsl").read_text())
+        code = re.search(r"(?ms)^```glsl\n(.*?)^```", README)[1].replace('#include "gabor_noise.glsl"',
+                                                                         (ROOT / "shaders/gabor_noise.glsl").read_text())
         code = re.sub(r"(?m)^(\w+ \w = .*)", r"    \1", code)
         body = re.search(r"(?ms)^    float n = gabor_noise.*", code)[0]
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:

@@ -70,7 +70,7 @@ class Version(unittest.TestCase):
         naming = [path for folder in ("shaders", "shaders/translations") for path in (ROOT / folder).glob("gabor_*")
                   if "_VERSION" in path.read_text()]
         self.assertGreaterEqual({path.name for path in naming},
-                                {f"gabor_{name}.{ending}" for name in ("lattice", "noise")
+                                {f"gabor_{name}.{ending}" for name in ("noise", "sparse")
                                  for ending in ("glsl", "hlsl", "metal", "wgsl", "gdshaderinc", "hpp")})
         for path in naming:
             self.assertEqual(re.findall(r"(?:#define|const) GABOR_\w*VERSION(?:: u32 =)? (\d+)", path.read_text()),

@@ -22,7 +22,7 @@
 #ifndef GABOR_INGREDIENTS_GLSL
 #define GABOR_INGREDIENTS_GLSL
 
-#include "gabor_noise.glsl" // provides the hash and the sine
+#include "gabor_sparse.glsl" // provides the hash and the sine
 
 // ---- Points --------------------------------------------------------------------------------------------------------
 

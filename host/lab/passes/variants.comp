@@ -16,7 +16,7 @@ layout(constant_id = 8) const float window_y = 0.0;
 layout(constant_id = 9) const float window_z = 0.0;
 
 #define GABOR_WINDOW vec3(window_x, window_y, window_z)
-#include "gabor_noise.glsl"
+#include "gabor_sparse.glsl"
 #include "places.glsl"
 
 float magnitude(uint word) {

@@ -28,7 +28,7 @@ constexpr std::string_view convergence_columns =
 // The Gaussianity and the variance of one noise.
 Row convergence_row(const vulkan::Device& device, const Ingredients& ingredients, const Effort& effort) {
     const std::uint64_t samples = effort.samples;
-    return {fmt::format("{},{}", key(ingredients), samples),
+    return {fmt::format("{},{}", csv_fields(ingredients), samples),
             static_cast<double>(ingredients.impulses) * static_cast<double>(samples),
             [&device, ingredients, samples](std::uint32_t seed) -> Numbers {
                 Noise noise(device, ingredients);
@@ -159,7 +159,7 @@ Tables figure4(const vulkan::Device& device, const Effort& effort) {
                 const Ingredients ingredients{.points = points, .weights = weights, .impulses = n};
                 const std::uint64_t windows = effort.windows;
                 table.rows.push_back(
-                    {fmt::format("{},{}", key(ingredients), windows),
+                    {fmt::format("{},{}", csv_fields(ingredients), windows),
                      256.0 * n * static_cast<double>(windows),
                      [&device, ingredients, windows](std::uint32_t seed) -> Numbers {
                          Noise noise(device, ingredients);

@@ -24,7 +24,7 @@ Table unweighted(const vulkan::Device& device, const Effort& effort) {
                 for (const int n : {1, 2, 4}) {
                     const Ingredients noise{points, weights, Kernel::sine, Envelope::gaussian, n, 0};
                     table.rows.push_back(
-                        {fmt::format("{},{:g},{}", key(noise), frequency, effort.samples),
+                        {fmt::format("{},{:g},{}", csv_fields(noise), frequency, effort.samples),
                          n * (static_cast<double>(effort.samples) + 64 * static_cast<double>(effort.places) +
                               256 * static_cast<double>(effort.windows)),
                          [&device, noise, frequency, effort](std::uint32_t seed) -> Numbers {

@@ -115,7 +115,7 @@ std::string_view name(Envelope envelope) {
     return names[static_cast<std::size_t>(envelope)];
 }
 
-std::string key(const Ingredients& ingredients) {
+std::string csv_fields(const Ingredients& ingredients) {
     return fmt::format("{},{},{},{},{}", name(ingredients.points), name(ingredients.weights),
                        name(ingredients.kernel), name(ingredients.envelope), ingredients.impulses);
 }

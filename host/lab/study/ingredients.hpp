@@ -53,7 +53,7 @@ inline constexpr Ingredients recommended{
     Points::stratified, Weights::bernoulli, Kernel::cosine, Envelope::gaussian, 2, 0};
 
 /// Returns the values of the columns "points,weights,kernel,envelope,N", with which tables begin.
-std::string key(const Ingredients& ingredients);
+std::string csv_fields(const Ingredients& ingredients);
 
 /// The lattice (i / n, i step / n) mod 1: n points in each unit cell, the same in all cells. Its Voronoi
 /// cells are equal hexagons that tile the plane.

@@ -4,7 +4,7 @@
 
 namespace gabor::study {
 
-/// Returns the window of a node of shaders/gabor_lattice.glsl along one axis, x kernel radii from the node:
+/// Returns the window of a node of shaders/gabor_noise.glsl along one axis, x kernel radii from the node:
 /// Hann's, or for two taps c / sqrt(c^2 + (1 - c)^2) with c = (1 - |x|)^2 (1 + 2 |x|). The squared windows of
 /// the two nodes sum to 1.
 double lattice_window(int taps, double x);

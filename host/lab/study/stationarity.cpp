@@ -12,7 +12,7 @@ namespace gabor::study {
 namespace {
 
 Row places_row(const vulkan::Device& device, const Ingredients& ingredients, std::uint64_t instances) {
-    return {fmt::format("{},{}", key(ingredients), instances),
+    return {fmt::format("{},{}", csv_fields(ingredients), instances),
             64.0 * ingredients.impulses * static_cast<double>(instances),
             [&device, ingredients, instances](std::uint32_t seed) -> Numbers {
                 Noise noise(device, ingredients);
@@ -24,7 +24,7 @@ Row places_row(const vulkan::Device& device, const Ingredients& ingredients, std
 }
 
 Row mean_row(const vulkan::Device& device, const Ingredients& ingredients, std::uint64_t instances) {
-    return {fmt::format("{},{},{}", key(ingredients), ingredients.period, instances),
+    return {fmt::format("{},{},{}", csv_fields(ingredients), ingredients.period, instances),
             4096.0 * ingredients.impulses * static_cast<double>(instances),
             [&device, ingredients, instances](std::uint32_t seed) -> Numbers {
                 Noise noise(device, ingredients);

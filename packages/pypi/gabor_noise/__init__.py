@@ -3,7 +3,7 @@
     import numpy as np, gabor_noise
     y, x = np.mgrid[0:512, 0:512] / 32.0                                      # 32 pixels per kernel radius
     n = gabor_noise.noise(x, y, frequency=4.0, orientation=np.pi / 4, seed=7)  # mean 0, variance 1, float32
-    wgsl = gabor_noise.source("lattice", "wgsl")                              # for wgpu, moderngl, vispy
+    wgsl = gabor_noise.source("noise", "wgsl")                              # for wgpu, moderngl, vispy
 
 Positions are in kernel radii and broadcast against each other; except in noise_3d, values are as precise far from the origin
 as near it. A frequency is in cycles per kernel radius, an orientation in radians from +x towards +y; both may be arrays with
@@ -118,12 +118,12 @@ def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *,
     period: as in `noise`.
     """
     shape, flat, waves = _points(x, y, also=(wave_x, wave_y))
-    return _with_channels(_native.stripes(*flat, *waves, *_periods(period), float(sharpness), seed & 0xFFFFFFFF), shape)
+    return _with_channels(_native.stripes(*flat, *waves, *_periods(period), float(uniformity), seed & 0xFFFFFFFF), shape)
 
 
 def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, seed: int = 0, period: float | None = None,
             octaves: int = 5, frequency: float = 1.5, strength: float = 0.12, lacunarity: float = 2.0, gain: float = 0.5,
-            onset: float = 0.5, detail: float = 1.5, sharpness: float = 2.0, ridge_rounding: float = 0.1,
+            onset: float = 0.5, detail: float = 1.5, uniformity: float = 2.0, ridge_rounding: float = 0.1,
             crease_rounding: float = 0.1, gully_weight: float = 0.5, branching: float = 1.0) -> NDArray[np.float32]:
     """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in the unit of x and y;
     ridge ranges from -1 in valleys to 1 on ridges.
@@ -139,7 +139,7 @@ def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, seed: 
     if base is not None and len(given) != 4:
         raise ValueError(f"base has {len(given)} values along its last axis: expected height, d/dx, d/dy, ridge")
     shape, flat, given = _points(x, y, also=given)
-    options = [float(octaves), frequency, strength, lacunarity, gain, onset, detail, sharpness, ridge_rounding, crease_rounding,
+    options = [float(octaves), frequency, strength, lacunarity, gain, onset, detail, uniformity, ridge_rounding, crease_rounding,
                gully_weight, branching]
     return _with_channels(_native.terrain(*flat, given, options, period or 0.0, seed & 0xFFFFFFFF), shape)
 
@@ -147,10 +147,10 @@ def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, seed: 
 _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "godot": "gdshaderinc", "cpp": "hpp"}
 
 
-def source(name: str = "lattice", language: Literal["glsl", "hlsl", "metal", "wgsl", "godot", "cpp"] = "glsl") -> str:
-    """Return the text of a drop-in: name is "lattice", "spectrum", "materials", "lattice_3d", "erosion" or "noise".
+def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl", "godot", "cpp"] = "glsl") -> str:
+    """Return the text of a drop-in: name is "noise", "spectrum", "materials", "noise_3d", "erosion", "direction" or "sparse".
 
-    Paste all but "noise" after "lattice", and "materials" and "lattice_3d" after "spectrum" too.
+    Paste all but "sparse" after "noise", and "materials" and "noise_3d" after "spectrum" too.
     """
     folder = importlib.resources.files(__name__) / "source"
     if language not in _ENDINGS:

@@ -1,5 +1,5 @@
 #define_import_path gabor_noise::direction
-#import gabor_noise::lattice::{GaborPlace, GaborField, gabor_impl_salt, gabor_impl_product, gabor_impl_wave, gabor_impl_wrap, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at}
+#import gabor_noise::noise::{GaborPlace, GaborField, gabor_impl_salt, gabor_impl_product, gabor_impl_wave, gabor_impl_wrap, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at}
 
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel: for WGSL.
@@ -17,7 +17,7 @@
 // within a kernel radius.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
-// gabor_lattice.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
+// gabor_noise.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
 // 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
@@ -140,7 +140,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
 // Private implementation
 // ====================================================================================================================
 //
-// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_lattice.wgsl,
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_noise.wgsl,
 //
 //     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
 //

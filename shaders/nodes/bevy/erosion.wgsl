@@ -1,5 +1,5 @@
 #define_import_path gabor_noise::erosion
-#import gabor_noise::lattice::{gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_place, gabor_field, gabor_impl_salt, gabor_impl_line_word, gabor_impl_wave, gabor_impl_wrap, gabor_impl_next_node}
+#import gabor_noise::noise::{gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_place, gabor_field, gabor_impl_salt, gabor_impl_line_word, gabor_impl_wave, gabor_impl_wrap, gabor_impl_next_node}
 
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for WGSL.
 //
@@ -28,7 +28,7 @@ struct GaborErosion {
     gain: f32,
     onset: f32,
     detail: f32,
-    sharpness: f32,
+    uniformity: f32,
     ridge_rounding: f32,
     crease_rounding: f32,
     gully_weight: f32,
@@ -58,28 +58,28 @@ fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u
 // The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
 // and dFdy(p).
 fn gabor_terrain_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e9 = gabor_terrain_at(GaborGround(vec2(0i), p, vec2(0f)), dx, dy, seed);
+    let _e9 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), dx, dy, seed);
     return _e9;
 }
 
 fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e11 = gabor_eroded_at(GaborGround(vec2(0i), p, vec2(0f)), dx, dy, base, erosion, seed);
+    let _e11 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), dx, dy, base, erosion, seed);
     return _e11;
 }
 
 // The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
 // the hills.
 fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e10 = gabor_terrain_at(GaborGround(vec2(0i), p, period), vec2(0f), vec2(0f), seed);
+    let _e10 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, period), vec2(0f), vec2(0f), seed);
     return _e10;
 }
 
 fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e12 = gabor_eroded_at(GaborGround(vec2(0i), p, period), vec2(0f), vec2(0f), base, erosion, seed);
+    let _e12 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, period), vec2(0f), vec2(0f), base, erosion, seed);
     return _e12;
 }
 
-struct GaborGround {
+struct GaborTerrainPlace {
     cell: vec2<i32>,
     local: vec2<f32>,
     period: vec2<f32>,
@@ -87,7 +87,7 @@ struct GaborGround {
 
 // The same with a period, a filter (unless dx and dy are vec2(0.0)), or both. Without a period, the result is
 // precise at any distance from the origin.
-fn gabor_terrain_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
+fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     var place_8: GaborPlace;
     var zero_1: vec2<f32>;
     var x_5: vec4<f32>;
@@ -207,7 +207,7 @@ fn gabor_terrain_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, seed: u32
     return GaborTerrain((0.33f * _e231), _e233, (_e234 * inverseSqrt((1f + (_e236 * _e237)))));
 }
 
-fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
+fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     var terrain: GaborTerrain;
     var gully: GaborTerrain;
     var steer: vec2<f32>;
@@ -271,7 +271,7 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
                     let _e110 = i;
                     let _e111 = gabor_lobe_seed(seed, _e110);
                     let _e112 = gabor_field(_e107, GaborKernel(_e108), _e111);
-                    z_1 = (erosion.sharpness * _e112.value);
+                    z_1 = (erosion.uniformity * _e112.value);
                     let _e115 = z_1;
                     let _e116 = kept_1;
                     let _e118 = z_1;
@@ -348,7 +348,7 @@ fn gabor_eroded_at(ground: GaborGround, dx: vec2<f32>, dy: vec2<f32>, base: Gabo
 // The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
 // that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
 // p, so that wave vectors and derivatives are per unit of p.
-fn gabor_impl_ground(ground: GaborGround, nodes: f32) -> GaborPlace {
+fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
     var rounded: u32;
     var place_7: GaborPlace;
     var low: vec2<u32>;

@@ -1,5 +1,5 @@
 #define_import_path gabor_noise::materials
-#import gabor_noise::lattice::{gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_kernel, gabor_place, gabor_place_tiled, gabor_field, gabor_impl_product, gabor_impl_wave}
+#import gabor_noise::noise::{gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_kernel, gabor_place, gabor_place_tiled, gabor_field, gabor_impl_product, gabor_impl_wave}
 #import gabor_noise::spectrum::{GaborFootprint, gabor_footprint, gabor_field_filtered, gabor_impl_ends, gabor_impl_phase_of}
 
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.

@@ -1,16 +1,16 @@
-#define_import_path gabor_noise::solid
-#import gabor_noise::lattice::{gabor_lobe_seed, gabor_impl_salt, gabor_impl_product, gabor_impl_add, gabor_impl_half_turn, gabor_impl_wave, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at, gabor_impl_sum}
+#define_import_path gabor_noise::noise_3d
+#import gabor_noise::noise::{gabor_lobe_seed, gabor_impl_salt, gabor_impl_product, gabor_impl_add, gabor_impl_half_turn, gabor_impl_wave, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at, gabor_impl_sum}
 #import gabor_noise::spectrum::{gabor_impl_takeover, gabor_impl_mean_angle, gabor_impl_filter, GaborMatrix, gabor_impl_symmetric_3d, gabor_impl_slice_word, gabor_impl_filtered_space, gabor_impl_row}
 
-// gabor_lattice_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// gabor_noise_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point: for WGSL.
 //
-// Generated from shaders/gabor_lattice_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Generated from shaders/gabor_noise_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
-// Arguments of all functions, besides those of gabor_lattice.wgsl:
+// Arguments of all functions, besides those of gabor_noise.wgsl:
 //     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
 //                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
@@ -122,7 +122,7 @@ fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency
 // together, follow mixtures of normal distributions.
 fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
+    let _e11 = gabor_field_3d_isotropic(_e10, frequency, seed);
     return _e11.noise;
 }
 
@@ -131,7 +131,7 @@ fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) ->
     var field_18: GaborField3d;
 
     let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e11 = gabor_isotropic_3d(_e10, frequency, seed);
+    let _e11 = gabor_field_3d_isotropic(_e10, frequency, seed);
     field_18 = _e11;
     let _e13 = field_18;
     let _e15 = field_18;
@@ -145,7 +145,7 @@ fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>,
     var field_19: GaborField3d;
 
     let _e5 = gabor_impl_place_of_pixel(p, dx, dy);
-    let _e6 = gabor_isotropic_3d(_e5, frequency, seed);
+    let _e6 = gabor_field_3d_isotropic(_e5, frequency, seed);
     field_19 = _e6;
     let _e8 = field_19;
     let _e10 = field_19;
@@ -157,7 +157,7 @@ fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>,
 // to the given one, takes over; in between, both are computed. On a curved surface, waves bend within each kernel.
 fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e13 = gabor_surface_3d(_e12, normal, frequency, direction, seed);
+    let _e13 = gabor_field_surface(_e12, normal, frequency, direction, seed);
     return _e13.noise;
 }
 
@@ -166,7 +166,7 @@ fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, directio
 // have the distributions of gabor_noise_3d_isotropic.
 fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
     let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_surface_isotropic_3d(_e11, normal, frequency, seed);
+    let _e12 = gabor_field_surface_isotropic(_e11, normal, frequency, seed);
     return _e12.noise;
 }
 
@@ -292,12 +292,12 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
     return _e143;
 }
 
-fn gabor_isotropic_3d(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
+fn gabor_field_3d_isotropic(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
     let _e13 = gabor_impl_isotropic(place, frequency, GaborTangents(false, vec3<f32>(1f, 0f, 0f), vec3<f32>(0f, 1f, 0f)), seed);
     return _e13;
 }
 
-fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
+fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
     var direction_3: vec3<f32>;
     var local_35: vec3<f32>;
@@ -391,7 +391,7 @@ fn gabor_surface_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, dire
     return _e105;
 }
 
-fn gabor_surface_isotropic_3d(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
+fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
     var normal_3: vec3<f32>;
     var aside: f32;
     var sum_26: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);

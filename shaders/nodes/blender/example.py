@@ -1,4 +1,4 @@
-"""Draws brushed metal, stripes and sand to example.png, with gabor_lattice.osl in a Script node. Run it with
+"""Draws brushed metal, stripes and sand to example.png, with gabor_noise.osl in a Script node. Run it with
 blender --background --python example.py, or in Python with the module bpy."""
 
 import math
@@ -12,7 +12,7 @@ sys.path[:0] = map(str, pathlib.Path(bpy.utils.resource_path("LOCAL")).glob("pyt
 import cycles.osl
 
 HERE = pathlib.Path(__file__).resolve().parent
-SHADER = HERE.parent / "osl" / "gabor_lattice.osl"
+SHADER = HERE.parent / "osl" / "gabor_noise.osl"
 
 
 def noise(tree, coordinates, **inputs):

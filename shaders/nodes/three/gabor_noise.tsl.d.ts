@@ -1,4 +1,4 @@
-// Types of gabor_lattice.tsl.js. Positions are in kernel radii, frequencies in cycles per kernel radius, orientations in
+// Types of gabor_noise.tsl.js. Positions are in kernel radii, frequencies in cycles per kernel radius, orientations in
 // radians from x towards y. Noise has mean 0 and variance 1; each seed gives an independent noise.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT

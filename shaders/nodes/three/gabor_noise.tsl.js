@@ -1,8 +1,8 @@
-// gabor_lattice.tsl.js: the noise of gabor_lattice.glsl, with GABOR_TAPS 3, as three.js nodes for WebGPU and WebGL 2.
+// gabor_noise.tsl.js: the noise of gabor_noise.glsl, with GABOR_TAPS 3, as three.js nodes for WebGPU and WebGL 2.
 //
 //     material.colorNode = vec3(gabor_unorm(gabor_noise(uv().mul(8), 4, 0.7854, uint(7))));
 //
-// Arguments are nodes or numbers; gabor_lattice.tsl.d.ts has their types and units. tools/translate copies the functions
+// Arguments are nodes or numbers; gabor_noise.tsl.d.ts has their types and units. tools/translate copies the functions
 // between the marks from the GLSL.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
@@ -10,7 +10,7 @@
 import { Fn, abs, clamp, cross, dFdx, dFdy, dot, exp, float, floor, int, ivec2, length, max, min, normalView, normalize,
          positionView, select, sign, uint, vec2, vec3, vec4 } from "three/tsl";
 
-// ---- From gabor_lattice.glsl ----
+// ---- From gabor_noise.glsl ----
 
 const ROWS = 0x5bd1e995;
 const SLICES = 0x27d4eb2f;

@@ -10,7 +10,7 @@
 #ifndef GABOR_NOISE_NODE_HLSL
 #define GABOR_NOISE_NODE_HLSL
 
-#include "gabor_lattice.hlsl"
+#include "gabor_noise.hlsl"
 
 void GaborNoise_float(float2 Place, float Frequency, float Orientation, float Seed, out float Noise, out float Quadrature)
 {

@@ -1,6 +1,6 @@
-// gabor_lattice.hlsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for HLSL, shader model 5.0 and up.
+// gabor_noise.hlsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for HLSL, shader model 5.0 and up.
 //
-// Generated from shaders/gabor_lattice.glsl by tools/translate: change that file, not this one.
+// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -24,11 +24,11 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifdef GABOR_NOISE_HLSL
-#error Include gabor_noise.hlsl or gabor_lattice.hlsl, not both: they define the same functions
+#ifdef GABOR_SPARSE_HLSL
+#error Include gabor_sparse.hlsl or gabor_noise.hlsl, not both: they define the same functions
 #endif
-#ifndef GABOR_LATTICE_HLSL
-#define GABOR_LATTICE_HLSL
+#ifndef GABOR_NOISE_HLSL
+#define GABOR_NOISE_HLSL
 #define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
@@ -494,4 +494,4 @@ float gabor_unorm(float noise) {
     return clamp(0.5 + 0.25 * noise, 0.0, 1.0);
 }
 
-#endif // GABOR_LATTICE_HLSL
+#endif // GABOR_NOISE_HLSL

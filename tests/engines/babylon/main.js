@@ -1,5 +1,5 @@
-// The page's address can name another drop-in and macros: ?drop_in=gabor_noise&GABOR_IMPULSES=2
-const { drop_in = "gabor_lattice", ...macros } = Object.fromEntries(new URLSearchParams(location.search));
+// The page's address can name another drop-in and macros: ?drop_in=gabor_sparse&GABOR_IMPULSES=2
+const { drop_in = "gabor_noise", ...macros } = Object.fromEntries(new URLSearchParams(location.search));
 const noise = Object.entries(macros).map(([name, value]) => `#define ${name} ${value}\n`).join("")
     + await (await fetch(`./node_modules/gabor-noise/shaders/${drop_in}.glsl`)).text();
 

@@ -17,10 +17,10 @@ sys.path.append(str(HERE.parent))
 from functions import CALLS, on_vulkan  # noqa: E402
 
 MODULES = [ROOT / "shaders" / "nodes" / "bevy" / f"{name}.wgsl"  # each after those that it imports
-           for name in ("lattice", "spectrum", "solid", "materials", "erosion", "direction")]
-SCENE = """#import gabor_noise::lattice::{gabor_kernel, gabor_noise, gabor_noise_animated, gabor_noise_complex, gabor_noise_four,
+           for name in ("noise", "spectrum", "noise_3d", "materials", "erosion", "direction")]
+SCENE = """#import gabor_noise::noise::{gabor_kernel, gabor_noise, gabor_noise_animated, gabor_noise_complex, gabor_noise_four,
     gabor_noise_gradient, gabor_noise_tiled, gabor_stripes}
-#import gabor_noise::solid::gabor_noise_3d_gradient
+#import gabor_noise::noise_3d::gabor_noise_3d_gradient
 #import gabor_noise::materials::gabor_brushed_metal
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 @compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {

@@ -77,7 +77,7 @@ func compute() -> PackedFloat32Array:
 	var device := RenderingServer.create_local_rendering_device()
 	var source := RDShaderSource.new()
 	source.source_compute = FileAccess.get_file_as_string("res://noise.comp") \
-		.replace('#include "gabor_lattice.glsl"', FileAccess.get_file_as_string("res://gabor_lattice.glsl"))
+		.replace('#include "gabor_noise.glsl"', FileAccess.get_file_as_string("res://gabor_noise.glsl"))
 	var spirv := device.shader_compile_spirv_from_source(source)
 	var shader := device.shader_create_from_spirv(spirv)
 	var size := 4 * 256 * 257

@@ -1,6 +1,6 @@
 #version 450
 
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 
 layout(local_size_x = 8) in;
 layout(std430, set = 0, binding = 0) writeonly buffer Values { float values[]; };

@@ -23,7 +23,7 @@ with tempfile.TemporaryDirectory(prefix="gabor-", dir=root / "tmp") as folder:
         shutil.copy(drop_in, project / "noise.gdshader")
     else:
         for path in (SHADERS / f"{drop_in}.glsl", SHADERS / "translations" / f"{drop_in}.gdshaderinc"):
-            (project / f"gabor_lattice{path.suffix}").write_text(defines + path.read_text())
+            (project / f"gabor_noise{path.suffix}").write_text(defines + path.read_text())
     result = subprocess.run(
         ["chroot", root, "xvfb-run", "-a", "godot", "--path", f"/{project.relative_to(root)}", "--audio-driver",
          "Dummy", "--rendering-method", method, "--rendering-driver", driver, "--", "values.raw", kind],

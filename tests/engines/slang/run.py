@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.append(str(ROOT / "tests" / "engines"))
 from functions import CALLS, on_vulkan  # noqa: E402
 
-SCENE = """import gabor_lattice;
+SCENE = """import gabor_noise;
 [[vk::binding(0)]] RWStructuredBuffer<float> values;
 [shader("compute")][numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
 {
@@ -27,7 +27,7 @@ FUNCTIONS = {name: call.replace("vec", "float") for name, call in CALLS.items()}
 def drawn(value, folder):
     source, spirv, values = (folder / name for name in ("scene.slang", "scene.spv", "values.raw"))
     source.write_text(SCENE.replace("VALUE", value))
-    (folder / "gabor_lattice.slang").write_text((ROOT / "shaders/nodes/slang/gabor_lattice.slang").read_text())
+    (folder / "gabor_noise.slang").write_text((ROOT / "shaders/nodes/slang/gabor_noise.slang").read_text())
     subprocess.run([sys.executable, "-B", ROOT / "tests/dialects/slangc.py", source, "main", "compute", spirv], check=True)
     return on_vulkan(spirv, values)
 

@@ -3,7 +3,7 @@ import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const drop_in = async name => (await fetch(`./node_modules/gabor-noise/shaders/${name}.glsl`)).text();
-const drop_ins = await drop_in("gabor_lattice") + await drop_in("gabor_erosion");
+const drop_ins = await drop_in("gabor_noise") + await drop_in("gabor_erosion");
 
 const material = new THREE.MeshStandardMaterial({ roughness: 1 });
 material.onBeforeCompile = shader => {

@@ -1,4 +1,4 @@
-// Returns one float at p for each function of gabor_lattice.tsl.js, like FUNCTIONS in tests/engines/reference.py.
+// Returns one float at p for each function of gabor_noise.tsl.js, like FUNCTIONS in tests/engines/reference.py.
 export const functions = (gabor, { float, vec2, vec3 }, p) => {
     const [frequency, orientation, seed] = [4, 0.7854, 7];
     const gradient = gabor.gabor_noise_gradient(p, frequency, orientation, seed).toVar();

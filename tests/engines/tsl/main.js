@@ -1,6 +1,6 @@
 import * as THREE from "three/webgpu";
 import * as tsl from "three/tsl";
-import * as gabor from "../../../shaders/nodes/three/gabor_lattice.tsl.js";
+import * as gabor from "../../../shaders/nodes/three/gabor_noise.tsl.js";
 import { functions } from "./functions.mjs";
 
 const { screenCoordinate, uv, vec3, vec4 } = tsl;

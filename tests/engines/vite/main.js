@@ -1,10 +1,10 @@
-import lattice from "./lattice.frag";
 import noise from "./noise.frag";
+import sparse from "./sparse.frag";
 
-// The page's address can name the other drop-in, a header and macros: ?drop_in=gabor_noise&GABOR_IMPULSES=2
-const { drop_in = "gabor_lattice", header = "precision highp float;", ...macros } = Object.fromEntries(new URLSearchParams(location.search));
+// The page's address can name the other drop-in, a header and macros: ?drop_in=gabor_sparse&GABOR_IMPULSES=2
+const { drop_in = "gabor_noise", header = "precision highp float;", ...macros } = Object.fromEntries(new URLSearchParams(location.search));
 const before = header + "\n" + Object.entries(macros).map(([name, value]) => `#define ${name} ${value}\n`).join("");
-const fragment = { gabor_lattice: lattice, gabor_noise: noise }[drop_in].replace("300 es\n", `$&${before}`);
+const fragment = { gabor_noise: noise, gabor_sparse: sparse }[drop_in].replace("300 es\n", `$&${before}`);
 
 const vertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;

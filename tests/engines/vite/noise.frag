@@ -1,3 +1,3 @@
 #version 300 es
-#include "node_modules/gabor-noise/shaders/gabor_lattice.glsl"
+#include "node_modules/gabor-noise/shaders/gabor_noise.glsl"
 #include "scene.glsl"

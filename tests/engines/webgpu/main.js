@@ -1,5 +1,5 @@
-// The page's address can name another drop-in and constants: ?drop_in=gabor_lattice&GABOR_TAPS=4
-const { drop_in = "gabor_lattice", ...constants } = Object.fromEntries(new URLSearchParams(location.search));
+// The page's address can name another drop-in and constants: ?drop_in=gabor_noise&GABOR_TAPS=4
+const { drop_in = "gabor_noise", ...constants } = Object.fromEntries(new URLSearchParams(location.search));
 const noise = await (await fetch(`../../../shaders/translations/${drop_in}.wgsl`)).text();
 
 async function draw() {

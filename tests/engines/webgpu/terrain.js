@@ -1,6 +1,6 @@
 // Draws a grid of triangles whose vertices gabor_eroded lifts.
 const drop_in = async name => (await fetch(`../../../shaders/translations/${name}.wgsl`)).text();
-const code = await drop_in("gabor_lattice") + await drop_in("gabor_erosion") + `
+const code = await drop_in("gabor_noise") + await drop_in("gabor_erosion") + `
 const side = 512u; // squares along each side
 const spacing = 8.0 / f32(side);
 

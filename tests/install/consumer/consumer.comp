@@ -2,9 +2,9 @@
 #extension GL_GOOGLE_include_directive : require
 
 #ifdef LATTICE
-#include "gabor_lattice.glsl"
-#else
 #include "gabor_noise.glsl"
+#else
+#include "gabor_sparse.glsl"
 #endif
 
 layout(local_size_x = 8) in;

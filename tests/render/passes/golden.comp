@@ -6,21 +6,21 @@
 // others are compared with C++.
 
 #include "../../golden/sets.h"
-#if defined GOLDEN_NOISE
-#include "gabor_noise.glsl"
+#if defined GOLDEN_SPARSE
+#include "gabor_sparse.glsl"
 #else
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 #endif
 #if defined GOLDEN_EROSION
 #include "gabor_erosion.glsl"
 #elif defined GOLDEN_DIRECTION
 #define GABOR_DIRECTION(p) (0.3 * (p))
 #include "gabor_direction.glsl"
-#elif !defined GOLDEN_NOISE && !defined GOLDEN_LATTICE
+#elif !defined GOLDEN_SPARSE && !defined GOLDEN_NOISE
 #include "gabor_spectrum.glsl"
 #endif
-#if defined GOLDEN_LATTICE_3D
-#include "gabor_lattice_3d.glsl"
+#if defined GOLDEN_NOISE_3D
+#include "gabor_noise_3d.glsl"
 #endif
 
 layout(local_size_x = 64) in;

@@ -3,7 +3,7 @@
 
 // Erodes hills with the drop-in or with the filter that uses random splats.
 
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 #include "gabor_erosion.glsl"
 #include "splat_erosion.glsl"
 #include "bench.glsl"

@@ -3,9 +3,9 @@
 
 // Calls the functions of the 3D drop-in, as users do.
 
-#include "gabor_lattice.glsl"
+#include "gabor_noise.glsl"
 #include "gabor_spectrum.glsl"
-#include "gabor_lattice_3d.glsl"
+#include "gabor_noise_3d.glsl"
 #include "bench.glsl"
 
 layout(constant_id = option_id) const int function = 0; // numbered as in host/lab/bench/subjects.cpp

@@ -54,7 +54,7 @@ GaborTerrain gabor_splat_eroded(vec2 p, GaborTerrain base, GaborErosion erosion,
         mask *= full * full;
         vec2 across = vec2(-steer.y, steer.x) / steep;
         float cells = frequency / 0.9; // a window has as many waves as in gabor_eroded
-        vec2 z = gabor_splat_stripes(p * cells, 0.9 * across, erosion.sharpness, seed + uint(i) * 0x9e3779b9u);
+        vec2 z = gabor_splat_stripes(p * cells, 0.9 * across, erosion.uniformity, seed + uint(i) * 0x9e3779b9u);
         gully = mix(gully, erosion.gully_weight * z.x, mask);
         gully_slope = mix(gully_slope, -6.2831853 * frequency * erosion.gully_weight * z.y * across, mask);
         terrain.ridge = mix(terrain.ridge, z.x, mask);

@@ -1,6 +1,6 @@
 # Adds Gabor noise, as a group of Blender's own nodes, to the shader editor: Add > Texture > Gabor Noise (Normalized).
 #
-# It computes the same sum as gabor_lattice.glsl with three taps, so its values have the same distribution. But shader
+# It computes the same sum as gabor_noise.glsl with three taps, so its values have the same distribution. But shader
 # nodes have no integers to hash, so White Noise nodes supply other amplitudes.
 #
 # Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT

@@ -1,5 +1,5 @@
 // Stripes that follow a vortex. The direction map is read at the nine nodes around a pixel, so stripes stay whole everywhere.
-#import gabor_noise::lattice::{gabor_place, gabor_stripes_of}
+#import gabor_noise::noise::{gabor_place, gabor_stripes_of}
 #import gabor_noise::direction::{GaborWaves, gabor_field_waves, gabor_node_position}
 
 @group(0) @binding(0) var<storage, read_write> pixels: array<u32>;

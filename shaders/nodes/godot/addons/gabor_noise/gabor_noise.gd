@@ -42,7 +42,7 @@ func _get_output_port_type(_port: int) -> PortType:
 	return PORT_TYPE_SCALAR
 
 func _get_global_code(_mode: Shader.Mode) -> String:
-	return '#include "res://addons/gabor_noise/gabor_lattice.gdshaderinc"'
+	return '#include "res://addons/gabor_noise/gabor_noise.gdshaderinc"'
 
 func _get_code(inputs: Array[String], outputs: Array[String], mode: Shader.Mode, _type: VisualShader.Type) -> String:
 	if inputs[0].is_empty(): # the place is not connected; skies, fog and particles have no UV

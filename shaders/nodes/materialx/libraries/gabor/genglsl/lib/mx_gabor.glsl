@@ -1,10 +1,10 @@
-// Gabor noise from gabor_lattice.glsl without its structs: for GLSL, ESSL, Vulkan, WGSL, MSL and Slang. tools/translate copies
+// Gabor noise from gabor_noise.glsl without its structs: for GLSL, ESSL, Vulkan, WGSL, MSL and Slang. tools/translate copies
 // the functions between the marks from the drop-in, and generates ../genosl and ../genmdl from this file. As OSL requires,
 // vectors are read and built one component at a time.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// ---- From gabor_lattice.glsl ----
+// ---- From gabor_noise.glsl ----
 
 #define MX_GABOR_ROWS 0x5bd1e995u
 #define MX_GABOR_SLICES 0x27d4eb2fu

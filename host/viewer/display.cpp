@@ -1,4 +1,4 @@
-#include "viewer/show.hpp"
+#include "viewer/display.hpp"
 
 #include "noise/spectrum.hpp"
 #include "render/file.hpp"
@@ -11,13 +11,13 @@
 #include <cstdint>
 #include <numbers>
 
-#include "show_comp.h"
+#include "display_comp.h"
 
 namespace gabor::viewer {
 
 namespace {
 
-// Values of output_shown in shaders/viewer/show.glsl that follow those of the enum Output: a picture in
+// Values of output_shown in shaders/viewer/display.glsl that follow those of the enum Output: a picture in
 // colour, and the first Look of a material.
 constexpr std::int32_t coloured = 8;
 constexpr std::int32_t first_look = 9;
@@ -43,8 +43,8 @@ std::string_view companion(Output output) {
 
 } // namespace
 
-ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
-                             bool tiles, bool unlit) {
+DisplayConstants display_constants(const Document& document, std::span<const std::string> channels,
+                                   bool coarse, bool tiles, bool unlit) {
     const auto find = [&](std::string_view name) {
         const auto found = std::ranges::find(channels, name);
         return found == channels.end() ? -1 : static_cast<std::int32_t>(found - channels.begin());
@@ -70,12 +70,12 @@ ShowConstants show_constants(const Document& document, std::span<const std::stri
             document.request.environment};
 }
 
-ShowConstants colours_constants() {
+DisplayConstants colours_constants() {
     return {coloured, 0, 3, 0, -1, -1, 1, 0, 0, 0, 0};
 }
 
-passes::ShowPush show_push(const Document& document, double stride, double zoom) {
-    passes::ShowPush push{};
+passes::DisplayPush display_push(const Document& document, double stride, double zoom) {
+    passes::DisplayPush push{};
     push.stride = 1;
     push.contrast = document.contrast;
     const auto [right, down] = render::light_direction(document.request);
@@ -158,10 +158,10 @@ bool shows_plainly(const Document& document) {
 
 FileColours::FileColours(const vulkan::Device& device, const Document& document,
                          std::span<const std::string> channels, bool unlit)
-    : device_(device), pass_(device, show_comp_spirv, {2, sizeof(passes::ShowPush)},
-                             std::bit_cast<std::array<std::uint32_t, std::tuple_size_v<ShowConstants>>>(
-                                 show_constants(document, channels, false, false, unlit))),
-      push_(show_push(document, 1, 1)), channels_(channels.size()),
+    : device_(device), pass_(device, display_comp_spirv, {2, sizeof(passes::DisplayPush)},
+                             std::bit_cast<std::array<std::uint32_t, std::tuple_size_v<DisplayConstants>>>(
+                                 display_constants(document, channels, false, false, unlit))),
+      push_(display_push(document, 1, 1)), channels_(channels.size()),
       values_(device, 4, vulkan::Memory::upload), colours_(device, 4, vulkan::Memory::readback) {
     push_.grid = {document.request.width, document.request.height};
     push_.size = {static_cast<float>(push_.grid.x), static_cast<float>(push_.grid.y)};
@@ -180,7 +180,8 @@ std::span<const float> FileColours::of(std::span<const float> values) {
     last_row_.assign(values.end() - static_cast<std::ptrdiff_t>(row), values.end());
     push_.count = static_cast<int>(pixels);
     vulkan::Job job(device_, pass_, {values_, colours_});
-    job.submit(push_, {(static_cast<std::uint32_t>(pixels) + passes::show_group - 1) / passes::show_group});
+    job.submit(push_,
+               {(static_cast<std::uint32_t>(pixels) + passes::display_group - 1) / passes::display_group});
     job.wait();
     push_.first_row = (push_.first_row + push_.count / push_.grid.x) % push_.grid.y; // 0 starts a new picture
     return colours_.as<float>().first(3 * pixels);

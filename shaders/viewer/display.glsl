@@ -1,6 +1,6 @@
 // Turns the channels of a picture into colours, for the window and for files.
 
-#include "viewer/show_interface.h"
+#include "viewer/display_interface.h"
 #include "viewer/colours.glsl"
 
 // These are specialization constants because CPU drivers run every branch. The outputs are 0 value, 1 gradient, 2 phase,

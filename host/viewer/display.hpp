@@ -4,7 +4,7 @@
 #include "viewer/extent.hpp"
 #include "vulkan/pass.hpp"
 
-#include "viewer/show_interface.h"
+#include "viewer/display_interface.h"
 
 #include <array>
 #include <span>
@@ -13,21 +13,21 @@
 
 namespace gabor::viewer {
 
-/// The specialization constants of shaders/viewer/show.glsl.
-using ShowConstants = std::array<std::int32_t, 11>;
+/// The specialization constants of shaders/viewer/display.glsl.
+using DisplayConstants = std::array<std::int32_t, 11>;
 
 /// `channels` are those of the values, as in render::channels. If the output's channels are missing, the
 /// value is shown. `coarse`: values are further apart than pixels. `tiles`: repeat the values two by two.
 /// `unlit`: show the normals instead of the lit surface.
-ShowConstants show_constants(const Document& document, std::span<const std::string> channels, bool coarse,
-                             bool tiles = false, bool unlit = false);
+DisplayConstants display_constants(const Document& document, std::span<const std::string> channels,
+                                   bool coarse, bool tiles = false, bool unlit = false);
 
 /// Constants that show red, green and blue unchanged.
-ShowConstants colours_constants();
+DisplayConstants colours_constants();
 
 /// The push constants that depend on the document. `stride` is in pixels of the view per value, `zoom` in
 /// pixels of the view per pixel of the picture.
-passes::ShowPush show_push(const Document& document, double stride, double zoom);
+passes::DisplayPush display_push(const Document& document, double stride, double zoom);
 
 /// The standard deviation of a derivative per kernel radius, averaged over directions.
 double slope_deviation(const render::Request& request);
@@ -42,10 +42,10 @@ bool shows_plainly(const Document& document);
 std::string reading(const Document& document, std::array<double, 2> from_middle,
                     std::span<const std::string> channels, std::span<const float> values);
 
-/// Colours the pixels of a file as the window does, with shaders/viewer/show.comp.
+/// Colours the pixels of a file as the window does, with shaders/viewer/display.comp.
 class FileColours {
   public:
-    /// `channels` are those of the file's pixels. `unlit` is as for show_constants.
+    /// `channels` are those of the file's pixels. `unlit` is as for display_constants.
     FileColours(const vulkan::Device& device, const Document& document, std::span<const std::string> channels,
                 bool unlit = false);
 
@@ -55,7 +55,7 @@ class FileColours {
   private:
     const vulkan::Device& device_;
     vulkan::Pass pass_;
-    passes::ShowPush push_;
+    passes::DisplayPush push_;
     std::size_t channels_;
     std::vector<float> last_row_; ///< last row of the previous band
     vulkan::Buffer values_;

@@ -1,4 +1,4 @@
-#include "fit/atoms.hpp"
+#include "fit/axis_spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ double correlation_slope(double t) {
 
 // Returns the autocovariance of samples, multiplied by their spacing, at lags of 0 ... count - 1 spacings.
 // `pixels` is the autocovariance C(0), C(1) ... of the pixels, with C(-t) = C(t)*.
-Complexes sampled(const Scale& scale, const Complexes& pixels, Eigen::Index count) {
+Complexes sampled(const SpectrumScale& scale, const Complexes& pixels, Eigen::Index count) {
     if (scale.spacing == 1)
         return pixels.head(count);
     const Eigen::Index reach = scale.averaging.size() - 1;
@@ -33,7 +33,7 @@ Complexes sampled(const Scale& scale, const Complexes& pixels, Eigen::Index coun
     return result * scale.spacing;
 }
 
-const Eigen::ArrayXd& lag_window(const Scale& scale, int axis) {
+const Eigen::ArrayXd& lag_window(const SpectrumScale& scale, int axis) {
     return scale.lag_window[static_cast<std::size_t>(axis)];
 }
 
@@ -43,7 +43,7 @@ struct Lags {
     Eigen::ArrayXd pixels; ///< the lags 0, 1 ... between pixels
     Complexes wave;        ///< the wave at these lags
 
-    Lags(const Scale& scale, double frequency, double radius) {
+    Lags(const SpectrumScale& scale, double frequency, double radius) {
         const Eigen::Index reach = scale.averaging.size() - 1;
         const auto size = std::min(static_cast<Eigen::Index>(2 * radius) + 1,
                                    Eigen::Index{scale.window - 1} * scale.spacing + reach + 1);
@@ -66,7 +66,8 @@ double kernel_correlation(double t) {
     return ((2 - u) * (1 + std::cos(pi * u) / 2) + 1.5 / pi * std::sin(pi * u)) / 3;
 }
 
-AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius, bool with_derivatives) {
+AxisSpectrum axis_spectrum(const SpectrumScale& scale, int axis, double frequency, double radius,
+                           bool with_derivatives) {
     const Lags lags(scale, frequency, radius);
     const auto transformed = [&](const Complexes& covariance) {
         Complexes seen = sampled(scale, covariance, lags.count) * lag_window(scale, axis).head(lags.count);
@@ -82,7 +83,7 @@ AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius
             transformed(lags.wave * lags.pixels.unaryExpr(slope))};
 }
 
-Eigen::ArrayXcd axis_autocovariance(const Scale& scale, int axis, double frequency, double radius) {
+Eigen::ArrayXcd axis_autocovariance(const SpectrumScale& scale, int axis, double frequency, double radius) {
     const Lags lags(scale, frequency, radius);
     Complexes seen = Complexes::Zero(scale.window);
     seen.head(lags.count) = sampled(scale, lags.covariance(radius), lags.count) *

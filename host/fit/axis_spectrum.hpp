@@ -21,15 +21,16 @@ double kernel_correlation(double t);
 /// autocovariance sum_u A(u) C(t - u), with A(u) = sum_p a(p) a(p + u). If samples have the autocovariance
 /// C(t), windows with weights w(p) give, on average, the spectrum sum_t C(t) L(t) e^(-2 pi i k t), with L(t)
 /// = sum_p w(p) w(p + t). This accounts for sampling, aliasing and the leakage of windows.
-struct AxisAtom {
+struct AxisSpectrum {
     Eigen::ArrayXd value;
     Eigen::ArrayXd by_frequency;
     Eigen::ArrayXd by_log_radius;
 };
-AxisAtom axis_atom(const Scale& scale, int axis, double frequency, double radius, bool with_derivatives);
+AxisSpectrum axis_spectrum(const SpectrumScale& scale, int axis, double frequency, double radius,
+                           bool with_derivatives);
 
 /// Returns a scale's expected estimate of the complex autocovariance of samples along an axis, at lags 0 ...
-/// scale.lags() - 1: the inverse transform of `AxisAtom::value`.
-Eigen::ArrayXcd axis_autocovariance(const Scale& scale, int axis, double frequency, double radius);
+/// scale.lags() - 1: the inverse transform of `AxisSpectrum::value`.
+Eigen::ArrayXcd axis_autocovariance(const SpectrumScale& scale, int axis, double frequency, double radius);
 
 } // namespace gabor::fit

@@ -1,4 +1,4 @@
-// Shared by viewer/show.glsl and host/viewer.
+// Shared by viewer/display.glsl and host/viewer.
 
 #ifndef GABOR_VIEWER_SHOW_INTERFACE_H
 #define GABOR_VIEWER_SHOW_INTERFACE_H
@@ -7,10 +7,10 @@
 
 GABOR_INTERFACE_BEGIN
 
-const uint show_group = 256; // pixels per group, when writing files
-const int own_colours = 5;   // the number of the user's colour map
+const uint display_group = 256; // pixels per group, when writing files
+const int own_colours = 5;      // the number of the user's colour map
 
-GABOR_PUSH_CONSTANTS(ShowPush) {
+GABOR_PUSH_CONSTANTS(DisplayPush) {
     vec2 origin;     // origin of the canvas in the framebuffer, in pixels
     ivec2 grid;      // number of values along x and y
     vec2 size;       // size of the canvas, in pixels

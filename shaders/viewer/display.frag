@@ -3,7 +3,7 @@
 
 // Shows the values of a grid, coarse or fine, in the window.
 
-#include "viewer/show.glsl"
+#include "viewer/display.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Values { float values[]; };
 

@@ -3,9 +3,9 @@
 
 // Colours the pixels of a picture for a file, one band of rows at a time.
 
-#include "viewer/show.glsl"
+#include "viewer/display.glsl"
 
-layout(local_size_x = show_group) in;
+layout(local_size_x = display_group) in;
 
 layout(std430, set = 0, binding = 0) readonly buffer Values { float values[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Picture { float picture[]; };
