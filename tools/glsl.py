@@ -5,7 +5,7 @@ import re
 from typing import NamedTuple
 
 TOKEN = re.compile(r"""(?P<space>(?:\s|\\\n)+) | (?P<comment>//[^\n]*|/\*.*?\*/) | (?P<directive>\#(?:\\\n|(?!//|/\*)[^\n])*)
-                       | (?P<number>0[xX][\da-fA-F]+[uU]?|(?:\d+\.\d*|\.\d+|\d+(?=[eE]))(?:[eE][-+]?\d+)?[fF]?|\d+[uU]?)
+                       | (?P<number>0[xX][\da-fA-F]+[uU]?|(?:\d+\.\d*|\.\d+|\d+(?=[eE]))(?:[eE][-+]?\d+)?[fF]?|\d+[uUif]?)
                        | (?P<name>[A-Za-z_]\w*) | (?P<sign><<=|>>=|&&|\|\||\^\^|<<|>>|->|[-+*/%&|^=<>!]=|\+\+|--|[^\w\s])""",
                    re.VERBOSE | re.DOTALL)
 # Each type of a number or vector, with the type of its components and their number.
@@ -22,6 +22,7 @@ FUNCTIONS = dict.fromkeys("abs acos asin atan ceil clamp cos cross dFdx dFdy exp
                           "normalize pow sign sin smoothstep sqrt step tan".split()) | {
     "dot": "float", "length": "float", "distance": "float", "all": "bool", "any": "bool", "uintBitsToFloat": "float",
     "intBitsToFloat": "float", "floatBitsToUint": "uint", "floatBitsToInt": "int"} | dict.fromkeys(COMPARISONS, "bool")
+NUMBERS = {"float", "int", "uint", "bool"}
 SINGLE = {"dot", "length", "distance", "all", "any"}  # their results are numbers
 
 
@@ -64,6 +65,15 @@ def tokens(text, start=0, end=None, line=1):
         start = match.end()
 
 
+def without_comments(text):
+    """Returns the text without comments and the spaces before them."""
+    result, place = "", 0
+    for token in tokens(text):
+        if token.kind == "comment":
+            result, place = (result + text[place:token.start]).rstrip(" "), token.end
+    return result + text[place:]
+
+
 def root(node):
     """Returns the variable that an expression reads or changes a part of."""
     while node.kind in ("member", "index", "group"):
@@ -93,7 +103,7 @@ class Shader:
     Directives and comments may stand between any two tokens. All branches of a condition are read, one after the other."""
 
     def __init__(self, text, path, before=()):
-        self.text, self.path, self.place = text, path, 0
+        self.text, self.path, self.before, self.place = text, path, before, 0
         self.structs, self.functions, self.macros, self.scopes = {}, {}, {}, [{}]
         for other in before:
             self.structs |= other.structs
@@ -124,6 +134,28 @@ class Shader:
     def refuse(self, reason, where=None):
         raise Refused(self.path, (where or self.token).line, reason)
 
+    def conditions(self, node):
+        """Returns the directives of the conditions around a node: for each, the last of #if, #elif and #else before it."""
+        found = []
+        for directive in self.directives:
+            word = directive.text.split()[0]
+            if directive.start > node.start or word in ("#else", "#elif", "#endif"):
+                found = found if directive.start > node.start else found[:-1]
+            if directive.start < node.start and word in ("#if", "#ifdef", "#ifndef", "#elif", "#else"):
+                found.append(directive)
+        return found
+
+    def comment_start(self, place):
+        """Returns where the comment directly above a place starts, or the place itself."""
+        while (line := self.text.rfind("\n", 0, max(place - 1, 0)) + 1) < place and self.text.startswith("//", line):
+            place = line
+        return place
+
+    def member_types(self, type):
+        """Returns a type and, if it is a struct, those of its members."""
+        fields = self.structs[type].fields.values() if type in self.structs else ()
+        return [type, *(found for field in fields for found in self.member_types(field))]
+
     def at(self, *texts):
         return self.token.text in texts
 
@@ -147,7 +179,7 @@ class Shader:
         if rest and rest[0].text == "(" and rest[0].start == name.end:
             end = next(place for place, token in enumerate(rest) if token.text == ")")
             given, rest = [token.text for token in rest[1:end] if token.kind == "name"], rest[end + 1:]
-        self.macros[name.text] = macro = Node("macro", directive, directive, name=name, given=given, body=rest)
+        self.macros[name.text] = macro = Node("macro", name, rest[-1] if rest else name, name=name, given=given, body=rest)
         return macro
 
     def expanded(self, macro, types):
@@ -176,10 +208,10 @@ class Shader:
     def variable(self, kind, type, **more):
         """Reads a name and the length of an array after its type."""
         name = last = self.take(kind="name")
-        length = None
+        first, length = more.pop("first", name), None
         if self.maybe("["):
             length, last = self.expression(), self.take("]")
-        return Node(kind, name, last, [length], type.text + "[]" * bool(length), name=name, **more)
+        return Node(kind, first, last, [length], type.text + "[]" * bool(length), name=name, **more)
 
     def variables(self, kind, constant=None):
         """Reads a declaration of one or more variables, with a semicolon."""
@@ -211,7 +243,7 @@ class Shader:
             self.take("}")
             if name.text in self.structs:
                 self.refuse(f"a second struct {name.text} has no translation", name)
-            self.structs[name.text] = node = Node("struct", first, self.take(";"), fields, name=name)
+            self.structs[name.text] = node = Node("struct", first, self.take(";"), fields, name=name, constructed=False)
             node.fields = {field.name.text: field.type for declared in fields for field in declared.parts}
             return [node]
         if constant := self.maybe("const"):
@@ -225,16 +257,19 @@ class Shader:
         opening, parameters = self.take("("), []
         self.scopes.append({})
         while not self.at(")"):
-            how = {token.text for token in iter(lambda: self.maybe("const") or self.maybe("in") or self.maybe("out") or self.maybe("inout"), None)}
-            before, kind = self.tokens[self.place - 1], self.type_name()
-            node = self.variable("parameter", kind, how=next(iter(how & {"out", "inout"}), "in"), constant="const" in how,
-                                 qualifier=before if how else None, type_name=kind)
+            first, how = self.token, set()
+            while self.at("const", "in", "out", "inout"):
+                how.add(self.take().text)
+            type_name = self.type_name()
+            node = self.variable("parameter", type_name, first=first, how=next(iter(how & {"out", "inout"}), "in"), type_name=type_name)
             self.declare(node.name, node)
             parameters.append(node)
             if not self.at(")"):
                 self.take(",")
         closing = self.take(")")
         node = Node("function", type, closing, parameters, type.text, name=name, opening=opening, closing=closing, parameters=parameters, body=None)
+        for part in parameters:
+            part.function = node
         known = self.functions.setdefault(name.text, [])
         self.functions[name.text] = [*known, node]
         if same := [other for other in known if [part.type for part in other.parameters] == [part.type for part in parameters]]:
@@ -268,7 +303,7 @@ class Shader:
             parts = [self.condition(), self.statement()]
             if text == "if" and self.maybe("else"):
                 parts.append(self.statement())
-            return Node(text, first, parts[-1], parts)
+            return Node("branch" if text == "if" else "while", first, parts[-1], parts)
         if text == "do":
             self.take()
             parts = [self.statement()]
@@ -338,13 +373,18 @@ class Shader:
         if self.token.text not in ASSIGNMENTS:
             return left
         sign, right = self.take(), self.expression()
-        if root(left).kind != "name":
-            self.refuse(f"a change of '{self.text[left.start:left.end]}' has no translation", left)
+        self.change(left)
         if sign.text == "=":
             self.matched(right, left.type)
         elif (type := self.operated(left, Token("sign", sign.text[:-1], *sign[2:]), right)) != left.type and type:
             self.refuse(f"{left.type} {sign.text} {right.type} has no translation", sign)
         return Node("assign", left, right, [left, right], left.type, sign=sign)
+
+    def change(self, node):
+        """Checks that the expression is a variable or a part of one, and notes that it changes."""
+        if root(node).kind != "name" or node.kind in ("member", "index") and getattr(node.parts[0], "swizzle", False):
+            self.refuse(f"a change of '{self.text[node.start:node.end]}' has no translation", node)
+        node.changed = True
 
     def choice(self):
         test = self.binary(1)
@@ -365,8 +405,9 @@ class Shader:
         return left
 
     def step(self, first, last, part, sign):
-        if root(part).kind != "name" or element(part.type):
-            self.refuse(f"{sign.text} of a vector has no translation" if element(part.type) else f"{sign.text} has no translation here", sign)
+        self.change(part)
+        if part.type not in ("int", "uint"):
+            self.refuse(f"{sign.text} of a {part.type} has no translation", sign)
         return Node("step", first, last, [part], part.type, sign=sign)
 
     def unary(self):
@@ -381,7 +422,8 @@ class Shader:
             sign = self.take()
             if sign.text == ".":
                 name = self.take(kind="name")
-                node = Node("member", node, name, [node], self.member(node.type, name), name=name)
+                node = Node("member", node, name, [node], self.member(node.type, name), name=name, changed=False,
+                            swizzle=node.type in SHAPES or node.type is None and not set(name.text) - set("xyzw"))
             elif sign.text == "[":
                 index = self.expression()
                 if node.type and not element(node.type):
@@ -448,14 +490,17 @@ class Shader:
                 self.refuse(f"{name.text} with {len(parts)} members has no translation", name)
             for part, type in zip(parts, wanted):
                 self.matched(part, type)
+            self.structs[name.text].constructed |= self.structs[name.text] in self.items
             return "struct", self.structs[name.text], name.text
         if name.text in self.functions:
             for function in self.functions[name.text]:
                 if len(parts) == len(function.parameters) and all(None in (a, b.type) or a == b.type for a, b in zip(types, function.parameters)):
                     for part, given in zip(parts, function.parameters):
-                        if given.how != "in" and (root(part).kind != "name" or part.kind == "member" and element(part.parts[0].type)
-                                                  or part.kind == "index" and not (part.parts[0].type or "").endswith("[]")):
-                            self.refuse(f"'{self.text[part.start:part.end]}' as an {given.how} argument has no translation", part)
+                        if given.how != "in" and part.kind in ("member", "index") and not (part.parts[0].type or "").endswith("[]") and (
+                                part.parts[0].type not in self.structs):
+                            self.refuse(f"a component of a vector as an {given.how} argument has no translation", part)
+                        if given.how != "in":
+                            self.change(part)
                     return "function", function, function.type
             self.refuse(f"{name.text}({', '.join(map(str, types))}) matches no function, so it has no translation", name)
         if name.text in self.macros and self.macros[name.text].given is not None:
@@ -471,32 +516,35 @@ class Shader:
 
 
 class Printer:
-    """A shader's text in another language: a subclass edits the nodes and words that differ, and everything else stays."""
+    """A shader's text in another language: subclasses edit the nodes, words and comments that differ, and everything else stays."""
 
     def __init__(self, shader):
         self.shader, self.edits = shader, []
-        trees = [node for item in shader.items + shader.defined for node in item.walk()]
-        for node in trees:
-            if edit := getattr(self, node.kind, None):
-                edit(node)
-        for token in tokens(shader.text):
+        for item in shader.items + shader.defined:
+            for node in item.walk():
+                getattr(self, node.kind, lambda node: None)(node)
+        for token in shader.tokens + [token for macro in shader.defined for token in macro.body]:
             if token.kind == "name" and (word := self.word(token.text)) != token.text:
                 self.replace(token, word)
-        for macro in shader.defined:
-            for token in macro.body:
-                if token.kind == "name" and (word := self.word(token.text)) != token.text:
-                    self.replace(token, word)
+        for token in shader.comments:
+            self.replace(token, self.comment(token.text))
 
     def word(self, word):
         """Returns the translation of a name, wherever it stands."""
         return word
 
+    def comment(self, text):
+        return text
+
     def refuse(self, reason, node):
         raise Refused(self.shader.path, node.line, reason)
 
-    def replace(self, place, text, end=None):
-        """Replaces a token or node, or all from `place` to the end of `end`. The first edit of a place counts."""
-        self.edits.append((place.start, 2, len(self.edits), (end or place).end, text))
+    def edit(self, start, end, text):
+        """Replaces a part of the text. Of edits that overlap, the one that starts first or was made first counts."""
+        self.edits.append((start, 2, len(self.edits), end, text))
+
+    def replace(self, place, text):
+        self.edit(place.start, place.end, text)
 
     def before(self, place, text):
         """Inserts a text before a token or node, outside of earlier ones."""
@@ -506,11 +554,18 @@ class Printer:
         """Inserts a text after a token or node, outside of earlier ones."""
         self.edits.append((place.end, 0, len(self.edits), place.end, text))
 
+    def after_line(self, node, text):
+        """Inserts a text below a node's last line, or behind the node if more follows on that line."""
+        end = self.shader.text.index("\n", node.end) + 1
+        if any(node.end <= token.start < end for token in self.shader.tokens):
+            end, text = node.end, "\n" + text
+        self.edits.append((end, 0, len(self.edits), end, text))
+
     def text(self, start=0, end=None):
         """Returns the edited text between two places."""
         end, result, place = len(self.shader.text) if end is None else end, "", start
         for first, rank, _, last, text in sorted(self.edits):
-            if place <= first and last <= end and not (first == start and rank == 0) and not (first == end and rank == 1 != last - first):
+            if place <= first and last <= end and (first, rank) not in ((start, 0), (end, 1)):
                 result += self.shader.text[place:first] + text
                 place = last
         return result + self.shader.text[place:end]

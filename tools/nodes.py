@@ -2,10 +2,11 @@
 in GLSL, OSL and MDL. The library has a few functions of gabor_noise.glsl, rewritten for languages without structs or unsigned
 integers. tools/translate calls this module."""
 
-import ast
 import json
 import pathlib
 import re
+
+from glsl import Printer, Refused, Shader, changes, without_comments
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 NODES = ROOT / "shaders" / "nodes"
@@ -17,35 +18,8 @@ OSL_SHADERS = NODES / "osl" / "gabor_noise.osl", NODES / "osl" / "gabor_erosion.
 # Functions that the library takes unchanged from the drop-in.
 FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
              "gabor_impl_product", "gabor_impl_half_turn", "gabor_impl_wave"]
-TAKEN = r"(// ---- From gabor_noise\.glsl ----\n)(?:.*\n)*?(// ---- End ----\n)"
-FUNCTION = re.compile(r"^(?P<type>\w+) (?P<name>\w+)\((?P<parameters>[^)]*)\)\s*\{\n(?P<body>.*?)^\}\n",
-                      re.MULTILINE | re.DOTALL)
+TAKEN = "From gabor_noise.glsl", "End"
 LICENSE = "// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT\n"
-
-
-# ---- Text ----------------------------------------------------------------------------------------------------------
-
-def arguments(text, opening):
-    """Finds the parenthesis that closes the one at `opening`, and the arguments between them."""
-    depth, parts, start = 0, [], opening + 1
-    for place in range(opening, len(text)):
-        depth += (text[place] in "([{") - (text[place] in ")]}")
-        if depth == 0 or depth == 1 and text[place] == ",":
-            parts.append(text[start:place])
-            start = place + 1
-        if depth == 0:
-            return place, parts
-    raise ValueError(f"unclosed parenthesis: {text[opening:opening + 40]}")
-
-
-def each_call(text, name, rewritten):
-    """Replaces each call of a function whose name matches the pattern `name` by the result of rewritten(name, arguments)."""
-    pattern, result, place = re.compile(rf"(?<![\w.])(?<!struct )({name})\("), "", 0
-    while match := pattern.search(text, place):
-        end, parts = arguments(text, match.end() - 1)
-        result += text[place:match.start()] + rewritten(match[1], [each_call(part, name, rewritten) for part in parts])
-        place = end + 1
-    return result + text[place:]
 
 
 # ---- Bevy: WGSL with imports ---------------------------------------------------------------------------------------
@@ -75,43 +49,65 @@ def bevy_modules():
 
 # ---- MaterialX: GLSL without structs -------------------------------------------------------------------------------
 
-def macro(source, name):
-    return re.search(rf"#define {name} (\S+)", source)[1]
+class Library(Printer):
+    """Gives the drop-in's functions MaterialX's names, and removes comments."""
+
+    def word(self, word):
+        return "mx_" + word.replace("gabor_impl_", "gabor_") if word.startswith("gabor_") else word
+
+    def function(self, node):
+        self.edit(node.closing.end, node.body.start, "\n")
 
 
-def constants(source):
+def taken(lattice):
+    """Returns the functions of the drop-in that the library takes."""
+    found = {item.name.text: item for item in lattice.items if item.kind == "function"}
+    return [found[name] for name in FUNCTIONS]
+
+
+def constants(shader):
     """Returns the hash salts, and the factors that scale sums in the plane and in space to variance 1."""
-    lattice, others = source("gabor_noise"), source("gabor_spectrum") + source("gabor_noise_3d")
-    deviation = float(macro(lattice, "GABOR_IMPL_DEVIATION"))
-    return {"ROWS": macro(lattice, "GABOR_IMPL_ROWS"), "SLICES": macro(others, "GABOR_IMPL_SLICES"),
+    number = {name: macro.body[0].text for name, macro in shader("gabor_noise_3d").macros.items() if macro.body}
+    deviation = float(number["GABOR_IMPL_DEVIATION"])
+    return {"ROWS": number["GABOR_IMPL_ROWS"], "SLICES": number["GABOR_IMPL_SLICES"],
             "SCALE2D": f"{1 / (deviation * 1.125):.8g}", "SCALE3D": f"{1 / (deviation * 1.125**1.5):.8g}"}
 
 
-def common(source):
+def marked(text, marks, inner):
+    """Returns the text with another part between two marks."""
+    first, last = (f"// ---- {mark} ----\n" for mark in marks)
+    before, _, rest = text.partition(first)
+    return before + first + "\n" + inner + "\n" + last + rest.partition(last)[2]
+
+
+def common(shader):
     """Returns the GLSL of the MaterialX library: the drop-in's functions and constants under MaterialX's names."""
-    lattice = source("gabor_noise")
-    found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
-    text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in constants(source).items())
-    for name in FUNCTIONS:
-        match = found[name]
-        text += f"\n{match['type']} {name}({match['parameters']})\n{{\n{match['body']}}}\n"
-    text = re.sub(r"\bgabor_(impl_)?", "mx_gabor_", re.sub(r" *//.*", "", text))
-    return re.sub(TAKEN, lambda match: f"{match[1]}\n{text}\n{match[2]}", COMMON.read_text())
+    printer = Library(shader("gabor_noise"))
+    text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in constants(shader).items())
+    text += "".join(f"\n{printer.text(item.start, item.end)}\n" for item in taken(printer.shader))
+    return marked(COMMON.read_text(), TAKEN, without_comments(text))
 
 
-def integers(text, shifted):
-    """Replaces uint by int, which behaves identically except for >>, and each >> by `shifted`."""
-    text = re.sub(r"\buint\b", "int", re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"\1", text))
-    return re.sub(r"(\((?:[^()]|\([^()]*\))*\)|\w+) >> (\d+)", shifted, text)
+class Integers(Printer):
+    """Replaces uint by int, which behaves identically except for >>, and copies parameters that a function changes: OSL would
+    change the caller's variable, and MDL forbids it."""
 
+    def word(self, word):
+        return "int" if word == "uint" else word
 
-def copied(parameters, body):
-    """Copies parameters that the body assigns to: OSL would change the caller's variable, and MDL forbids it."""
-    for kind, name in re.findall(r"(\w+) (\w+)(?:,|$)", parameters):
-        if "out " not in parameters and re.search(rf"\b{name} [-+*/]?= ", body):
-            parameters = re.sub(rf"\b{name}\b", f"{name}_", parameters)
-            body = f"    {kind} {name} = {name}_;\n" + body
-    return parameters, body
+    def number(self, node):
+        self.replace(node, node.name.text.rstrip("u"))
+
+    def function(self, node):
+        found = changes(node.body)
+        if all(part.how == "in" for part in node.parameters):
+            copied = [part for part in node.parameters if part in found]
+            for part in copied:
+                self.after(part, "_")
+            if copied:
+                self.edit(node.body.start + 1, node.body.start + 1, "".join(
+                    f"\n    {self.word(part.type)} {part.name.text} = {part.name.text}_;" for part in copied))
+
 
 
 def title(text, language):
@@ -131,51 +127,88 @@ int mx_gabor_right(int word, int bits)
 """
 
 
-def osl_function(match):
+class Osl(Integers):
     """Turns vec2 and vec3 into vectors, and vec4 into MaterialX's struct."""
-    parameters, body = copied(match["parameters"], match["body"])
-    if match["type"] == "void":
-        parameters = re.sub(r"\bvec2\b", "vector2", parameters)
-    text = f"{match['type']} {match['name']}({parameters})\n{{\n{body}}}\n"
-    for name in set(re.findall(r"\bvec[23] (\w+)", text)):
-        text = re.sub(rf"(?<![\w.]){name}\.([xyz])\b", lambda part: f"{name}[{'xyz'.index(part[1])}]", text)
-    text = each_call(text, "vec2", lambda _, parts: f"vector({','.join(parts)}, 0)")
-    text = each_call(text, "vec3", lambda _, parts: f"vector({','.join(parts)})")
-    text = re.sub(r"\bvec4\b", "vector4", re.sub(r"\bvec[23]\b", "vector", text))
-    return re.sub(r"\bout ", "output ", text)
+
+    def word(self, word):
+        return {"vec2": "vector", "vec3": "vector", "vec4": "vector4", "out": "output"}.get(word, super().word(word))
+
+    def function(self, node):
+        super().function(node)
+        if node.name.text == "mx_gabor_mix":
+            self.before(node, OSL_RIGHT)
+
+    def is_vector2(self, parameter):
+        """Tells whether a parameter is one of a node, where vec2 becomes a struct."""
+        return parameter.kind == "parameter" and parameter.type == "vec2" and parameter.function.type == "void"
+
+    def parameter(self, node):
+        if self.is_vector2(node):
+            self.replace(node.type_name, "vector2")
+        if node.how == "out":
+            self.edit(node.start, node.type_name.start, "output ")
+
+    def member(self, node):
+        place = node.parts[0]
+        if place.type in ("vec2", "vec3") and not (place.kind == "name" and self.is_vector2(place.declared)):
+            self.edit(place.end, node.end, f"[{'xyz'.index(node.name.text)}]")
+
+    def call(self, node):
+        if node.name.text == "vec2":
+            self.edit(node.closing.start, node.closing.start, ", 0")
+
+    def binary(self, node):
+        if node.sign.text == ">>":
+            self.before(node, "mx_gabor_right(")
+            self.edit(node.parts[0].end, node.parts[1].start, ", ")
+            self.after(node, ")")
 
 
-def osl(text):
-    body = integers(text[re.search("^(#|uint|void)", text, re.MULTILINE).start():], r"mx_gabor_right(\1, \2)")
-    body = FUNCTION.sub(osl_function, body).replace(".glsl\"", ".osl\"")
-    return body.replace("\nint mx_gabor_mix", "\n" + OSL_RIGHT + "int mx_gabor_mix")
+def osl(shader):
+    start = min(place.start for place in shader.directives + shader.items)
+    return Osl(shader).text(start).replace('.glsl"', '.osl"')
 
 
 def osl_shader(path, library):
     """Returns a shader of shaders/nodes/osl with the library's functions, under the drop-in's names, between its marker lines."""
-    functions = re.sub(r"\bmx_gabor_", "gabor_impl_", library[library.index("#define"):].replace("MX_GABOR", "GABOR_IMPL"))
-    functions = re.sub(r"^// ---- End ----\n\n", "", functions, flags=re.MULTILINE)
-    return re.sub(r"(// ---- From MaterialX's library ----\n)(?:.*\n)*?(// ---- End ----\n)",
-                  lambda match: f"{match[1]}\n{functions}\n{match[2]}", path.read_text())
+    functions = library[library.index("#define"):].replace("MX_GABOR", "GABOR_IMPL").replace("mx_gabor_", "gabor_impl_")
+    return marked(path.read_text(), ("From MaterialX's library", "End"), functions.replace("// ---- End ----\n\n", ""))
 
 
 # ---- MDL -----------------------------------------------------------------------------------------------------------
 
-def signed(match):
-    number = int(match[0], 16)
-    return str(number - (number >> 31 << 32))
+class Mdl(Integers):
+    """Turns a node's output parameter into its return value."""
 
+    def word(self, word):
+        number = self.shader.macros.get(word)
+        return self.signed(number.body[0].text) if number else f"float{word[3]}" if word in ("vec2", "vec3", "vec4") else (
+            "rsqrt" if word == "inversesqrt" else super().word(word))
 
-def mdl_function(match):
-    """Copies parameters that are assigned to, and turns a node's output parameter into its return value."""
-    node, parameters, body = match["type"] == "void", match["parameters"], match["body"]
-    kind = match["type"]
-    if node:
-        parameters, _, kind = re.fullmatch(r"(.*), out ((\w+)) result", parameters).groups()
-        body = body.replace("result = ", "return ")
-    parameters, body = copied(parameters, body)
-    text = f"{'export ' * node}{kind} {match['name']}({parameters})\n{{\n{body}}}\n"
-    return re.sub(r"\bvec([234])\b", r"float\1", text).replace("inversesqrt(", "rsqrt(")
+    def signed(self, text):
+        if not text.startswith("0x"):
+            return text.rstrip("u")
+        number = int(text.rstrip("u"), 16)
+        return str(number - (number >> 31 << 32))
+
+    def number(self, node):
+        self.replace(node, self.signed(node.name.text))
+
+    def function(self, node):
+        super().function(node)
+        if node.type == "void":
+            *given, result = node.parameters
+            self.edit(node.start, node.name.start, f"export {self.word(result.type)} ")
+            self.edit(given[-1].end, result.end, "")
+
+    def assign(self, node):
+        target = node.parts[0]
+        if target.kind == "name" and getattr(target.declared, "how", "in") == "out":
+            self.edit(node.start, node.parts[1].start, "return ")
+
+    def binary(self, node):
+        if node.sign.text == ">>":
+            self.replace(node.sign, ">>>")
 
 
 def mdl_variants():
@@ -195,89 +228,100 @@ def mdl_variants():
                        f"{{\n    return {value};\n}}\n")
 
 
-def mdl(texts):
+def mdl(shaders):
     """Returns one module with all nodes."""
-    whole = "\n".join(re.sub("(?:.*\n)*?(?=^(#define|uint|void))", "", text, count=1, flags=re.MULTILINE) for text in texts)
-    whole = integers(whole, r"\1 >>> \2").replace("// ---- End ----\n\n", "")
-    for name, number in re.findall(r"^#define (\w+) (\S+)\n", whole, re.MULTILINE):
-        whole = re.sub(rf"\b{name}\b", number, re.sub(rf"^#define {name} .*\n", "", whole, flags=re.MULTILINE))
-    whole = FUNCTION.sub(mdl_function, re.sub(r"\b0x[0-9a-f]+\b", signed, whole))
-    whole = "\n".join([whole, *mdl_variants()])
-    return "mdl 1.6;\n\nimport ::math::*;\n\n" + whole.lstrip("\n")
+    lines = "\n".join(Mdl(shader).text(shader.items[0].start) for shader in shaders).splitlines(keepends=True)
+    whole = "".join(line for line in lines if not line.startswith("#")).replace("// ---- End ----\n\n", "")
+    return "mdl 1.6;\n\nimport ::math::*;\n\n" + "\n".join([whole, *mdl_variants()]).lstrip("\n")
 
 
 # ---- TSL, three.js's nodes in JavaScript -----------------------------------------------------------------------------
 
 TSL = NODES / "three" / "gabor_noise.tsl.js"
-METHODS = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.BitXor: "bitXor", ast.BitOr: "bitOr", ast.LShift: "shiftLeft",
-           ast.RShift: "shiftRight", ast.Lt: "lessThan"}
+METHODS = {"+": "add", "-": "sub", "*": "mul", "/": "div", "%": "mod", "&": "bitAnd", "|": "bitOr", "^": "bitXor", "<<": "shiftLeft",
+           ">>": "shiftRight", "<": "lessThan", ">": "greaterThan", "<=": "lessThanEqual", ">=": "greaterThanEqual", "==": "equal",
+           "!=": "notEqual", "&&": "and", "||": "or"}
 
 
-def tsl_expression(text):
-    """Turns an expression of GLSL into method calls. Python's parser can read it, because the operators are the same."""
-    text = re.sub(r"\b(0x[0-9a-f]+|\d+)u\b", r"uint(\1)", text)
-    text = re.sub(r"([^(),]+) \? ([^:]+) : ([^),]+)", r"(\2 if \1 else \3)", text)
+class Tsl:
+    """Turns a function of GLSL into one of JavaScript, in which operators are method calls."""
 
-    def emitted(node, alone=True):
-        if isinstance(node, ast.Constant):
-            number = f"{node.value:#x}" if isinstance(node.value, int) and node.value > 255 else repr(node.value)
-            return number if alone else f"float({number})"
-        if isinstance(node, ast.Name):
-            return node.id
-        if isinstance(node, ast.Attribute):
-            return f"{emitted(node.value)}.{node.attr}"
-        if isinstance(node, ast.UnaryOp):
-            return f"{emitted(node.operand, False)}.negate()" if not isinstance(node.operand, ast.Constant) else f"-{node.operand.value}"
-        if isinstance(node, ast.Call):
-            return f"{node.func.id}({', '.join(map(emitted, node.args))})"
-        if isinstance(node, ast.IfExp):
-            return f"select({', '.join(map(emitted, (node.test, node.body, node.orelse)))})"
-        left, right = (node.left, node.comparators[0]) if isinstance(node, ast.Compare) else (node.left, node.right)
-        operator = node.ops[0] if isinstance(node, ast.Compare) else node.op
-        return f"{emitted(left, False)}.{METHODS[type(operator)]}({emitted(right)})"
+    def __init__(self, shader, function):
+        self.shader, self.function, self.changed = shader, function, changes(function.body)
 
-    return emitted(ast.parse(text.strip(), mode="eval").body)
+    def word(self, word):
+        return "gabor_impl_lobe_seed" if word == "gabor_lobe_seed" else word
+
+    def number(self, node, alone):
+        text = node.name.text
+        if node.type == "float":
+            text = repr(float(text))
+        elif node.type == "uint":
+            return f"uint({text[:-1]})"
+        return text if alone else f"float({text})"
+
+    def expression(self, node, alone=True):
+        """Returns an expression in JavaScript. If not alone, a method follows, so it must be a node of TSL."""
+        parts = node.parts
+        if node.kind == "number":
+            return self.number(node, alone)
+        if node.kind == "name":
+            return node.name.text
+        if node.kind == "group":
+            return self.expression(parts[0], alone)
+        if node.kind == "member":
+            return f"{self.expression(parts[0])}.{node.name.text}"
+        if node.kind == "unary" and node.sign.text == "-":
+            return f"-{self.expression(parts[0])}" if parts[0].kind == "number" else f"{self.expression(parts[0], False)}.negate()"
+        if node.kind == "call":
+            return f"{self.word(node.name.text)}({', '.join(map(self.expression, parts))})"
+        if node.kind == "choice":
+            return f"select({', '.join(map(self.expression, parts))})"
+        if node.kind == "binary":
+            return f"{self.expression(parts[0], False)}.{METHODS[node.sign.text]}({self.expression(parts[1])})"
+        raise Refused(self.shader.path, node.line, f"a {node.kind} has no translation to TSL")
+
+    def lines(self):
+        function = self.function
+        given = [part.name.text + "_" * (part in self.changed) for part in function.parameters]
+        yield f"const {self.word(function.name.text)} = ({', '.join(given)}) => {{"
+        yield from (f"    let {name[:-1]} = {name}.toVar();" for name in given if name.endswith("_"))
+        for statement in function.body.parts:
+            if statement.kind == "return":
+                yield f"    return {self.expression(statement.parts[0])};"
+            elif statement.kind == "declare":
+                for part in statement.parts:
+                    yield f"    {'let' if part in self.changed else 'const'} {part.name.text} = {self.expression(part.value)}.toVar();"
+            elif statement.kind == "expression" and statement.parts[0].kind == "assign" and statement.parts[0].parts[0].kind == "name":
+                (left, right), sign = statement.parts[0].parts, statement.parts[0].sign.text[:-1]
+                value = f"{left.name.text}.{METHODS[sign]}({self.expression(right)})" if sign else self.expression(right)
+                yield f"    {left.name.text} = {value}.toVar();"
+            else:
+                raise Refused(self.shader.path, statement.line, f"a {statement.kind} has no translation to TSL")
+        yield "};\n"
 
 
-def tsl_function(match):
-    parameters, body = copied(match["parameters"], match["body"])
-    lines = [f"const {match['name']} = ({', '.join(each.split()[1] for each in parameters.split(', '))}) => {{"]
-    for statement in re.findall(r"\s*(.*?);", re.sub(r" *//.*", "", body), re.DOTALL):
-        if returned := re.fullmatch(r"return (.*)", statement, re.DOTALL):
-            lines.append(f"    return {tsl_expression(returned[1])};")
-        elif declared := re.fullmatch(r"(?:float|vec2|uint|int) (\w+ = .*)", statement, re.DOTALL):
-            for name, value in re.findall(r"(\w+) = (.*?)(?:, (?=\w+ = )|$)", declared[1], re.DOTALL):
-                lines.append(f"    {'let' if re.search(rf'{name} [-+*]?= ', body.partition(value)[2]) else 'const'} {name} = "
-                             f"{tsl_expression(value)}.toVar();")
-        else:
-            name, operator, value = re.fullmatch(r"(\w+) ([-+*]?)= (.*)", statement, re.DOTALL).groups()
-            lines.append(f"    {name} = {tsl_expression(f'{name} {operator} ({value})' if operator else value)}.toVar();")
-    return "\n".join([*lines, "};\n"])
-
-
-def tsl(source):
+def tsl(shader):
     """Returns the module of TSL with the drop-in's constants and functions between its marker lines."""
-    lattice = source("gabor_noise")
-    found = {match["name"]: match for match in FUNCTION.finditer(lattice)}
-    numbers = [f"const {name} = {number.removesuffix('u')};\n" for name, number in constants(source).items()]
-    text = "".join(numbers) + "\n" + "\n".join(tsl_function(found[name]) for name in FUNCTIONS)
-    text = text.replace("gabor_lobe_seed", "gabor_impl_lobe_seed")
-    return re.sub(TAKEN, lambda match: f"{match[1]}\n{text}\n{match[2]}", TSL.read_text())
+    lattice = shader("gabor_noise")
+    numbers = [f"const {name} = {number.removesuffix('u')};\n" for name, number in constants(shader).items()]
+    text = "".join(numbers) + "\n" + "\n".join("\n".join(Tsl(lattice, function).lines()) for function in taken(lattice))
+    return marked(TSL.read_text(), TAKEN, text)
 
 
 # ---- Files ---------------------------------------------------------------------------------------------------------
 
-def made(source):
-    """Yields the path and text of each file. `source` returns the text of a drop-in."""
-    glsl = common(source)
+def made(shader):
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
+    glsl = common(shader)
     yield from bevy_modules()
     yield COMMON, glsl
-    library = osl(glsl)
-    yield from ((path, osl_shader(path, library)) for path in OSL_SHADERS)
+    library = Shader(glsl, COMMON.relative_to(ROOT))
+    yield from ((path, osl_shader(path, osl(library))) for path in OSL_SHADERS)
     version = json.loads((ROOT / "package.json").read_text())["version"]
-    yield TSL, tsl(source)
+    yield TSL, tsl(shader)
     yield MANIFEST, re.sub(r'(?m)^version = ".*"', f'version = "{version}"', MANIFEST.read_text())
-    nodes = {path: path.read_text() for path in sorted(COMMON.parents[1].glob("*.glsl"))}
-    for path, text in ({COMMON: glsl} | nodes).items():
-        yield (LIBRARY / "genosl" / path.relative_to(COMMON.parents[1])).with_suffix(".osl"), title(text, "OSL") + osl(text)
-    yield LIBRARY / "genmdl" / "mx_gabor.mdl", title(glsl, "MDL") + mdl([glsl, *nodes.values()])
+    files = {COMMON: library} | {path: Shader(path.read_text(), path.relative_to(ROOT), [library]) for path in sorted(COMMON.parents[1].glob("*.glsl"))}
+    for path, tree in files.items():
+        yield (LIBRARY / "genosl" / path.relative_to(COMMON.parents[1])).with_suffix(".osl"), title(tree.text, "OSL") + osl(tree)
+    yield LIBRARY / "genmdl" / "mx_gabor.mdl", title(glsl, "MDL") + mdl(files.values())

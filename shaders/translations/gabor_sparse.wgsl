@@ -1,8 +1,8 @@
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for WGSL.
 //
-// Digest of the GLSL and of this file: 4f99bc87bb981466
 // Generated from shaders/gabor_sparse.glsl by tools/translate and naga 30.0.1: change that file, not this one.
+// Digest of the GLSL and of this file: 4f99bc87bb981466
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display

@@ -28,40 +28,17 @@
 
 const GABOR_NOISE_VERSION: u32 = 20000u;
 
-// 3, 2 or 4: change it here, or give it to the pipeline as a constant.
-const GABOR_TAPS: i32 = 3;
-
 // The noise, with continuous first derivatives.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        let _e11 = gabor_kernel(frequency, orientation);
-        let _e12 = gabor_noise_at(vec2(0i), (p * 1f), _e11, seed);
-        return _e12;
-    } else if GABOR_TAPS == 4 {
-        let _e11 = gabor_kernel(frequency, orientation);
-        let _e12 = gabor_noise_at(vec2(0i), (p * 2f), _e11, seed);
-        return _e12;
-    } else {
-        let _e11 = gabor_kernel(frequency, orientation);
-        let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
-        return _e12;
-    }
+    let _e11 = gabor_kernel(frequency, orientation);
+    let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
+    return _e12;
 }
 
 fn gabor_noise_wave(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        let _e10 = gabor_kernel_wave(wave);
-        let _e11 = gabor_noise_at(vec2(0i), (p * 1f), _e10, seed);
-        return _e11;
-    } else if GABOR_TAPS == 4 {
-        let _e10 = gabor_kernel_wave(wave);
-        let _e11 = gabor_noise_at(vec2(0i), (p * 2f), _e10, seed);
-        return _e11;
-    } else {
-        let _e10 = gabor_kernel_wave(wave);
-        let _e11 = gabor_noise_at(vec2(0i), (p * 1.5f), _e10, seed);
-        return _e11;
-    }
+    let _e10 = gabor_kernel_wave(wave);
+    let _e11 = gabor_noise_at(vec2(0i), (p * 1.5f), _e10, seed);
+    return _e11;
 }
 
 fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
@@ -89,31 +66,13 @@ fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed
 // Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
 // cos^2(pi t). Costs three times as much as gabor_noise.
 fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var place_3: GaborPlace;
+    var place_3: GaborPlace;
 
-        place_3 = GaborPlace(vec2(0i), (p * 1f), vec2(1f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    } else if GABOR_TAPS == 4 {
-        var place_3: GaborPlace;
-
-        place_3 = GaborPlace(vec2(0i), (p * 2f), vec2(2f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    } else {
-        var place_3: GaborPlace;
-
-        place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
-        let _e22 = place_3;
-        let _e23 = gabor_kernel(frequency, orientation);
-        let _e24 = gabor_field(_e22, _e23, seed);
-        return _e24.value.y;
-    }
+    place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
+    let _e22 = place_3;
+    let _e23 = gabor_kernel(frequency, orientation);
+    let _e24 = gabor_field(_e22, _e23, seed);
+    return _e24.value.y;
 }
 
 // Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
@@ -131,117 +90,45 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 
 // (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    if GABOR_TAPS == 2 {
-        var field: GaborField;
+    var field: GaborField;
 
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        field = _e13;
-        let _e15 = field;
-        let _e18 = field;
-        let _e21 = field;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    } else if GABOR_TAPS == 4 {
-        var field: GaborField;
-
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        field = _e13;
-        let _e15 = field;
-        let _e18 = field;
-        let _e21 = field;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    } else {
-        var field: GaborField;
-
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        field = _e13;
-        let _e15 = field;
-        let _e18 = field;
-        let _e21 = field;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    }
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = gabor_kernel(frequency, orientation);
+    let _e13 = gabor_field(_e11, _e12, seed);
+    field = _e13;
+    let _e15 = field;
+    let _e18 = field;
+    let _e21 = field;
+    return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
 }
 
 fn gabor_noise_wave_gradient(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec3<f32> {
-    if GABOR_TAPS == 2 {
-        var field_1: GaborField;
+    var field_1: GaborField;
 
-        let _e10 = gabor_place(vec2(0i), (p * 1f));
-        let _e11 = gabor_kernel_wave(wave);
-        let _e12 = gabor_field(_e10, _e11, seed);
-        field_1 = _e12;
-        let _e14 = field_1;
-        let _e17 = field_1;
-        let _e20 = field_1;
-        return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
-    } else if GABOR_TAPS == 4 {
-        var field_1: GaborField;
-
-        let _e10 = gabor_place(vec2(0i), (p * 2f));
-        let _e11 = gabor_kernel_wave(wave);
-        let _e12 = gabor_field(_e10, _e11, seed);
-        field_1 = _e12;
-        let _e14 = field_1;
-        let _e17 = field_1;
-        let _e20 = field_1;
-        return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
-    } else {
-        var field_1: GaborField;
-
-        let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e11 = gabor_kernel_wave(wave);
-        let _e12 = gabor_field(_e10, _e11, seed);
-        field_1 = _e12;
-        let _e14 = field_1;
-        let _e17 = field_1;
-        let _e20 = field_1;
-        return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
-    }
+    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e11 = gabor_kernel_wave(wave);
+    let _e12 = gabor_field(_e10, _e11, seed);
+    field_1 = _e12;
+    let _e14 = field_1;
+    let _e17 = field_1;
+    let _e20 = field_1;
+    return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
 }
 
 // (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
 // sines. At each point the two are independent and have variance 1.
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    if GABOR_TAPS == 2 {
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    } else if GABOR_TAPS == 4 {
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    } else {
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = gabor_kernel(frequency, orientation);
-        let _e13 = gabor_field(_e11, _e12, seed);
-        return _e13.value;
-    }
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = gabor_kernel(frequency, orientation);
+    let _e13 = gabor_field(_e11, _e12, seed);
+    return _e13.value;
 }
 
 fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f32> {
-    if GABOR_TAPS == 2 {
-        let _e10 = gabor_place(vec2(0i), (p * 1f));
-        let _e11 = gabor_kernel_wave(wave);
-        let _e12 = gabor_field(_e10, _e11, seed);
-        return _e12.value;
-    } else if GABOR_TAPS == 4 {
-        let _e10 = gabor_place(vec2(0i), (p * 2f));
-        let _e11 = gabor_kernel_wave(wave);
-        let _e12 = gabor_field(_e10, _e11, seed);
-        return _e12.value;
-    } else {
-        let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e11 = gabor_kernel_wave(wave);
-        let _e12 = gabor_field(_e10, _e11, seed);
-        return _e12.value;
-    }
+    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e11 = gabor_kernel_wave(wave);
+    let _e12 = gabor_field(_e10, _e11, seed);
+    return _e12.value;
 }
 
 // (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
@@ -278,19 +165,9 @@ fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
 // 2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
 // exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
 fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
-    if GABOR_TAPS == 2 {
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
-        return _e12;
-    } else if GABOR_TAPS == 4 {
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
-        return _e12;
-    } else {
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
-        return _e12;
-    }
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
+    return _e12;
 }
 
 fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
@@ -361,270 +238,96 @@ fn gabor_kernel_wave(wave: vec2<f32>) -> GaborKernel {
 // The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
 // axis.
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
-    if GABOR_TAPS == 2 {
-        return GaborPlace(cell, local, vec2(1f), vec2(0i), false, 0f);
-    } else if GABOR_TAPS == 4 {
-        return GaborPlace(cell, local, vec2(2f), vec2(0i), false, 0f);
-    } else {
-        return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
-    }
+    return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
 }
 
 // The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
 // period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
-    if GABOR_TAPS == 2 {
-        var nodes: vec2<f32>;
-        var place_1: GaborPlace;
-        var local_6: f32;
-        var local_7: f32;
-        var local_8: i32;
-        var local_9: i32;
+    var nodes: vec2<f32>;
+    var place_1: GaborPlace;
+    var local_6: f32;
+    var local_7: f32;
+    var local_8: i32;
+    var local_9: i32;
 
-        nodes = max(floor(((period * 1f) + vec2(0.5f))), vec2(2f));
-        let _e20 = gabor_place(vec2(0i), vec2(0f));
-        place_1 = _e20;
-        if (period.x > 0f) {
-            let _e26 = nodes;
-            local_6 = (_e26.x / period.x);
-        } else {
-            local_6 = 1f;
-        }
-        let _e35 = local_6;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_7 = (_e39.y / period.y);
-        } else {
-            local_7 = 1f;
-        }
-        let _e48 = local_7;
-        place_1.radius = vec2<f32>(_e35, _e48);
-        if (period.x > 0f) {
-            let _e54 = nodes;
-            local_8 = i32(_e54.x);
-        } else {
-            local_8 = 0i;
-        }
-        let _e59 = local_8;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_9 = i32(_e63.y);
-        } else {
-            local_9 = 0i;
-        }
-        let _e68 = local_9;
-        place_1.period = vec2<i32>(_e59, _e68);
-        let _e71 = place_1;
-        place_1.local = (p * _e71.radius);
-        let _e74 = place_1;
-        return _e74;
-    } else if GABOR_TAPS == 4 {
-        var nodes: vec2<f32>;
-        var place_1: GaborPlace;
-        var local_6: f32;
-        var local_7: f32;
-        var local_8: i32;
-        var local_9: i32;
-
-        nodes = max(floor(((period * 2f) + vec2(0.5f))), vec2(4f));
-        let _e20 = gabor_place(vec2(0i), vec2(0f));
-        place_1 = _e20;
-        if (period.x > 0f) {
-            let _e26 = nodes;
-            local_6 = (_e26.x / period.x);
-        } else {
-            local_6 = 2f;
-        }
-        let _e35 = local_6;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_7 = (_e39.y / period.y);
-        } else {
-            local_7 = 2f;
-        }
-        let _e48 = local_7;
-        place_1.radius = vec2<f32>(_e35, _e48);
-        if (period.x > 0f) {
-            let _e54 = nodes;
-            local_8 = i32(_e54.x);
-        } else {
-            local_8 = 0i;
-        }
-        let _e59 = local_8;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_9 = i32(_e63.y);
-        } else {
-            local_9 = 0i;
-        }
-        let _e68 = local_9;
-        place_1.period = vec2<i32>(_e59, _e68);
-        let _e71 = place_1;
-        place_1.local = (p * _e71.radius);
-        let _e74 = place_1;
-        return _e74;
+    nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
+    let _e20 = gabor_place(vec2(0i), vec2(0f));
+    place_1 = _e20;
+    if (period.x > 0f) {
+        let _e26 = nodes;
+        local_6 = (_e26.x / period.x);
     } else {
-        var nodes: vec2<f32>;
-        var place_1: GaborPlace;
-        var local_6: f32;
-        var local_7: f32;
-        var local_8: i32;
-        var local_9: i32;
-
-        nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
-        let _e20 = gabor_place(vec2(0i), vec2(0f));
-        place_1 = _e20;
-        if (period.x > 0f) {
-            let _e26 = nodes;
-            local_6 = (_e26.x / period.x);
-        } else {
-            local_6 = 1.5f;
-        }
-        let _e35 = local_6;
-        if (period.y > 0f) {
-            let _e39 = nodes;
-            local_7 = (_e39.y / period.y);
-        } else {
-            local_7 = 1.5f;
-        }
-        let _e48 = local_7;
-        place_1.radius = vec2<f32>(_e35, _e48);
-        if (period.x > 0f) {
-            let _e54 = nodes;
-            local_8 = i32(_e54.x);
-        } else {
-            local_8 = 0i;
-        }
-        let _e59 = local_8;
-        if (period.y > 0f) {
-            let _e63 = nodes;
-            local_9 = i32(_e63.y);
-        } else {
-            local_9 = 0i;
-        }
-        let _e68 = local_9;
-        place_1.period = vec2<i32>(_e59, _e68);
-        let _e71 = place_1;
-        place_1.local = (p * _e71.radius);
-        let _e74 = place_1;
-        return _e74;
+        local_6 = 1.5f;
     }
+    let _e35 = local_6;
+    if (period.y > 0f) {
+        let _e39 = nodes;
+        local_7 = (_e39.y / period.y);
+    } else {
+        local_7 = 1.5f;
+    }
+    let _e48 = local_7;
+    place_1.radius = vec2<f32>(_e35, _e48);
+    if (period.x > 0f) {
+        let _e54 = nodes;
+        local_8 = i32(_e54.x);
+    } else {
+        local_8 = 0i;
+    }
+    let _e59 = local_8;
+    if (period.y > 0f) {
+        let _e63 = nodes;
+        local_9 = i32(_e63.y);
+    } else {
+        local_9 = 0i;
+    }
+    let _e68 = local_9;
+    place_1.period = vec2<i32>(_e59, _e68);
+    let _e71 = place_1;
+    place_1.local = (p * _e71.radius);
+    let _e74 = place_1;
+    return _e74;
 }
 
 // The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    if GABOR_TAPS == 2 {
-        var kernel_1: GaborKernel;
-        var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_2: GaborAxis;
-        var turn_5: vec2<f32>;
-        var sum_3: vec4<f32>;
-        var slope_5: vec4<f32>;
+    var kernel_1: GaborKernel;
+    var salt_3: u32;
+    var x_3: GaborAxis;
+    var y_3: GaborAxis;
+    var turn_5: vec2<f32>;
+    var sum_3: vec4<f32>;
+    var slope_5: vec4<f32>;
 
-        kernel_1 = kernel;
-        let _e4 = gabor_impl_salt(seed);
-        salt_3 = _e4;
-        let _e12 = salt_3;
-        let _e13 = kernel_1;
-        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-        x_3 = _e18;
-        let _e20 = salt_3;
-        salt_3 = (_e20 ^ 1540483477u);
-        let _e29 = salt_3;
-        let _e30 = kernel_1;
-        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-        y_2 = _e35;
-        let _e37 = x_3;
-        let _e39 = x_3;
-        let _e42 = y_2;
-        let _e44 = y_2;
-        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_5 = _e48;
-        let _e52 = x_3;
-        let _e53 = y_2;
-        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e60 = sum_3;
-        let _e61 = slope_5;
-        let _e62 = turn_5;
-        let _e63 = kernel_1;
-        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1f)));
-        return _e72;
-    } else if GABOR_TAPS == 4 {
-        var kernel_1: GaborKernel;
-        var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_3: GaborAxis;
-        var turn_5: vec2<f32>;
-        var sum_3: vec4<f32>;
-        var slope_5: vec4<f32>;
-
-        kernel_1 = kernel;
-        let _e4 = gabor_impl_salt(seed);
-        salt_3 = _e4;
-        let _e12 = salt_3;
-        let _e13 = kernel_1;
-        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-        x_3 = _e18;
-        let _e20 = salt_3;
-        salt_3 = (_e20 ^ 1540483477u);
-        let _e29 = salt_3;
-        let _e30 = kernel_1;
-        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-        y_3 = _e35;
-        let _e37 = x_3;
-        let _e39 = x_3;
-        let _e42 = y_3;
-        let _e44 = y_3;
-        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_5 = _e48;
-        let _e52 = x_3;
-        let _e53 = y_3;
-        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e60 = sum_3;
-        let _e61 = slope_5;
-        let _e62 = turn_5;
-        let _e63 = kernel_1;
-        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(2f)));
-        return _e72;
-    } else {
-        var kernel_1: GaborKernel;
-        var salt_3: u32;
-        var x_3: GaborAxis;
-        var y_3: GaborAxis;
-        var turn_5: vec2<f32>;
-        var sum_3: vec4<f32>;
-        var slope_5: vec4<f32>;
-
-        kernel_1 = kernel;
-        let _e4 = gabor_impl_salt(seed);
-        salt_3 = _e4;
-        let _e12 = salt_3;
-        let _e13 = kernel_1;
-        let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-        x_3 = _e18;
-        let _e20 = salt_3;
-        salt_3 = (_e20 ^ 1540483477u);
-        let _e29 = salt_3;
-        let _e30 = kernel_1;
-        let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-        y_3 = _e35;
-        let _e37 = x_3;
-        let _e39 = x_3;
-        let _e42 = y_3;
-        let _e44 = y_3;
-        let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-        turn_5 = _e48;
-        let _e52 = x_3;
-        let _e53 = y_3;
-        gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
-        let _e60 = sum_3;
-        let _e61 = slope_5;
-        let _e62 = turn_5;
-        let _e63 = kernel_1;
-        let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
-        return _e72;
-    }
+    kernel_1 = kernel;
+    let _e4 = gabor_impl_salt(seed);
+    salt_3 = _e4;
+    let _e12 = salt_3;
+    let _e13 = kernel_1;
+    let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+    x_3 = _e18;
+    let _e20 = salt_3;
+    salt_3 = (_e20 ^ 1540483477u);
+    let _e29 = salt_3;
+    let _e30 = kernel_1;
+    let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+    y_3 = _e35;
+    let _e37 = x_3;
+    let _e39 = x_3;
+    let _e42 = y_3;
+    let _e44 = y_3;
+    let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+    turn_5 = _e48;
+    let _e52 = x_3;
+    let _e53 = y_3;
+    gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+    let _e60 = sum_3;
+    let _e61 = slope_5;
+    let _e62 = turn_5;
+    let _e63 = kernel_1;
+    let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
+    return _e72;
 }
 
 // The noise at gabor_place(cell, local).
@@ -789,104 +492,38 @@ fn gabor_impl_wave(t: f32) -> vec2<f32> {
 }
 
 fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
-    if GABOR_TAPS == 2 {
-        var t_3: f32;
-        var s_1: f32;
-        var scale: f32;
+    var y: f32;
+    var c: f32;
+    var s_1: f32;
+    var a_1: f32;
+    var b_1: f32;
 
-        t_3 = (x + 1f);
-        let _e6 = t_3;
-        let _e7 = t_3;
-        let _e11 = t_3;
-        s_1 = ((_e6 * _e7) * (3f - (2f * _e11)));
-        let _e18 = s_1;
-        let _e21 = s_1;
-        scale = inverseSqrt((1f - ((2f * _e18) * (1f - _e21))));
-        let _e27 = scale;
-        let _e29 = s_1;
-        let _e31 = s_1;
-        (*value) = (_e27 * vec4<f32>((1f - _e29), _e31, 0f, 0f));
-        let _e37 = t_3;
-        let _e40 = t_3;
-        let _e43 = scale;
-        let _e45 = scale;
-        let _e47 = scale;
-        let _e49 = s_1;
-        let _e52 = s_1;
-        (*slope) = ((((((6f * _e37) * (1f - _e40)) * _e43) * _e45) * _e47) * vec4<f32>(-(_e49), (1f - _e52), 0f, 0f));
-        return;
-    } else if GABOR_TAPS == 4 {
-        var z_1: f32;
-        var y: f32;
-        var cosine: f32;
-        var sine: f32;
-        var c: f32;
-        var s_1: f32;
-
-        z_1 = (x - 0.5f);
-        let _e6 = z_1;
-        let _e7 = z_1;
-        y = (_e6 * _e7);
-        let _e11 = y;
-        let _e13 = y;
-        let _e15 = y;
-        cosine = (0.35355338f - (_e11 * (0.4361781f - (_e13 * (0.08966339f - (_e15 * 0.00722177f))))));
-        let _e24 = z_1;
-        let _e26 = y;
-        let _e28 = y;
-        let _e30 = y;
-        sine = (_e24 * (0.5553604f - (_e26 * (0.2283824f - (_e28 * (0.028169684f - (_e30 * 0.0016236196f)))))));
-        let _e40 = cosine;
-        let _e41 = sine;
-        c = (_e40 - _e41);
-        let _e44 = cosine;
-        let _e45 = sine;
-        s_1 = (_e44 + _e45);
-        let _e49 = s_1;
-        let _e51 = c;
-        let _e52 = s_1;
-        let _e53 = c;
-        (*value) = (vec4(0.5f) + vec4<f32>(-(_e49), _e51, _e52, -(_e53)));
-        let _e59 = c;
-        let _e61 = s_1;
-        let _e63 = c;
-        let _e64 = s_1;
-        (*slope) = (3.1415927f * vec4<f32>(-(_e59), -(_e61), _e63, _e64));
-        return;
-    } else {
-        var y: f32;
-        var c: f32;
-        var s_1: f32;
-        var a_1: f32;
-        var b_1: f32;
-
-        y = (x * x);
-        let _e6 = y;
-        let _e8 = y;
-        let _e10 = y;
-        c = (0.5f - (_e6 * (1.09661f - (_e8 * (0.40054825f - (_e10 * 0.05644487f))))));
-        let _e20 = y;
-        let _e22 = y;
-        let _e24 = y;
-        s_1 = (x * (0.9068996f - (_e20 * (0.66301125f - (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
-        let _e36 = c;
-        a_1 = (0.5f - (0.5f * _e36));
-        let _e41 = s_1;
-        b_1 = (1.8137994f * _e41);
-        let _e44 = a_1;
-        let _e45 = s_1;
-        let _e48 = c;
-        let _e50 = a_1;
-        let _e51 = s_1;
-        (*value) = vec4<f32>((_e44 - _e45), (0.5f + _e48), (_e50 + _e51), 0f);
-        let _e55 = b_1;
-        let _e57 = c;
-        let _e62 = b_1;
-        let _e64 = b_1;
-        let _e66 = c;
-        (*slope) = vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f);
-        return;
-    }
+    y = (x * x);
+    let _e6 = y;
+    let _e8 = y;
+    let _e10 = y;
+    c = (0.5f - (_e6 * (1.09661f - (_e8 * (0.40054825f - (_e10 * 0.05644487f))))));
+    let _e20 = y;
+    let _e22 = y;
+    let _e24 = y;
+    s_1 = (x * (0.9068996f - (_e20 * (0.66301125f - (_e22 * (0.14532053f - (_e24 * 0.01467483f)))))));
+    let _e36 = c;
+    a_1 = (0.5f - (0.5f * _e36));
+    let _e41 = s_1;
+    b_1 = (1.8137994f * _e41);
+    let _e44 = a_1;
+    let _e45 = s_1;
+    let _e48 = c;
+    let _e50 = a_1;
+    let _e51 = s_1;
+    (*value) = vec4<f32>((_e44 - _e45), (0.5f + _e48), (_e50 + _e51), 0f);
+    let _e55 = b_1;
+    let _e57 = c;
+    let _e62 = b_1;
+    let _e64 = b_1;
+    let _e66 = c;
+    (*slope) = vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f);
+    return;
 }
 
 // Wraps an index into a period.
@@ -933,229 +570,79 @@ struct GaborAxis {
 
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
 fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, radius: f32) -> GaborAxis {
-    if GABOR_TAPS == 2 {
-        var axis: GaborAxis;
-        var zero: f32;
-        var index_4: i32;
-        var value_1: vec4<f32>;
-        var slope_1: vec4<f32>;
-        var turn_1: vec2<f32>;
-        var back: vec2<f32>;
-        var twice: vec2<f32>;
+    var axis: GaborAxis;
+    var zero: f32;
+    var index_4: i32;
+    var value_1: vec4<f32>;
+    var slope_1: vec4<f32>;
+    var turn_1: vec2<f32>;
+    var back: vec2<f32>;
+    var twice: vec2<f32>;
 
-        zero = floor((local + 1f));
-        let _e17 = zero;
-        axis.offset = clamp((local - _e17), -1f, 0f);
-        axis.turns = (wave / radius);
-        let _e34 = zero;
-        let _e39 = gabor_impl_wrap(((cell + i32(_e34)) - 1i), period);
-        index_4 = _e39;
-        let _e44 = index_4;
-        let _e45 = gabor_impl_line_word(_e44, salt);
-        axis.word[0i] = _e45;
-        let _e46 = index_4;
-        let _e47 = gabor_impl_next_node(_e46, period);
-        index_4 = _e47;
-        let _e51 = index_4;
-        let _e52 = gabor_impl_line_word(_e51, salt);
-        axis.word[1i] = _e52;
-        let _e53 = index_4;
-        let _e54 = gabor_impl_next_node(_e53, period);
-        index_4 = _e54;
-        let _e58 = index_4;
-        let _e59 = gabor_impl_line_word(_e58, salt);
-        axis.word[2i] = _e59;
-        let _e63 = index_4;
-        let _e64 = gabor_impl_next_node(_e63, period);
-        let _e65 = gabor_impl_line_word(_e64, salt);
-        axis.word[3i] = _e65;
-        let _e68 = axis;
-        gabor_impl_windows(_e68.offset, (&value_1), (&slope_1));
-        let _e74 = axis;
-        let _e76 = gabor_impl_wave(_e74.turns);
-        turn_1 = _e76;
-        let _e78 = turn_1;
-        let _e80 = turn_1;
-        back = vec2<f32>(_e78.x, -(_e80.y));
-        let _e85 = back;
-        let _e86 = back;
-        let _e87 = gabor_impl_product(_e85, _e86);
-        twice = _e87;
-        let _e92 = value_1;
-        let _e94 = turn_1;
-        let _e95 = (_e92.x * _e94);
-        let _e96 = slope_1;
-        let _e98 = turn_1;
-        let _e99 = (_e96.x * _e98);
-        axis.node[0i] = vec4<f32>(_e95.x, _e95.y, _e99.x, _e99.y);
-        let _e108 = value_1;
-        let _e111 = slope_1;
-        axis.node[1i] = vec4<f32>(_e108.y, 0f, _e111.y, 0f);
-        let _e118 = value_1;
-        let _e120 = back;
-        let _e121 = (_e118.z * _e120);
-        let _e122 = slope_1;
-        let _e124 = back;
-        let _e125 = (_e122.z * _e124);
-        axis.node[2i] = vec4<f32>(_e121.x, _e121.y, _e125.x, _e125.y);
-        let _e134 = value_1;
-        let _e136 = twice;
-        let _e137 = (_e134.w * _e136);
-        let _e138 = slope_1;
-        let _e140 = twice;
-        let _e141 = (_e138.w * _e140);
-        axis.node[3i] = vec4<f32>(_e137.x, _e137.y, _e141.x, _e141.y);
-        let _e147 = axis;
-        return _e147;
-    } else if GABOR_TAPS == 4 {
-        var axis: GaborAxis;
-        var zero: f32;
-        var index_4: i32;
-        var value_1: vec4<f32>;
-        var slope_1: vec4<f32>;
-        var turn_1: vec2<f32>;
-        var back: vec2<f32>;
-        var twice: vec2<f32>;
-
-        zero = floor((local + 0f));
-        let _e17 = zero;
-        axis.offset = clamp((local - _e17), 0f, 1f);
-        axis.turns = (wave / radius);
-        let _e34 = zero;
-        let _e39 = gabor_impl_wrap(((cell + i32(_e34)) - 1i), period);
-        index_4 = _e39;
-        let _e44 = index_4;
-        let _e45 = gabor_impl_line_word(_e44, salt);
-        axis.word[0i] = _e45;
-        let _e46 = index_4;
-        let _e47 = gabor_impl_next_node(_e46, period);
-        index_4 = _e47;
-        let _e51 = index_4;
-        let _e52 = gabor_impl_line_word(_e51, salt);
-        axis.word[1i] = _e52;
-        let _e53 = index_4;
-        let _e54 = gabor_impl_next_node(_e53, period);
-        index_4 = _e54;
-        let _e58 = index_4;
-        let _e59 = gabor_impl_line_word(_e58, salt);
-        axis.word[2i] = _e59;
-        let _e63 = index_4;
-        let _e64 = gabor_impl_next_node(_e63, period);
-        let _e65 = gabor_impl_line_word(_e64, salt);
-        axis.word[3i] = _e65;
-        let _e68 = axis;
-        gabor_impl_windows(_e68.offset, (&value_1), (&slope_1));
-        let _e74 = axis;
-        let _e76 = gabor_impl_wave(_e74.turns);
-        turn_1 = _e76;
-        let _e78 = turn_1;
-        let _e80 = turn_1;
-        back = vec2<f32>(_e78.x, -(_e80.y));
-        let _e85 = back;
-        let _e86 = back;
-        let _e87 = gabor_impl_product(_e85, _e86);
-        twice = _e87;
-        let _e92 = value_1;
-        let _e94 = turn_1;
-        let _e95 = (_e92.x * _e94);
-        let _e96 = slope_1;
-        let _e98 = turn_1;
-        let _e99 = (_e96.x * _e98);
-        axis.node[0i] = vec4<f32>(_e95.x, _e95.y, _e99.x, _e99.y);
-        let _e108 = value_1;
-        let _e111 = slope_1;
-        axis.node[1i] = vec4<f32>(_e108.y, 0f, _e111.y, 0f);
-        let _e118 = value_1;
-        let _e120 = back;
-        let _e121 = (_e118.z * _e120);
-        let _e122 = slope_1;
-        let _e124 = back;
-        let _e125 = (_e122.z * _e124);
-        axis.node[2i] = vec4<f32>(_e121.x, _e121.y, _e125.x, _e125.y);
-        let _e134 = value_1;
-        let _e136 = twice;
-        let _e137 = (_e134.w * _e136);
-        let _e138 = slope_1;
-        let _e140 = twice;
-        let _e141 = (_e138.w * _e140);
-        axis.node[3i] = vec4<f32>(_e137.x, _e137.y, _e141.x, _e141.y);
-        let _e147 = axis;
-        return _e147;
-    } else {
-        var axis: GaborAxis;
-        var zero: f32;
-        var index_4: i32;
-        var value_1: vec4<f32>;
-        var slope_1: vec4<f32>;
-        var turn_1: vec2<f32>;
-        var back: vec2<f32>;
-        var twice: vec2<f32>;
-
-        zero = floor((local + 0.5f));
-        let _e17 = zero;
-        axis.offset = clamp((local - _e17), -0.5f, 0.5f);
-        axis.turns = (wave / radius);
-        let _e34 = zero;
-        let _e39 = gabor_impl_wrap(((cell + i32(_e34)) - 1i), period);
-        index_4 = _e39;
-        let _e44 = index_4;
-        let _e45 = gabor_impl_line_word(_e44, salt);
-        axis.word[0i] = _e45;
-        let _e46 = index_4;
-        let _e47 = gabor_impl_next_node(_e46, period);
-        index_4 = _e47;
-        let _e51 = index_4;
-        let _e52 = gabor_impl_line_word(_e51, salt);
-        axis.word[1i] = _e52;
-        let _e53 = index_4;
-        let _e54 = gabor_impl_next_node(_e53, period);
-        index_4 = _e54;
-        let _e58 = index_4;
-        let _e59 = gabor_impl_line_word(_e58, salt);
-        axis.word[2i] = _e59;
-        let _e63 = index_4;
-        let _e64 = gabor_impl_next_node(_e63, period);
-        let _e65 = gabor_impl_line_word(_e64, salt);
-        axis.word[3i] = _e65;
-        let _e68 = axis;
-        gabor_impl_windows(_e68.offset, (&value_1), (&slope_1));
-        let _e74 = axis;
-        let _e76 = gabor_impl_wave(_e74.turns);
-        turn_1 = _e76;
-        let _e78 = turn_1;
-        let _e80 = turn_1;
-        back = vec2<f32>(_e78.x, -(_e80.y));
-        let _e85 = back;
-        let _e86 = back;
-        let _e87 = gabor_impl_product(_e85, _e86);
-        twice = _e87;
-        let _e92 = value_1;
-        let _e94 = turn_1;
-        let _e95 = (_e92.x * _e94);
-        let _e96 = slope_1;
-        let _e98 = turn_1;
-        let _e99 = (_e96.x * _e98);
-        axis.node[0i] = vec4<f32>(_e95.x, _e95.y, _e99.x, _e99.y);
-        let _e108 = value_1;
-        let _e111 = slope_1;
-        axis.node[1i] = vec4<f32>(_e108.y, 0f, _e111.y, 0f);
-        let _e118 = value_1;
-        let _e120 = back;
-        let _e121 = (_e118.z * _e120);
-        let _e122 = slope_1;
-        let _e124 = back;
-        let _e125 = (_e122.z * _e124);
-        axis.node[2i] = vec4<f32>(_e121.x, _e121.y, _e125.x, _e125.y);
-        let _e134 = value_1;
-        let _e136 = twice;
-        let _e137 = (_e134.w * _e136);
-        let _e138 = slope_1;
-        let _e140 = twice;
-        let _e141 = (_e138.w * _e140);
-        axis.node[3i] = vec4<f32>(_e137.x, _e137.y, _e141.x, _e141.y);
-        let _e147 = axis;
-        return _e147;
-    }
+    zero = floor((local + 0.5f));
+    let _e17 = zero;
+    axis.offset = clamp((local - _e17), -0.5f, 0.5f);
+    axis.turns = (wave / radius);
+    let _e34 = zero;
+    let _e39 = gabor_impl_wrap(((cell + i32(_e34)) - 1i), period);
+    index_4 = _e39;
+    let _e44 = index_4;
+    let _e45 = gabor_impl_line_word(_e44, salt);
+    axis.word[0i] = _e45;
+    let _e46 = index_4;
+    let _e47 = gabor_impl_next_node(_e46, period);
+    index_4 = _e47;
+    let _e51 = index_4;
+    let _e52 = gabor_impl_line_word(_e51, salt);
+    axis.word[1i] = _e52;
+    let _e53 = index_4;
+    let _e54 = gabor_impl_next_node(_e53, period);
+    index_4 = _e54;
+    let _e58 = index_4;
+    let _e59 = gabor_impl_line_word(_e58, salt);
+    axis.word[2i] = _e59;
+    let _e63 = index_4;
+    let _e64 = gabor_impl_next_node(_e63, period);
+    let _e65 = gabor_impl_line_word(_e64, salt);
+    axis.word[3i] = _e65;
+    let _e68 = axis;
+    gabor_impl_windows(_e68.offset, (&value_1), (&slope_1));
+    let _e74 = axis;
+    let _e76 = gabor_impl_wave(_e74.turns);
+    turn_1 = _e76;
+    let _e78 = turn_1;
+    let _e80 = turn_1;
+    back = vec2<f32>(_e78.x, -(_e80.y));
+    let _e85 = back;
+    let _e86 = back;
+    let _e87 = gabor_impl_product(_e85, _e86);
+    twice = _e87;
+    let _e92 = value_1;
+    let _e94 = turn_1;
+    let _e95 = (_e92.x * _e94);
+    let _e96 = slope_1;
+    let _e98 = turn_1;
+    let _e99 = (_e96.x * _e98);
+    axis.node[0i] = vec4<f32>(_e95.x, _e95.y, _e99.x, _e99.y);
+    let _e108 = value_1;
+    let _e111 = slope_1;
+    axis.node[1i] = vec4<f32>(_e108.y, 0f, _e111.y, 0f);
+    let _e118 = value_1;
+    let _e120 = back;
+    let _e121 = (_e118.z * _e120);
+    let _e122 = slope_1;
+    let _e124 = back;
+    let _e125 = (_e122.z * _e124);
+    axis.node[2i] = vec4<f32>(_e121.x, _e121.y, _e125.x, _e125.y);
+    let _e134 = value_1;
+    let _e136 = twice;
+    let _e137 = (_e134.w * _e136);
+    let _e138 = slope_1;
+    let _e140 = twice;
+    let _e141 = (_e138.w * _e140);
+    axis.node[3i] = vec4<f32>(_e137.x, _e137.y, _e141.x, _e141.y);
+    let _e147 = axis;
+    return _e147;
 }
 
 // The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
@@ -1193,225 +680,79 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
 fn gabor_impl_add_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
-    if GABOR_TAPS == 2 {
-        var row: vec4<f32> = vec4(0f);
+    var row: vec4<f32> = vec4(0f);
 
-        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
-        gabor_impl_add((&row), x.node[0], _e20);
-        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
-        gabor_impl_add((&row), x.node[1], _e32);
-        if false {
-            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
-            gabor_impl_add((&row), x.node[2], _e47);
-        }
-        if false {
-            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
-            gabor_impl_add((&row), x.node[3], _e62);
-        }
-        if ((false && (j != 1i)) || (x.offset < 8f)) {
-            {
-                let _e75 = row;
-                gabor_impl_add(sum, _e75, y.node[j].xy);
-                let _e81 = row;
-                gabor_impl_add(slope, _e81, y.node[j].zw);
-                return;
-            }
-        } else {
-            return;
-        }
-    } else if GABOR_TAPS == 4 {
-        var row: vec4<f32> = vec4(0f);
-
-        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
-        gabor_impl_add((&row), x.node[0], _e20);
-        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
-        gabor_impl_add((&row), x.node[1], _e32);
-        if true {
-            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
-            gabor_impl_add((&row), x.node[2], _e47);
-        }
-        if true {
-            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
-            gabor_impl_add((&row), x.node[3], _e62);
-        }
-        if ((true && (j != 1i)) || (x.offset < 8f)) {
-            {
-                let _e75 = row;
-                gabor_impl_add(sum, _e75, y.node[j].xy);
-                let _e81 = row;
-                gabor_impl_add(slope, _e81, y.node[j].zw);
-                return;
-            }
-        } else {
+    let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
+    gabor_impl_add((&row), x.node[0], _e20);
+    let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
+    gabor_impl_add((&row), x.node[1], _e32);
+    if true {
+        let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[2], _e47);
+    }
+    if false {
+        let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
+        gabor_impl_add((&row), x.node[3], _e62);
+    }
+    if ((true && (j != 1i)) || (x.offset < 8f)) {
+        {
+            let _e75 = row;
+            gabor_impl_add(sum, _e75, y.node[j].xy);
+            let _e81 = row;
+            gabor_impl_add(slope, _e81, y.node[j].zw);
             return;
         }
     } else {
-        var row: vec4<f32> = vec4(0f);
-
-        let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
-        gabor_impl_add((&row), x.node[0], _e20);
-        let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
-        gabor_impl_add((&row), x.node[1], _e32);
-        if true {
-            let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
-            gabor_impl_add((&row), x.node[2], _e47);
-        }
-        if false {
-            let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
-            gabor_impl_add((&row), x.node[3], _e62);
-        }
-        if ((true && (j != 1i)) || (x.offset < 8f)) {
-            {
-                let _e75 = row;
-                gabor_impl_add(sum, _e75, y.node[j].xy);
-                let _e81 = row;
-                gabor_impl_add(slope, _e81, y.node[j].zw);
-                return;
-            }
-        } else {
-            return;
-        }
+        return;
     }
 }
 
 fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
-    if GABOR_TAPS == 2 {
-        let _e7 = vec4(0f);
-        (*slope) = _e7;
-        (*sum) = _e7;
-        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
-        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
-        if false {
-            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
-        }
-        if false {
-            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
-            return;
-        } else {
-            return;
-        }
-    } else if GABOR_TAPS == 4 {
-        let _e7 = vec4(0f);
-        (*slope) = _e7;
-        (*sum) = _e7;
-        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
-        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
-        if true {
-            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
-        }
-        if true {
-            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
-            return;
-        } else {
-            return;
-        }
+    let _e7 = vec4(0f);
+    (*slope) = _e7;
+    (*sum) = _e7;
+    gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
+    gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
+    if true {
+        gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
+    }
+    if false {
+        gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
+        return;
     } else {
-        let _e7 = vec4(0f);
-        (*slope) = _e7;
-        (*sum) = _e7;
-        gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
-        gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
-        if true {
-            gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
-        }
-        if false {
-            gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
-            return;
-        } else {
-            return;
-        }
+        return;
     }
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
 // K^2 / 2 E|A|^2 times the sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
-    if GABOR_TAPS == 2 {
-        var turn_4: vec2<f32>;
-        var local_4: f32;
-        var value_2: vec2<f32>;
-        var turned: vec2<f32>;
+    var turn_4: vec2<f32>;
+    var local_4: f32;
+    var value_2: vec2<f32>;
+    var turned: vec2<f32>;
 
-        turn_4 = turn;
-        let _e6 = turn_4;
-        if true {
-            local_4 = 1f;
-        } else {
-            local_4 = 0.75f;
-        }
-        let _e18 = local_4;
-        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
-        let _e23 = turn_4;
-        let _e24 = gabor_impl_product(sum.xy, _e23);
-        value_2 = _e24;
-        let _e27 = value_2;
-        let _e30 = value_2;
-        turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
-        let _e35 = value_2;
-        let _e38 = turn_4;
-        let _e39 = gabor_impl_product(sum.zw, _e38);
-        let _e42 = turned;
-        let _e47 = turn_4;
-        let _e48 = gabor_impl_product(slope.xy, _e47);
-        let _e51 = turned;
-        return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
-    } else if GABOR_TAPS == 4 {
-        var turn_4: vec2<f32>;
-        var local_4: f32;
-        var value_2: vec2<f32>;
-        var turned: vec2<f32>;
-
-        turn_4 = turn;
-        let _e6 = turn_4;
-        if false {
-            local_4 = 1f;
-        } else {
-            local_4 = 1.5f;
-        }
-        let _e18 = local_4;
-        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
-        let _e23 = turn_4;
-        let _e24 = gabor_impl_product(sum.xy, _e23);
-        value_2 = _e24;
-        let _e27 = value_2;
-        let _e30 = value_2;
-        turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
-        let _e35 = value_2;
-        let _e38 = turn_4;
-        let _e39 = gabor_impl_product(sum.zw, _e38);
-        let _e42 = turned;
-        let _e47 = turn_4;
-        let _e48 = gabor_impl_product(slope.xy, _e47);
-        let _e51 = turned;
-        return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
+    turn_4 = turn;
+    let _e6 = turn_4;
+    if false {
+        local_4 = 1f;
     } else {
-        var turn_4: vec2<f32>;
-        var local_4: f32;
-        var value_2: vec2<f32>;
-        var turned: vec2<f32>;
-
-        turn_4 = turn;
-        let _e6 = turn_4;
-        if false {
-            local_4 = 1f;
-        } else {
-            local_4 = 1.125f;
-        }
-        let _e18 = local_4;
-        turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
-        let _e23 = turn_4;
-        let _e24 = gabor_impl_product(sum.xy, _e23);
-        value_2 = _e24;
-        let _e27 = value_2;
-        let _e30 = value_2;
-        turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
-        let _e35 = value_2;
-        let _e38 = turn_4;
-        let _e39 = gabor_impl_product(sum.zw, _e38);
-        let _e42 = turned;
-        let _e47 = turn_4;
-        let _e48 = gabor_impl_product(slope.xy, _e47);
-        let _e51 = turned;
-        return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
+        local_4 = 1.125f;
     }
+    let _e18 = local_4;
+    turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
+    let _e23 = turn_4;
+    let _e24 = gabor_impl_product(sum.xy, _e23);
+    value_2 = _e24;
+    let _e27 = value_2;
+    let _e30 = value_2;
+    turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
+    let _e35 = value_2;
+    let _e38 = turn_4;
+    let _e39 = gabor_impl_product(sum.zw, _e38);
+    let _e42 = turned;
+    let _e47 = turn_4;
+    let _e48 = gabor_impl_product(slope.xy, _e47);
+    let _e51 = turned;
+    return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
 }

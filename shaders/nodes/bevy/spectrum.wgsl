@@ -1,5 +1,5 @@
 #define_import_path gabor_noise::spectrum
-#import gabor_noise::noise::{GABOR_TAPS, gabor_phasor, gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_kernel, gabor_kernel_wave, gabor_place, gabor_place_tiled, gabor_field, gabor_impl_salt, gabor_impl_line_word, gabor_impl_product, gabor_impl_half_turn, gabor_impl_wave, gabor_impl_windows, gabor_impl_wrap, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at, gabor_impl_sum, gabor_impl_field}
+#import gabor_noise::noise::{gabor_phasor, gabor_lobe_seed, GaborKernel, GaborPlace, GaborField, gabor_kernel, gabor_kernel_wave, gabor_place, gabor_place_tiled, gabor_field, gabor_impl_salt, gabor_impl_line_word, gabor_impl_product, gabor_impl_half_turn, gabor_impl_wave, gabor_impl_windows, gabor_impl_wrap, GaborAxis, gabor_impl_axis, gabor_impl_amplitude_at, gabor_impl_sum, gabor_impl_field}
 
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
 //
@@ -50,104 +50,40 @@ fn gabor_lobe_elliptical(frequency: f32, orientation: f32, radius: vec2<f32>, po
 //     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //     lobes.count = 2;
 fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var lobes_3: GaborLobes;
+    var lobes_3: GaborLobes;
 
-        lobes_3 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = lobes_3;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        return _e13.value.y;
-    } else if GABOR_TAPS == 4 {
-        var lobes_3: GaborLobes;
-
-        lobes_3 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = lobes_3;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        return _e13.value.y;
-    } else {
-        var lobes_3: GaborLobes;
-
-        lobes_3 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = lobes_3;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        return _e13.value.y;
-    }
+    lobes_3 = lobes;
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = lobes_3;
+    let _e13 = gabor_field_lobes(_e11, _e12, seed);
+    return _e13.value.y;
 }
 
 // The noise with its analytic gradient per unit of p: (noise, d/dx, d/dy).
 fn gabor_noise_lobes_gradient(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec3<f32> {
-    if GABOR_TAPS == 2 {
-        var lobes_5: GaborLobes;
-        var field_6: GaborField;
+    var lobes_5: GaborLobes;
+    var field_6: GaborField;
 
-        lobes_5 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = lobes_5;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        field_6 = _e13;
-        let _e15 = field_6;
-        let _e18 = field_6;
-        let _e21 = field_6;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    } else if GABOR_TAPS == 4 {
-        var lobes_5: GaborLobes;
-        var field_6: GaborField;
-
-        lobes_5 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = lobes_5;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        field_6 = _e13;
-        let _e15 = field_6;
-        let _e18 = field_6;
-        let _e21 = field_6;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    } else {
-        var lobes_5: GaborLobes;
-        var field_6: GaborField;
-
-        lobes_5 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = lobes_5;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        field_6 = _e13;
-        let _e15 = field_6;
-        let _e18 = field_6;
-        let _e21 = field_6;
-        return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-    }
+    lobes_5 = lobes;
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = lobes_5;
+    let _e13 = gabor_field_lobes(_e11, _e12, seed);
+    field_6 = _e13;
+    let _e15 = field_6;
+    let _e18 = field_6;
+    let _e21 = field_6;
+    return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
 }
 
 // The noise with its quadrature, like gabor_noise_complex.
 fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
-    if GABOR_TAPS == 2 {
-        var lobes_7: GaborLobes;
+    var lobes_7: GaborLobes;
 
-        lobes_7 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 1f));
-        let _e12 = lobes_7;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        return _e13.value;
-    } else if GABOR_TAPS == 4 {
-        var lobes_7: GaborLobes;
-
-        lobes_7 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 2f));
-        let _e12 = lobes_7;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        return _e13.value;
-    } else {
-        var lobes_7: GaborLobes;
-
-        lobes_7 = lobes;
-        let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e12 = lobes_7;
-        let _e13 = gabor_field_lobes(_e11, _e12, seed);
-        return _e13.value;
-    }
+    lobes_7 = lobes;
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = lobes_7;
+    let _e13 = gabor_field_lobes(_e11, _e12, seed);
+    return _e13.value;
 }
 
 // Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
@@ -160,104 +96,40 @@ fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2
 // both rounded down: 10 directions for isotropic noise of frequency 2. Just before one of these numbers changes,
 // for a fifth of all arguments, the noise is a sum of both sets of lobes, the old and the new.
 fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var place_14: GaborPlace;
+    var place_19: GaborPlace;
 
-        let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_14 = _e13;
-        let _e15 = place_14;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        return _e16.value.y;
-    } else if GABOR_TAPS == 4 {
-        var place_14: GaborPlace;
-
-        let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_14 = _e13;
-        let _e15 = place_14;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        return _e16.value.y;
-    } else {
-        var place_19: GaborPlace;
-
-        let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_19 = _e13;
-        let _e15 = place_19;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        return _e16.value.y;
-    }
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    place_19 = _e13;
+    let _e15 = place_19;
+    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+    return _e16.value.y;
 }
 
 // The noise with its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec3<f32> {
-    if GABOR_TAPS == 2 {
-        var place_15: GaborPlace;
-        var field_7: GaborField;
+    var place_20: GaborPlace;
+    var field_7: GaborField;
 
-        let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_15 = _e13;
-        let _e15 = place_15;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        field_7 = _e16;
-        let _e18 = field_7;
-        let _e21 = field_7;
-        let _e24 = field_7;
-        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
-    } else if GABOR_TAPS == 4 {
-        var place_15: GaborPlace;
-        var field_7: GaborField;
-
-        let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_15 = _e13;
-        let _e15 = place_15;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        field_7 = _e16;
-        let _e18 = field_7;
-        let _e21 = field_7;
-        let _e24 = field_7;
-        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
-    } else {
-        var place_20: GaborPlace;
-        var field_7: GaborField;
-
-        let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_20 = _e13;
-        let _e15 = place_20;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        field_7 = _e16;
-        let _e18 = field_7;
-        let _e21 = field_7;
-        let _e24 = field_7;
-        return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
-    }
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    place_20 = _e13;
+    let _e15 = place_20;
+    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+    field_7 = _e16;
+    let _e18 = field_7;
+    let _e21 = field_7;
+    let _e24 = field_7;
+    return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
 }
 
 // The noise with its quadrature, like gabor_noise_complex.
 fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec2<f32> {
-    if GABOR_TAPS == 2 {
-        var place_16: GaborPlace;
+    var place_21: GaborPlace;
 
-        let _e13 = gabor_place(vec2(0i), (p * 1f));
-        place_16 = _e13;
-        let _e15 = place_16;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        return _e16.value;
-    } else if GABOR_TAPS == 4 {
-        var place_16: GaborPlace;
-
-        let _e13 = gabor_place(vec2(0i), (p * 2f));
-        place_16 = _e13;
-        let _e15 = place_16;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        return _e16.value;
-    } else {
-        var place_21: GaborPlace;
-
-        let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-        place_21 = _e13;
-        let _e15 = place_21;
-        let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-        return _e16.value;
-    }
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    place_21 = _e13;
+    let _e15 = place_21;
+    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+    return _e16.value;
 }
 
 // Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times that of gabor_noise. It
@@ -265,83 +137,33 @@ fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, fr
 // because of the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture
 // of normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
 fn gabor_noise_isotropic(p: vec2<f32>, frequency: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        let _e10 = gabor_place(vec2(0i), (p * 1f));
-        let _e11 = gabor_field_isotropic(_e10, frequency, seed);
-        return _e11.value.y;
-    } else if GABOR_TAPS == 4 {
-        let _e10 = gabor_place(vec2(0i), (p * 2f));
-        let _e11 = gabor_field_isotropic(_e10, frequency, seed);
-        return _e11.value.y;
-    } else {
-        let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e11 = gabor_field_isotropic(_e10, frequency, seed);
-        return _e11.value.y;
-    }
+    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e11 = gabor_field_isotropic(_e10, frequency, seed);
+    return _e11.value.y;
 }
 
 // The noise with its analytic gradient: (noise, d/dx, d/dy).
 fn gabor_noise_isotropic_gradient(p: vec2<f32>, frequency: f32, seed: u32) -> vec3<f32> {
-    if GABOR_TAPS == 2 {
-        var field_8: GaborField;
+    var field_8: GaborField;
 
-        let _e10 = gabor_place(vec2(0i), (p * 1f));
-        let _e11 = gabor_field_isotropic(_e10, frequency, seed);
-        field_8 = _e11;
-        let _e13 = field_8;
-        let _e16 = field_8;
-        let _e19 = field_8;
-        return vec3<f32>(_e13.value.y, _e16.slope_x.y, _e19.slope_y.y);
-    } else if GABOR_TAPS == 4 {
-        var field_8: GaborField;
-
-        let _e10 = gabor_place(vec2(0i), (p * 2f));
-        let _e11 = gabor_field_isotropic(_e10, frequency, seed);
-        field_8 = _e11;
-        let _e13 = field_8;
-        let _e16 = field_8;
-        let _e19 = field_8;
-        return vec3<f32>(_e13.value.y, _e16.slope_x.y, _e19.slope_y.y);
-    } else {
-        var field_8: GaborField;
-
-        let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-        let _e11 = gabor_field_isotropic(_e10, frequency, seed);
-        field_8 = _e11;
-        let _e13 = field_8;
-        let _e16 = field_8;
-        let _e19 = field_8;
-        return vec3<f32>(_e13.value.y, _e16.slope_x.y, _e19.slope_y.y);
-    }
+    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e11 = gabor_field_isotropic(_e10, frequency, seed);
+    field_8 = _e11;
+    let _e13 = field_8;
+    let _e16 = field_8;
+    let _e19 = field_8;
+    return vec3<f32>(_e13.value.y, _e16.slope_x.y, _e19.slope_y.y);
 }
 
 // The noise with a period, like gabor_noise_tiled.
 fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, seed: u32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var place_17: GaborPlace;
+    var place_22: GaborPlace;
 
-        let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-        place_17 = _e9;
-        let _e11 = place_17;
-        let _e12 = gabor_field_isotropic(_e11, frequency, seed);
-        return _e12.value.y;
-    } else if GABOR_TAPS == 4 {
-        var place_17: GaborPlace;
-
-        let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-        place_17 = _e9;
-        let _e11 = place_17;
-        let _e12 = gabor_field_isotropic(_e11, frequency, seed);
-        return _e12.value.y;
-    } else {
-        var place_22: GaborPlace;
-
-        let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-        place_22 = _e9;
-        let _e11 = place_22;
-        let _e12 = gabor_field_isotropic(_e11, frequency, seed);
-        return _e12.value.y;
-    }
+    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_22 = _e9;
+    let _e11 = place_22;
+    let _e12 = gabor_field_isotropic(_e11, frequency, seed);
+    return _e12.value.y;
 }
 
 // (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of gabor_noise_isotropic.
@@ -536,34 +358,14 @@ fn gabor_stripes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, wave: vec2
 
 // A sine wave from 0 at phase 0 to 1 at half a turn.
 fn gabor_profile_sine(phase: f32, width: f32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var x_6: f32;
+    var x_9: f32;
 
-        x_6 = (3.1415927f * clamp(width, 0.001f, 1f));
-        let _e10 = gabor_impl_wave(phase);
-        let _e14 = x_6;
-        let _e16 = gabor_impl_wave((0.15915494f * _e14));
-        let _e18 = x_6;
-        return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
-    } else if GABOR_TAPS == 4 {
-        var x_6: f32;
-
-        x_6 = (3.1415927f * clamp(width, 0.001f, 1f));
-        let _e10 = gabor_impl_wave(phase);
-        let _e14 = x_6;
-        let _e16 = gabor_impl_wave((0.15915494f * _e14));
-        let _e18 = x_6;
-        return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
-    } else {
-        var x_9: f32;
-
-        x_9 = (3.1415927f * clamp(width, 0.001f, 1f));
-        let _e10 = gabor_impl_wave(phase);
-        let _e14 = x_9;
-        let _e16 = gabor_impl_wave((0.15915494f * _e14));
-        let _e18 = x_9;
-        return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
-    }
+    x_9 = (3.1415927f * clamp(width, 0.001f, 1f));
+    let _e10 = gabor_impl_wave(phase);
+    let _e14 = x_9;
+    let _e16 = gabor_impl_wave((0.15915494f * _e14));
+    let _e18 = x_9;
+    return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
 }
 
 // Straight lines from 0 at phase 0 to 1 at half a turn and back.
@@ -628,127 +430,47 @@ fn gabor_stripes_sine(stripes: vec2<f32>) -> f32 {
 }
 
 fn gabor_stripes_triangle(stripes: vec2<f32>) -> f32 {
-    if GABOR_TAPS == 2 {
-        var phase_8: vec2<f32>;
+    var phase_12: vec2<f32>;
 
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_8 = _e1;
-        let _e3 = phase_8;
-        let _e5 = phase_8;
-        let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
-        return _e7;
-    } else if GABOR_TAPS == 4 {
-        var phase_8: vec2<f32>;
-
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_8 = _e1;
-        let _e3 = phase_8;
-        let _e5 = phase_8;
-        let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
-        return _e7;
-    } else {
-        var phase_12: vec2<f32>;
-
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_12 = _e1;
-        let _e3 = phase_12;
-        let _e5 = phase_12;
-        let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
-        return _e7;
-    }
+    let _e1 = gabor_impl_phase_of(stripes);
+    phase_12 = _e1;
+    let _e3 = phase_12;
+    let _e5 = phase_12;
+    let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
+    return _e7;
 }
 
 fn gabor_stripes_sawtooth(stripes: vec2<f32>) -> f32 {
-    if GABOR_TAPS == 2 {
-        var phase_9: vec2<f32>;
+    var phase_13: vec2<f32>;
 
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_9 = _e1;
-        let _e3 = phase_9;
-        let _e5 = phase_9;
-        let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
-        return _e7;
-    } else if GABOR_TAPS == 4 {
-        var phase_9: vec2<f32>;
-
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_9 = _e1;
-        let _e3 = phase_9;
-        let _e5 = phase_9;
-        let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
-        return _e7;
-    } else {
-        var phase_13: vec2<f32>;
-
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_13 = _e1;
-        let _e3 = phase_13;
-        let _e5 = phase_13;
-        let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
-        return _e7;
-    }
+    let _e1 = gabor_impl_phase_of(stripes);
+    phase_13 = _e1;
+    let _e3 = phase_13;
+    let _e5 = phase_13;
+    let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
+    return _e7;
 }
 
 fn gabor_stripes_pulse(stripes: vec2<f32>, duty: f32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var phase_10: vec2<f32>;
+    var phase_14: vec2<f32>;
 
-        let _e2 = gabor_impl_phase_of(stripes);
-        phase_10 = _e2;
-        let _e4 = phase_10;
-        let _e6 = phase_10;
-        let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
-        return _e8;
-    } else if GABOR_TAPS == 4 {
-        var phase_10: vec2<f32>;
-
-        let _e2 = gabor_impl_phase_of(stripes);
-        phase_10 = _e2;
-        let _e4 = phase_10;
-        let _e6 = phase_10;
-        let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
-        return _e8;
-    } else {
-        var phase_14: vec2<f32>;
-
-        let _e2 = gabor_impl_phase_of(stripes);
-        phase_14 = _e2;
-        let _e4 = phase_14;
-        let _e6 = phase_14;
-        let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
-        return _e8;
-    }
+    let _e2 = gabor_impl_phase_of(stripes);
+    phase_14 = _e2;
+    let _e4 = phase_14;
+    let _e6 = phase_14;
+    let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
+    return _e8;
 }
 
 fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
-    if GABOR_TAPS == 2 {
-        var phase_11: vec2<f32>;
+    var phase_15: vec2<f32>;
 
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_11 = _e1;
-        let _e3 = phase_11;
-        let _e5 = phase_11;
-        let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
-        return _e7;
-    } else if GABOR_TAPS == 4 {
-        var phase_11: vec2<f32>;
-
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_11 = _e1;
-        let _e3 = phase_11;
-        let _e5 = phase_11;
-        let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
-        return _e7;
-    } else {
-        var phase_15: vec2<f32>;
-
-        let _e1 = gabor_impl_phase_of(stripes);
-        phase_15 = _e1;
-        let _e3 = phase_15;
-        let _e5 = phase_15;
-        let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
-        return _e7;
-    }
+    let _e1 = gabor_impl_phase_of(stripes);
+    phase_15 = _e1;
+    let _e3 = phase_15;
+    let _e5 = phase_15;
+    let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
+    return _e7;
 }
 
 // The same position, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
@@ -780,205 +502,71 @@ fn gabor_place_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
 
 // The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
 fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborField {
-    if GABOR_TAPS == 2 {
-        var lobes_1: GaborLobes;
-        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-        var power: f32 = 0f;
-        var i: i32 = 0i;
-        var lobe_1: GaborLobe;
-        var stretched: GaborPlace;
-        var field_3: GaborField;
-        var local_13: f32;
-        var scale_1: f32;
+    var lobes_1: GaborLobes;
+    var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var power: f32 = 0f;
+    var i: i32 = 0i;
+    var lobe_1: GaborLobe;
+    var stretched: GaborPlace;
+    var field_3: GaborField;
+    var local_13: f32;
+    var scale: f32;
 
-        lobes_1 = lobes;
-        loop {
-            let _e16 = i;
-            let _e17 = lobes_1;
-            if !((_e16 < min(_e17.count, 4i))) {
-                break;
-            }
-            {
-                let _e26 = i;
-                let _e29 = lobes_1.lobe[_e26];
-                lobe_1 = _e29;
-                let _e31 = lobe_1;
-                let _e33 = gabor_place_stretched(place, _e31.radius);
-                stretched = _e33;
-                let _e35 = stretched;
-                let _e36 = lobe_1;
-                let _e37 = gabor_impl_lobe_kernel(_e36);
-                let _e38 = i;
-                let _e39 = gabor_lobe_seed(seed, _e38);
-                let _e40 = gabor_field(_e35, _e37, _e39);
-                field_3 = _e40;
-                let _e43 = field_3;
-                let _e45 = lobe_1;
-                field_3.slope_x = (_e43.slope_x / vec2(_e45.radius.x));
-                let _e51 = field_3;
-                let _e53 = lobe_1;
-                field_3.slope_y = (_e51.slope_y / vec2(_e53.radius.y));
-                let _e59 = field_3;
-                let _e60 = lobe_1;
-                gabor_impl_accumulate((&sum_5), _e59, sqrt(_e60.power));
-                let _e64 = power;
-                let _e65 = lobe_1;
-                power = (_e64 + _e65.power);
-            }
-            continuing {
-                let _e23 = i;
-                i = (_e23 + 1i);
-            }
+    lobes_1 = lobes;
+    loop {
+        let _e16 = i;
+        let _e17 = lobes_1;
+        if !((_e16 < min(_e17.count, 4i))) {
+            break;
         }
-        let _e68 = power;
-        if (_e68 > 0f) {
-            let _e71 = power;
-            local_13 = inverseSqrt(_e71);
-        } else {
-            local_13 = 0f;
+        {
+            let _e26 = i;
+            let _e29 = lobes_1.lobe[_e26];
+            lobe_1 = _e29;
+            let _e31 = lobe_1;
+            let _e33 = gabor_place_stretched(place, _e31.radius);
+            stretched = _e33;
+            let _e35 = stretched;
+            let _e36 = lobe_1;
+            let _e37 = gabor_impl_lobe_kernel(_e36);
+            let _e38 = i;
+            let _e39 = gabor_lobe_seed(seed, _e38);
+            let _e40 = gabor_field(_e35, _e37, _e39);
+            field_3 = _e40;
+            let _e43 = field_3;
+            let _e45 = lobe_1;
+            field_3.slope_x = (_e43.slope_x / vec2(_e45.radius.x));
+            let _e51 = field_3;
+            let _e53 = lobe_1;
+            field_3.slope_y = (_e51.slope_y / vec2(_e53.radius.y));
+            let _e59 = field_3;
+            let _e60 = lobe_1;
+            gabor_impl_accumulate((&sum_5), _e59, sqrt(_e60.power));
+            let _e64 = power;
+            let _e65 = lobe_1;
+            power = (_e64 + _e65.power);
         }
-        let _e75 = local_13;
-        scale_1 = _e75;
-        let _e77 = scale_1;
-        let _e78 = sum_5;
-        let _e81 = scale_1;
-        let _e82 = sum_5;
-        let _e85 = scale_1;
-        let _e86 = sum_5;
-        return GaborField((_e77 * _e78.value), (_e81 * _e82.slope_x), (_e85 * _e86.slope_y));
-    } else if GABOR_TAPS == 4 {
-        var lobes_1: GaborLobes;
-        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-        var power: f32 = 0f;
-        var i: i32 = 0i;
-        var lobe_1: GaborLobe;
-        var stretched: GaborPlace;
-        var field_3: GaborField;
-        var local_13: f32;
-        var scale: f32;
-
-        lobes_1 = lobes;
-        loop {
-            let _e16 = i;
-            let _e17 = lobes_1;
-            if !((_e16 < min(_e17.count, 4i))) {
-                break;
-            }
-            {
-                let _e26 = i;
-                let _e29 = lobes_1.lobe[_e26];
-                lobe_1 = _e29;
-                let _e31 = lobe_1;
-                let _e33 = gabor_place_stretched(place, _e31.radius);
-                stretched = _e33;
-                let _e35 = stretched;
-                let _e36 = lobe_1;
-                let _e37 = gabor_impl_lobe_kernel(_e36);
-                let _e38 = i;
-                let _e39 = gabor_lobe_seed(seed, _e38);
-                let _e40 = gabor_field(_e35, _e37, _e39);
-                field_3 = _e40;
-                let _e43 = field_3;
-                let _e45 = lobe_1;
-                field_3.slope_x = (_e43.slope_x / vec2(_e45.radius.x));
-                let _e51 = field_3;
-                let _e53 = lobe_1;
-                field_3.slope_y = (_e51.slope_y / vec2(_e53.radius.y));
-                let _e59 = field_3;
-                let _e60 = lobe_1;
-                gabor_impl_accumulate((&sum_5), _e59, sqrt(_e60.power));
-                let _e64 = power;
-                let _e65 = lobe_1;
-                power = (_e64 + _e65.power);
-            }
-            continuing {
-                let _e23 = i;
-                i = (_e23 + 1i);
-            }
+        continuing {
+            let _e23 = i;
+            i = (_e23 + 1i);
         }
-        let _e68 = power;
-        if (_e68 > 0f) {
-            let _e71 = power;
-            local_13 = inverseSqrt(_e71);
-        } else {
-            local_13 = 0f;
-        }
-        let _e75 = local_13;
-        scale = _e75;
-        let _e77 = scale;
-        let _e78 = sum_5;
-        let _e81 = scale;
-        let _e82 = sum_5;
-        let _e85 = scale;
-        let _e86 = sum_5;
-        return GaborField((_e77 * _e78.value), (_e81 * _e82.slope_x), (_e85 * _e86.slope_y));
-    } else {
-        var lobes_1: GaborLobes;
-        var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-        var power: f32 = 0f;
-        var i: i32 = 0i;
-        var lobe_1: GaborLobe;
-        var stretched: GaborPlace;
-        var field_3: GaborField;
-        var local_13: f32;
-        var scale: f32;
-
-        lobes_1 = lobes;
-        loop {
-            let _e16 = i;
-            let _e17 = lobes_1;
-            if !((_e16 < min(_e17.count, 4i))) {
-                break;
-            }
-            {
-                let _e26 = i;
-                let _e29 = lobes_1.lobe[_e26];
-                lobe_1 = _e29;
-                let _e31 = lobe_1;
-                let _e33 = gabor_place_stretched(place, _e31.radius);
-                stretched = _e33;
-                let _e35 = stretched;
-                let _e36 = lobe_1;
-                let _e37 = gabor_impl_lobe_kernel(_e36);
-                let _e38 = i;
-                let _e39 = gabor_lobe_seed(seed, _e38);
-                let _e40 = gabor_field(_e35, _e37, _e39);
-                field_3 = _e40;
-                let _e43 = field_3;
-                let _e45 = lobe_1;
-                field_3.slope_x = (_e43.slope_x / vec2(_e45.radius.x));
-                let _e51 = field_3;
-                let _e53 = lobe_1;
-                field_3.slope_y = (_e51.slope_y / vec2(_e53.radius.y));
-                let _e59 = field_3;
-                let _e60 = lobe_1;
-                gabor_impl_accumulate((&sum_5), _e59, sqrt(_e60.power));
-                let _e64 = power;
-                let _e65 = lobe_1;
-                power = (_e64 + _e65.power);
-            }
-            continuing {
-                let _e23 = i;
-                i = (_e23 + 1i);
-            }
-        }
-        let _e68 = power;
-        if (_e68 > 0f) {
-            let _e71 = power;
-            local_13 = inverseSqrt(_e71);
-        } else {
-            local_13 = 0f;
-        }
-        let _e75 = local_13;
-        scale = _e75;
-        let _e77 = scale;
-        let _e78 = sum_5;
-        let _e81 = scale;
-        let _e82 = sum_5;
-        let _e85 = scale;
-        let _e86 = sum_5;
-        return GaborField((_e77 * _e78.value), (_e81 * _e82.slope_x), (_e85 * _e86.slope_y));
     }
+    let _e68 = power;
+    if (_e68 > 0f) {
+        let _e71 = power;
+        local_13 = inverseSqrt(_e71);
+    } else {
+        local_13 = 0f;
+    }
+    let _e75 = local_13;
+    scale = _e75;
+    let _e77 = scale;
+    let _e78 = sum_5;
+    let _e81 = scale;
+    let _e82 = sum_5;
+    let _e85 = scale;
+    let _e86 = sum_5;
+    return GaborField((_e77 * _e78.value), (_e81 * _e82.slope_x), (_e85 * _e86.slope_y));
 }
 
 // The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
@@ -1084,49 +672,19 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
 // Isotropic noise at `place`, with quadrature and derivatives. At each point the quadrature is independent of the
 // noise, but not of the noise's gradient.
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
-    if GABOR_TAPS == 2 {
-        var none: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
-        var local_15: f32;
+    var none_1: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
+    var local_26: f32;
 
-        let _e10 = none;
-        let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
-        if true {
-            local_15 = 1f;
-        } else {
-            local_15 = 0.75f;
-        }
-        let _e23 = local_15;
-        let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
-        return _e26;
-    } else if GABOR_TAPS == 4 {
-        var none: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
-        var local_15: f32;
-
-        let _e10 = none;
-        let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
-        if false {
-            local_15 = 1f;
-        } else {
-            local_15 = 1.5f;
-        }
-        let _e23 = local_15;
-        let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
-        return _e26;
+    let _e10 = none_1;
+    let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
+    if false {
+        local_26 = 1f;
     } else {
-        var none_1: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
-        var local_26: f32;
-
-        let _e10 = none_1;
-        let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
-        if false {
-            local_26 = 1f;
-        } else {
-            local_26 = 1.125f;
-        }
-        let _e23 = local_26;
-        let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
-        return _e26;
+        local_26 = 1.125f;
     }
+    let _e23 = local_26;
+    let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
+    return _e26;
 }
 
 // The filter of a pixel, returned by gabor_footprint.
@@ -2466,70 +2024,26 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
 
 // Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
-    if GABOR_TAPS == 2 {
-        var first: u32;
-        var second_1: u32;
-        var third_1: u32;
-        var fourth: u32;
+    var first_1: u32;
+    var second_1: u32;
+    var third_1: u32;
+    var fourth: u32;
 
-        first = ((word ^ (word >> 15u)) * 3545902487u);
-        let _e7 = first;
-        let _e8 = first;
-        second_1 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
-        let _e15 = second_1;
-        let _e16 = second_1;
-        third_1 = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
-        let _e23 = third_1;
-        let _e24 = third_1;
-        fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
-        let _e31 = first;
-        let _e36 = second_1;
-        let _e41 = third_1;
-        let _e46 = fourth;
-        return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
-    } else if GABOR_TAPS == 4 {
-        var first: u32;
-        var second_1: u32;
-        var third_1: u32;
-        var fourth: u32;
-
-        first = ((word ^ (word >> 15u)) * 3545902487u);
-        let _e7 = first;
-        let _e8 = first;
-        second_1 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
-        let _e15 = second_1;
-        let _e16 = second_1;
-        third_1 = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
-        let _e23 = third_1;
-        let _e24 = third_1;
-        fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
-        let _e31 = first;
-        let _e36 = second_1;
-        let _e41 = third_1;
-        let _e46 = fourth;
-        return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
-    } else {
-        var first_1: u32;
-        var second_1: u32;
-        var third_1: u32;
-        var fourth: u32;
-
-        first_1 = ((word ^ (word >> 15u)) * 3545902487u);
-        let _e7 = first_1;
-        let _e8 = first_1;
-        second_1 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
-        let _e15 = second_1;
-        let _e16 = second_1;
-        third_1 = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
-        let _e23 = third_1;
-        let _e24 = third_1;
-        fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
-        let _e31 = first_1;
-        let _e36 = second_1;
-        let _e41 = third_1;
-        let _e46 = fourth;
-        return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
-    }
+    first_1 = ((word ^ (word >> 15u)) * 3545902487u);
+    let _e7 = first_1;
+    let _e8 = first_1;
+    second_1 = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
+    let _e15 = second_1;
+    let _e16 = second_1;
+    third_1 = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
+    let _e23 = third_1;
+    let _e24 = third_1;
+    fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
+    let _e31 = first_1;
+    let _e36 = second_1;
+    let _e41 = third_1;
+    let _e46 = fourth;
+    return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
 }
 
 // The windows of a node along both axes, and their derivatives. Filtered windows are middle + cosine, and their
@@ -2552,636 +2066,260 @@ struct GaborFilter {
 // Adds a node's wave. `a` is its amplitude times the wave at the point. The filter multiplies it by exp(-2 pi^2 F.S F)
 // and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
 fn gabor_impl_add_wave_2d(sum: ptr<function, GaborField>, node: GaborWindows, pixel: GaborFilter, a: vec2<f32>, wave: vec2<f32>) {
-    if GABOR_TAPS == 2 {
-        var a_2: vec2<f32>;
-        var value_5: vec2<f32>;
-        var slope_x: vec2<f32>;
-        var slope_y: vec2<f32>;
-        var turned_1: vec2<f32>;
+    var a_6: vec2<f32>;
+    var value_9: vec2<f32>;
+    var slope_x: vec2<f32>;
+    var slope_y: vec2<f32>;
+    var x_7: vec2<f32>;
+    var y_6: vec2<f32>;
+    var even_2: vec2<f32>;
+    var odd_2: vec2<f32>;
+    var real_3: vec2<f32>;
+    var imaginary_3: vec2<f32>;
+    var h_x: vec2<f32>;
+    var h_y: vec2<f32>;
+    var turned_1: vec2<f32>;
 
-        a_2 = a;
-        let _e11 = a_2;
-        value_5 = ((node.value.x * node.value.y) * _e11);
-        let _e19 = a_2;
-        slope_x = ((node.slope.x * node.value.y) * _e19);
-        let _e27 = a_2;
-        slope_y = ((node.value.x * node.slope.y) * _e27);
-        let _e31 = value_5;
-        let _e34 = value_5;
-        turned_1 = (6.2831855f * vec2<f32>(-(_e31.y), _e34.x));
-        let _e40 = (*sum);
-        let _e42 = value_5;
-        (*sum).value = (_e40.value + _e42);
-        let _e45 = (*sum);
-        let _e47 = slope_x;
-        let _e49 = turned_1;
-        (*sum).slope_x = (_e45.slope_x + (_e47 + (wave.x * _e49)));
-        let _e54 = (*sum);
-        let _e56 = slope_y;
-        let _e58 = turned_1;
-        (*sum).slope_y = (_e54.slope_y + (_e56 + (wave.y * _e58)));
-        return;
-    } else if GABOR_TAPS == 4 {
-        var a_2: vec2<f32>;
-        var value_5: vec2<f32>;
-        var slope_x: vec2<f32>;
-        var slope_y: vec2<f32>;
-        var turned_1: vec2<f32>;
-
-        a_2 = a;
-        let _e11 = a_2;
-        value_5 = ((node.value.x * node.value.y) * _e11);
-        let _e19 = a_2;
-        slope_x = ((node.slope.x * node.value.y) * _e19);
-        let _e27 = a_2;
-        slope_y = ((node.value.x * node.slope.y) * _e27);
-        let _e31 = value_5;
-        let _e34 = value_5;
-        turned_1 = (6.2831855f * vec2<f32>(-(_e31.y), _e34.x));
-        let _e40 = (*sum);
-        let _e42 = value_5;
-        (*sum).value = (_e40.value + _e42);
-        let _e45 = (*sum);
-        let _e47 = slope_x;
-        let _e49 = turned_1;
-        (*sum).slope_x = (_e45.slope_x + (_e47 + (wave.x * _e49)));
-        let _e54 = (*sum);
-        let _e56 = slope_y;
-        let _e58 = turned_1;
-        (*sum).slope_y = (_e54.slope_y + (_e56 + (wave.y * _e58)));
-        return;
-    } else {
-        var a_6: vec2<f32>;
-        var value_9: vec2<f32>;
-        var slope_x: vec2<f32>;
-        var slope_y: vec2<f32>;
-        var x_7: vec2<f32>;
-        var y_6: vec2<f32>;
-        var even_2: vec2<f32>;
-        var odd_2: vec2<f32>;
-        var real_3: vec2<f32>;
-        var imaginary_3: vec2<f32>;
-        var h_x: vec2<f32>;
-        var h_y: vec2<f32>;
-        var turned_1: vec2<f32>;
-
-        a_6 = a;
-        let _e11 = a_6;
-        value_9 = ((node.value.x * node.value.y) * _e11);
-        let _e19 = a_6;
-        slope_x = ((node.slope.x * node.value.y) * _e19);
-        let _e27 = a_6;
-        slope_y = ((node.value.x * node.slope.y) * _e27);
-        if pixel.used {
-            {
-                let _e33 = gabor_impl_symmetric(pixel.covariance, wave);
-                x_7 = (19.739208f * _e33);
-                let _e36 = a_6;
-                let _e37 = x_7;
-                a_6 = (_e36 * exp(-(max(dot(wave, _e37), 0f))));
-                let _e44 = x_7;
-                x_7 = clamp(_e44, vec2(-3f), vec2(3f));
-                let _e51 = x_7;
-                let _e52 = x_7;
-                y_6 = (_e51 * _e52);
-                let _e56 = y_6;
-                let _e59 = y_6;
-                even_2 = (vec2(1f) + (_e56 * (vec2(0.5f) + (0.041666668f * _e59))));
-                let _e67 = x_7;
-                let _e69 = y_6;
-                let _e72 = y_6;
-                odd_2 = (_e67 * (vec2(1f) + (_e69 * (vec2(0.16666667f) + (0.008333333f * _e72)))));
-                let _e82 = even_2;
-                real_3 = (node.middle + (_e82 * node.cosine));
-                let _e88 = odd_2;
-                imaginary_3 = ((0.3183099f * _e88) * node.sine);
-                let _e93 = real_3;
-                let _e95 = imaginary_3;
-                h_x = vec2<f32>(_e93.x, _e95.x);
-                let _e99 = real_3;
-                let _e101 = imaginary_3;
-                h_y = vec2<f32>(_e99.y, _e101.y);
-                let _e105 = h_x;
-                let _e106 = h_y;
-                let _e107 = gabor_impl_product(_e105, _e106);
-                let _e119 = a_6;
-                let _e120 = gabor_impl_product((_e107 + vec2<f32>(((pixel.covariance.z * node.sine.x) * node.sine.y), 0f)), _e119);
-                value_9 = _e120;
-                let _e121 = even_2;
-                real_3 = (_e121 * node.sine);
-                let _e126 = odd_2;
-                imaginary_3 = ((-3.1415927f * _e126) * node.cosine);
-                let _e130 = real_3;
-                let _e132 = imaginary_3;
-                let _e135 = h_y;
-                let _e136 = gabor_impl_product(vec2<f32>(_e130.x, _e132.x), _e135);
-                let _e137 = a_6;
-                let _e138 = gabor_impl_product(_e136, _e137);
-                slope_x = _e138;
-                let _e139 = h_x;
-                let _e140 = real_3;
-                let _e142 = imaginary_3;
-                let _e145 = gabor_impl_product(_e139, vec2<f32>(_e140.y, _e142.y));
-                let _e146 = a_6;
-                let _e147 = gabor_impl_product(_e145, _e146);
-                slope_y = _e147;
-            }
+    a_6 = a;
+    let _e11 = a_6;
+    value_9 = ((node.value.x * node.value.y) * _e11);
+    let _e19 = a_6;
+    slope_x = ((node.slope.x * node.value.y) * _e19);
+    let _e27 = a_6;
+    slope_y = ((node.value.x * node.slope.y) * _e27);
+    if pixel.used {
+        {
+            let _e33 = gabor_impl_symmetric(pixel.covariance, wave);
+            x_7 = (19.739208f * _e33);
+            let _e36 = a_6;
+            let _e37 = x_7;
+            a_6 = (_e36 * exp(-(max(dot(wave, _e37), 0f))));
+            let _e44 = x_7;
+            x_7 = clamp(_e44, vec2(-3f), vec2(3f));
+            let _e51 = x_7;
+            let _e52 = x_7;
+            y_6 = (_e51 * _e52);
+            let _e56 = y_6;
+            let _e59 = y_6;
+            even_2 = (vec2(1f) + (_e56 * (vec2(0.5f) + (0.041666668f * _e59))));
+            let _e67 = x_7;
+            let _e69 = y_6;
+            let _e72 = y_6;
+            odd_2 = (_e67 * (vec2(1f) + (_e69 * (vec2(0.16666667f) + (0.008333333f * _e72)))));
+            let _e82 = even_2;
+            real_3 = (node.middle + (_e82 * node.cosine));
+            let _e88 = odd_2;
+            imaginary_3 = ((0.3183099f * _e88) * node.sine);
+            let _e93 = real_3;
+            let _e95 = imaginary_3;
+            h_x = vec2<f32>(_e93.x, _e95.x);
+            let _e99 = real_3;
+            let _e101 = imaginary_3;
+            h_y = vec2<f32>(_e99.y, _e101.y);
+            let _e105 = h_x;
+            let _e106 = h_y;
+            let _e107 = gabor_impl_product(_e105, _e106);
+            let _e119 = a_6;
+            let _e120 = gabor_impl_product((_e107 + vec2<f32>(((pixel.covariance.z * node.sine.x) * node.sine.y), 0f)), _e119);
+            value_9 = _e120;
+            let _e121 = even_2;
+            real_3 = (_e121 * node.sine);
+            let _e126 = odd_2;
+            imaginary_3 = ((-3.1415927f * _e126) * node.cosine);
+            let _e130 = real_3;
+            let _e132 = imaginary_3;
+            let _e135 = h_y;
+            let _e136 = gabor_impl_product(vec2<f32>(_e130.x, _e132.x), _e135);
+            let _e137 = a_6;
+            let _e138 = gabor_impl_product(_e136, _e137);
+            slope_x = _e138;
+            let _e139 = h_x;
+            let _e140 = real_3;
+            let _e142 = imaginary_3;
+            let _e145 = gabor_impl_product(_e139, vec2<f32>(_e140.y, _e142.y));
+            let _e146 = a_6;
+            let _e147 = gabor_impl_product(_e145, _e146);
+            slope_y = _e147;
         }
-        let _e149 = value_9;
-        let _e152 = value_9;
-        turned_1 = (6.2831855f * vec2<f32>(-(_e149.y), _e152.x));
-        let _e158 = (*sum);
-        let _e160 = value_9;
-        (*sum).value = (_e158.value + _e160);
-        let _e163 = (*sum);
-        let _e165 = slope_x;
-        let _e167 = turned_1;
-        (*sum).slope_x = (_e163.slope_x + (_e165 + (wave.x * _e167)));
-        let _e172 = (*sum);
-        let _e174 = slope_y;
-        let _e176 = turned_1;
-        (*sum).slope_y = (_e172.slope_y + (_e174 + (wave.y * _e176)));
-        return;
     }
+    let _e149 = value_9;
+    let _e152 = value_9;
+    turned_1 = (6.2831855f * vec2<f32>(-(_e149.y), _e152.x));
+    let _e158 = (*sum);
+    let _e160 = value_9;
+    (*sum).value = (_e158.value + _e160);
+    let _e163 = (*sum);
+    let _e165 = slope_x;
+    let _e167 = turned_1;
+    (*sum).slope_x = (_e163.slope_x + (_e165 + (wave.x * _e167)));
+    let _e172 = (*sum);
+    let _e174 = slope_y;
+    let _e176 = turned_1;
+    (*sum).slope_y = (_e172.slope_y + (_e174 + (wave.y * _e176)));
+    return;
 }
 
 // Adds a node's three waves, at `d` node spacings from it. The third phase is the difference of the other two.
 fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: GaborWindows, pixel: GaborFilter, d: vec2<f32>, frequency: f32, words: vec4<u32>) {
-    if GABOR_TAPS == 2 {
-        var node_2: GaborWindows;
-        var d_1: vec2<f32>;
-        var fade: vec2<f32>;
-        var u_1: vec2<f32>;
-        var v: vec2<f32>;
-        var first_1: vec2<f32>;
-        var second_2: vec2<f32>;
-        var third_2: vec2<f32>;
+    var node_2: GaborWindows;
+    var d_3: vec2<f32>;
+    var fade_4: vec2<f32>;
+    var u_1: vec2<f32>;
+    var v_2: vec2<f32>;
+    var first_2: vec2<f32>;
+    var second_2: vec2<f32>;
+    var third_2: vec2<f32>;
 
-        node_2 = node;
-        d_1 = d;
-        if pixel.used {
-            {
-                let _e11 = d_1;
-                fade = clamp(((vec2(1f) - (abs(_e11) / vec2(1f))) / clamp((0.5f * sqrt(pixel.covariance.xy)), vec2(0.001f), vec2(0.05f))), vec2(0f), vec2(1f));
-                let _e38 = fade;
-                let _e39 = fade;
-                let _e42 = fade;
-                fade = (_e38 * (_e39 * (vec2(3f) - (2f * _e42))));
-                let _e50 = fade;
-                node_2.middle = (0.5f * _e50);
-                let _e53 = fade;
-                let _e56 = node_2;
-                node_2.cosine = ((_e53 * pixel.fall) * (_e56.value - vec2(0.5f)));
-                let _e63 = fade;
-                let _e66 = node_2;
-                node_2.sine = ((_e63 * pixel.fall) * _e66.slope);
-            }
+    node_2 = node;
+    d_3 = d;
+    if pixel.used {
+        {
+            let _e11 = d_3;
+            fade_4 = clamp(((vec2(1f) - (abs(_e11) / vec2(1.5f))) / clamp((0.5f * sqrt(pixel.covariance.xy)), vec2(0.001f), vec2(0.05f))), vec2(0f), vec2(1f));
+            let _e38 = fade_4;
+            let _e39 = fade_4;
+            let _e42 = fade_4;
+            fade_4 = (_e38 * (_e39 * (vec2(3f) - (2f * _e42))));
+            let _e50 = fade_4;
+            node_2.middle = (0.5f * _e50);
+            let _e53 = fade_4;
+            let _e56 = node_2;
+            node_2.cosine = ((_e53 * pixel.fall) * (_e56.value - vec2(0.5f)));
+            let _e63 = fade_4;
+            let _e66 = node_2;
+            node_2.sine = ((_e63 * pixel.fall) * _e66.slope);
         }
-        let _e69 = d_1;
-        d_1 = (_e69 * (vec2(frequency) / place.radius));
-        let _e79 = gabor_impl_half_turn((0.00000000003880511f * f32(i32(words.w))));
-        u_1 = _e79;
-        let _e82 = u_1;
-        let _e85 = u_1;
-        let _e88 = u_1;
-        v = ((0.5f * _e82) + (0.8660254f * vec2<f32>(-(_e85.y), _e88.x)));
-        let _e94 = u_1;
-        let _e95 = d_1;
-        let _e97 = gabor_impl_wave(dot(_e94, _e95));
-        first_1 = _e97;
-        let _e99 = v;
-        let _e100 = d_1;
-        let _e102 = gabor_impl_wave(dot(_e99, _e100));
-        second_2 = _e102;
-        let _e104 = second_2;
-        let _e105 = first_1;
-        let _e107 = first_1;
-        let _e111 = gabor_impl_product(_e104, vec2<f32>(_e105.x, -(_e107.y)));
-        third_2 = _e111;
-        let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.time);
-        let _e117 = first_1;
-        let _e118 = gabor_impl_product(_e116, _e117);
-        first_1 = _e118;
-        let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.time);
-        let _e123 = second_2;
-        let _e124 = gabor_impl_product(_e122, _e123);
-        second_2 = _e124;
-        let _e128 = gabor_impl_amplitude_at(words.z, place.animated, place.time);
-        let _e129 = third_2;
-        let _e130 = gabor_impl_product(_e128, _e129);
-        third_2 = _e130;
-        let _e132 = node_2;
-        let _e133 = first_1;
-        let _e134 = u_1;
-        gabor_impl_add_wave_2d(sum, _e132, pixel, _e133, (frequency * _e134));
-        let _e138 = node_2;
-        let _e139 = second_2;
-        let _e140 = v;
-        gabor_impl_add_wave_2d(sum, _e138, pixel, _e139, (frequency * _e140));
-        let _e144 = node_2;
-        let _e145 = third_2;
-        let _e146 = v;
-        let _e147 = u_1;
-        gabor_impl_add_wave_2d(sum, _e144, pixel, _e145, (frequency * (_e146 - _e147)));
-        return;
-    } else if GABOR_TAPS == 4 {
-        var node_2: GaborWindows;
-        var d_1: vec2<f32>;
-        var fade: vec2<f32>;
-        var u_1: vec2<f32>;
-        var v: vec2<f32>;
-        var first_1: vec2<f32>;
-        var second_2: vec2<f32>;
-        var third_2: vec2<f32>;
-
-        node_2 = node;
-        d_1 = d;
-        if pixel.used {
-            {
-                let _e11 = d_1;
-                fade = clamp(((vec2(1f) - (abs(_e11) / vec2(2f))) / clamp((0.5f * sqrt(pixel.covariance.xy)), vec2(0.001f), vec2(0.05f))), vec2(0f), vec2(1f));
-                let _e38 = fade;
-                let _e39 = fade;
-                let _e42 = fade;
-                fade = (_e38 * (_e39 * (vec2(3f) - (2f * _e42))));
-                let _e50 = fade;
-                node_2.middle = (0.5f * _e50);
-                let _e53 = fade;
-                let _e56 = node_2;
-                node_2.cosine = ((_e53 * pixel.fall) * (_e56.value - vec2(0.5f)));
-                let _e63 = fade;
-                let _e66 = node_2;
-                node_2.sine = ((_e63 * pixel.fall) * _e66.slope);
-            }
-        }
-        let _e69 = d_1;
-        d_1 = (_e69 * (vec2(frequency) / place.radius));
-        let _e79 = gabor_impl_half_turn((0.00000000003880511f * f32(i32(words.w))));
-        u_1 = _e79;
-        let _e82 = u_1;
-        let _e85 = u_1;
-        let _e88 = u_1;
-        v = ((0.5f * _e82) + (0.8660254f * vec2<f32>(-(_e85.y), _e88.x)));
-        let _e94 = u_1;
-        let _e95 = d_1;
-        let _e97 = gabor_impl_wave(dot(_e94, _e95));
-        first_1 = _e97;
-        let _e99 = v;
-        let _e100 = d_1;
-        let _e102 = gabor_impl_wave(dot(_e99, _e100));
-        second_2 = _e102;
-        let _e104 = second_2;
-        let _e105 = first_1;
-        let _e107 = first_1;
-        let _e111 = gabor_impl_product(_e104, vec2<f32>(_e105.x, -(_e107.y)));
-        third_2 = _e111;
-        let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.time);
-        let _e117 = first_1;
-        let _e118 = gabor_impl_product(_e116, _e117);
-        first_1 = _e118;
-        let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.time);
-        let _e123 = second_2;
-        let _e124 = gabor_impl_product(_e122, _e123);
-        second_2 = _e124;
-        let _e128 = gabor_impl_amplitude_at(words.z, place.animated, place.time);
-        let _e129 = third_2;
-        let _e130 = gabor_impl_product(_e128, _e129);
-        third_2 = _e130;
-        let _e132 = node_2;
-        let _e133 = first_1;
-        let _e134 = u_1;
-        gabor_impl_add_wave_2d(sum, _e132, pixel, _e133, (frequency * _e134));
-        let _e138 = node_2;
-        let _e139 = second_2;
-        let _e140 = v;
-        gabor_impl_add_wave_2d(sum, _e138, pixel, _e139, (frequency * _e140));
-        let _e144 = node_2;
-        let _e145 = third_2;
-        let _e146 = v;
-        let _e147 = u_1;
-        gabor_impl_add_wave_2d(sum, _e144, pixel, _e145, (frequency * (_e146 - _e147)));
-        return;
-    } else {
-        var node_2: GaborWindows;
-        var d_3: vec2<f32>;
-        var fade_4: vec2<f32>;
-        var u_1: vec2<f32>;
-        var v_2: vec2<f32>;
-        var first_2: vec2<f32>;
-        var second_2: vec2<f32>;
-        var third_2: vec2<f32>;
-
-        node_2 = node;
-        d_3 = d;
-        if pixel.used {
-            {
-                let _e11 = d_3;
-                fade_4 = clamp(((vec2(1f) - (abs(_e11) / vec2(1.5f))) / clamp((0.5f * sqrt(pixel.covariance.xy)), vec2(0.001f), vec2(0.05f))), vec2(0f), vec2(1f));
-                let _e38 = fade_4;
-                let _e39 = fade_4;
-                let _e42 = fade_4;
-                fade_4 = (_e38 * (_e39 * (vec2(3f) - (2f * _e42))));
-                let _e50 = fade_4;
-                node_2.middle = (0.5f * _e50);
-                let _e53 = fade_4;
-                let _e56 = node_2;
-                node_2.cosine = ((_e53 * pixel.fall) * (_e56.value - vec2(0.5f)));
-                let _e63 = fade_4;
-                let _e66 = node_2;
-                node_2.sine = ((_e63 * pixel.fall) * _e66.slope);
-            }
-        }
-        let _e69 = d_3;
-        d_3 = (_e69 * (vec2(frequency) / place.radius));
-        let _e79 = gabor_impl_half_turn((0.00000000003880511f * f32(i32(words.w))));
-        u_1 = _e79;
-        let _e82 = u_1;
-        let _e85 = u_1;
-        let _e88 = u_1;
-        v_2 = ((0.5f * _e82) + (0.8660254f * vec2<f32>(-(_e85.y), _e88.x)));
-        let _e94 = u_1;
-        let _e95 = d_3;
-        let _e97 = gabor_impl_wave(dot(_e94, _e95));
-        first_2 = _e97;
-        let _e99 = v_2;
-        let _e100 = d_3;
-        let _e102 = gabor_impl_wave(dot(_e99, _e100));
-        second_2 = _e102;
-        let _e104 = second_2;
-        let _e105 = first_2;
-        let _e107 = first_2;
-        let _e111 = gabor_impl_product(_e104, vec2<f32>(_e105.x, -(_e107.y)));
-        third_2 = _e111;
-        let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.time);
-        let _e117 = first_2;
-        let _e118 = gabor_impl_product(_e116, _e117);
-        first_2 = _e118;
-        let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.time);
-        let _e123 = second_2;
-        let _e124 = gabor_impl_product(_e122, _e123);
-        second_2 = _e124;
-        let _e128 = gabor_impl_amplitude_at(words.z, place.animated, place.time);
-        let _e129 = third_2;
-        let _e130 = gabor_impl_product(_e128, _e129);
-        third_2 = _e130;
-        let _e132 = node_2;
-        let _e133 = first_2;
-        let _e134 = u_1;
-        gabor_impl_add_wave_2d(sum, _e132, pixel, _e133, (frequency * _e134));
-        let _e138 = node_2;
-        let _e139 = second_2;
-        let _e140 = v_2;
-        gabor_impl_add_wave_2d(sum, _e138, pixel, _e139, (frequency * _e140));
-        let _e144 = node_2;
-        let _e145 = third_2;
-        let _e146 = v_2;
-        let _e147 = u_1;
-        gabor_impl_add_wave_2d(sum, _e144, pixel, _e145, (frequency * (_e146 - _e147)));
-        return;
     }
+    let _e69 = d_3;
+    d_3 = (_e69 * (vec2(frequency) / place.radius));
+    let _e79 = gabor_impl_half_turn((0.00000000003880511f * f32(i32(words.w))));
+    u_1 = _e79;
+    let _e82 = u_1;
+    let _e85 = u_1;
+    let _e88 = u_1;
+    v_2 = ((0.5f * _e82) + (0.8660254f * vec2<f32>(-(_e85.y), _e88.x)));
+    let _e94 = u_1;
+    let _e95 = d_3;
+    let _e97 = gabor_impl_wave(dot(_e94, _e95));
+    first_2 = _e97;
+    let _e99 = v_2;
+    let _e100 = d_3;
+    let _e102 = gabor_impl_wave(dot(_e99, _e100));
+    second_2 = _e102;
+    let _e104 = second_2;
+    let _e105 = first_2;
+    let _e107 = first_2;
+    let _e111 = gabor_impl_product(_e104, vec2<f32>(_e105.x, -(_e107.y)));
+    third_2 = _e111;
+    let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.time);
+    let _e117 = first_2;
+    let _e118 = gabor_impl_product(_e116, _e117);
+    first_2 = _e118;
+    let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.time);
+    let _e123 = second_2;
+    let _e124 = gabor_impl_product(_e122, _e123);
+    second_2 = _e124;
+    let _e128 = gabor_impl_amplitude_at(words.z, place.animated, place.time);
+    let _e129 = third_2;
+    let _e130 = gabor_impl_product(_e128, _e129);
+    third_2 = _e130;
+    let _e132 = node_2;
+    let _e133 = first_2;
+    let _e134 = u_1;
+    gabor_impl_add_wave_2d(sum, _e132, pixel, _e133, (frequency * _e134));
+    let _e138 = node_2;
+    let _e139 = second_2;
+    let _e140 = v_2;
+    gabor_impl_add_wave_2d(sum, _e138, pixel, _e139, (frequency * _e140));
+    let _e144 = node_2;
+    let _e145 = third_2;
+    let _e146 = v_2;
+    let _e147 = u_1;
+    gabor_impl_add_wave_2d(sum, _e144, pixel, _e145, (frequency * (_e146 - _e147)));
+    return;
 }
 
 // The sum over all nodes, without the factor GABOR_IMPL_STAR. Unrolling the loops by hand made them four times slower
 // on lavapipe.
 fn gabor_impl_sum_isotropic_2d(place: GaborPlace, frequency: f32, pixel: GaborFilter, seed: u32) -> GaborField {
-    if GABOR_TAPS == 2 {
-        var frequency_11: f32;
-        var salt_4: u32;
-        var x_5: GaborAxis;
-        var y_3: GaborAxis;
-        var stretch_1: vec2<f32>;
-        var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-        var j_2: i32 = 0i;
-        var row_1: vec4<u32>;
-        var i_4: i32;
-        var node_3: GaborWindows;
-        var d_2: vec2<f32>;
+    var frequency_11: f32;
+    var salt_9: u32;
+    var x_8: GaborAxis;
+    var y_7: GaborAxis;
+    var stretch_2: vec2<f32>;
+    var sum_13: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var j_4: i32 = 0i;
+    var row_6: vec4<u32>;
+    var i_4: i32;
+    var node_3: GaborWindows;
+    var d_4: vec2<f32>;
 
-        frequency_11 = frequency;
-        let _e5 = gabor_impl_salt(seed);
-        salt_4 = _e5;
-        let _e13 = salt_4;
-        let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, 0f, place.radius.x);
-        x_5 = _e17;
-        let _e25 = salt_4;
-        let _e31 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e25 ^ 1540483477u), 0f, place.radius.y);
-        y_3 = _e31;
-        stretch_1 = (place.radius / vec2(1f));
-        let _e41 = frequency_11;
-        frequency_11 = min(abs(_e41), 1000000f);
-        loop {
-            let _e55 = j_2;
-            if !((_e55 < 2i)) {
-                break;
-            }
-            {
-                let _e62 = j_2;
-                let _e65 = y_3.word[_e62];
-                let _e66 = gabor_impl_row(_e65);
-                row_1 = _e66;
-                i_4 = 0i;
-                loop {
-                    let _e70 = i_4;
-                    if !((_e70 < 2i)) {
-                        break;
-                    }
-                    {
-                        let _e79 = i_4;
-                        let _e82 = x_5.node[_e79];
-                        let _e84 = j_2;
-                        let _e87 = y_3.node[_e84];
-                        node_3.value = vec2<f32>(_e82.x, _e87.x);
-                        let _e91 = stretch_1;
-                        let _e92 = i_4;
-                        let _e95 = x_5.node[_e92];
-                        let _e97 = j_2;
-                        let _e100 = y_3.node[_e97];
-                        node_3.slope = (_e91 * vec2<f32>(_e95.z, _e100.z));
-                        let _e104 = x_5;
-                        let _e106 = i_4;
-                        let _e111 = y_3;
-                        let _e113 = j_2;
-                        d_2 = vec2<f32>((_e104.offset - f32((_e106 - 1i))), (_e111.offset - f32((_e113 - 1i))));
-                        let _e121 = node_3;
-                        let _e122 = d_2;
-                        let _e123 = frequency_11;
-                        let _e124 = i_4;
-                        let _e127 = x_5.word[_e124];
-                        let _e128 = row_1;
-                        gabor_impl_add_star((&sum_9), place, _e121, pixel, _e122, _e123, (_e127 * _e128));
-                    }
-                    continuing {
-                        let _e74 = i_4;
-                        i_4 = (_e74 + 1i);
-                    }
+    frequency_11 = frequency;
+    let _e5 = gabor_impl_salt(seed);
+    salt_9 = _e5;
+    let _e13 = salt_9;
+    let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, 0f, place.radius.x);
+    x_8 = _e17;
+    let _e25 = salt_9;
+    let _e31 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e25 ^ 1540483477u), 0f, place.radius.y);
+    y_7 = _e31;
+    stretch_2 = (place.radius / vec2(1.5f));
+    let _e41 = frequency_11;
+    frequency_11 = min(abs(_e41), 1000000f);
+    loop {
+        let _e55 = j_4;
+        if !((_e55 < 3i)) {
+            break;
+        }
+        {
+            let _e62 = j_4;
+            let _e65 = y_7.word[_e62];
+            let _e66 = gabor_impl_row(_e65);
+            row_6 = _e66;
+            i_4 = 0i;
+            loop {
+                let _e70 = i_4;
+                if !((_e70 < 3i)) {
+                    break;
+                }
+                {
+                    let _e79 = i_4;
+                    let _e82 = x_8.node[_e79];
+                    let _e84 = j_4;
+                    let _e87 = y_7.node[_e84];
+                    node_3.value = vec2<f32>(_e82.x, _e87.x);
+                    let _e91 = stretch_2;
+                    let _e92 = i_4;
+                    let _e95 = x_8.node[_e92];
+                    let _e97 = j_4;
+                    let _e100 = y_7.node[_e97];
+                    node_3.slope = (_e91 * vec2<f32>(_e95.z, _e100.z));
+                    let _e104 = x_8;
+                    let _e106 = i_4;
+                    let _e111 = y_7;
+                    let _e113 = j_4;
+                    d_4 = vec2<f32>((_e104.offset - f32((_e106 - 1i))), (_e111.offset - f32((_e113 - 1i))));
+                    let _e121 = node_3;
+                    let _e122 = d_4;
+                    let _e123 = frequency_11;
+                    let _e124 = i_4;
+                    let _e127 = x_8.word[_e124];
+                    let _e128 = row_6;
+                    gabor_impl_add_star((&sum_13), place, _e121, pixel, _e122, _e123, (_e127 * _e128));
+                }
+                continuing {
+                    let _e74 = i_4;
+                    i_4 = (_e74 + 1i);
                 }
             }
-            continuing {
-                let _e59 = j_2;
-                j_2 = (_e59 + 1i);
-            }
         }
-        let _e131 = sum_9;
-        return _e131;
-    } else if GABOR_TAPS == 4 {
-        var frequency_11: f32;
-        var salt_4: u32;
-        var x_5: GaborAxis;
-        var y_4: GaborAxis;
-        var stretch_1: vec2<f32>;
-        var sum_9: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-        var j_2: i32 = 0i;
-        var row_1: vec4<u32>;
-        var i_4: i32;
-        var node_3: GaborWindows;
-        var d_2: vec2<f32>;
-
-        frequency_11 = frequency;
-        let _e5 = gabor_impl_salt(seed);
-        salt_4 = _e5;
-        let _e13 = salt_4;
-        let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, 0f, place.radius.x);
-        x_5 = _e17;
-        let _e25 = salt_4;
-        let _e31 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e25 ^ 1540483477u), 0f, place.radius.y);
-        y_4 = _e31;
-        stretch_1 = (place.radius / vec2(2f));
-        let _e41 = frequency_11;
-        frequency_11 = min(abs(_e41), 1000000f);
-        loop {
-            let _e55 = j_2;
-            if !((_e55 < 4i)) {
-                break;
-            }
-            {
-                let _e62 = j_2;
-                let _e65 = y_4.word[_e62];
-                let _e66 = gabor_impl_row(_e65);
-                row_1 = _e66;
-                i_4 = 0i;
-                loop {
-                    let _e70 = i_4;
-                    if !((_e70 < 4i)) {
-                        break;
-                    }
-                    {
-                        let _e79 = i_4;
-                        let _e82 = x_5.node[_e79];
-                        let _e84 = j_2;
-                        let _e87 = y_4.node[_e84];
-                        node_3.value = vec2<f32>(_e82.x, _e87.x);
-                        let _e91 = stretch_1;
-                        let _e92 = i_4;
-                        let _e95 = x_5.node[_e92];
-                        let _e97 = j_2;
-                        let _e100 = y_4.node[_e97];
-                        node_3.slope = (_e91 * vec2<f32>(_e95.z, _e100.z));
-                        let _e104 = x_5;
-                        let _e106 = i_4;
-                        let _e111 = y_4;
-                        let _e113 = j_2;
-                        d_2 = vec2<f32>((_e104.offset - f32((_e106 - 1i))), (_e111.offset - f32((_e113 - 1i))));
-                        let _e121 = node_3;
-                        let _e122 = d_2;
-                        let _e123 = frequency_11;
-                        let _e124 = i_4;
-                        let _e127 = x_5.word[_e124];
-                        let _e128 = row_1;
-                        gabor_impl_add_star((&sum_9), place, _e121, pixel, _e122, _e123, (_e127 * _e128));
-                    }
-                    continuing {
-                        let _e74 = i_4;
-                        i_4 = (_e74 + 1i);
-                    }
-                }
-            }
-            continuing {
-                let _e59 = j_2;
-                j_2 = (_e59 + 1i);
-            }
+        continuing {
+            let _e59 = j_4;
+            j_4 = (_e59 + 1i);
         }
-        let _e131 = sum_9;
-        return _e131;
-    } else {
-        var frequency_11: f32;
-        var salt_9: u32;
-        var x_8: GaborAxis;
-        var y_7: GaborAxis;
-        var stretch_2: vec2<f32>;
-        var sum_13: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-        var j_4: i32 = 0i;
-        var row_6: vec4<u32>;
-        var i_4: i32;
-        var node_3: GaborWindows;
-        var d_4: vec2<f32>;
-
-        frequency_11 = frequency;
-        let _e5 = gabor_impl_salt(seed);
-        salt_9 = _e5;
-        let _e13 = salt_9;
-        let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, 0f, place.radius.x);
-        x_8 = _e17;
-        let _e25 = salt_9;
-        let _e31 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e25 ^ 1540483477u), 0f, place.radius.y);
-        y_7 = _e31;
-        stretch_2 = (place.radius / vec2(1.5f));
-        let _e41 = frequency_11;
-        frequency_11 = min(abs(_e41), 1000000f);
-        loop {
-            let _e55 = j_4;
-            if !((_e55 < 3i)) {
-                break;
-            }
-            {
-                let _e62 = j_4;
-                let _e65 = y_7.word[_e62];
-                let _e66 = gabor_impl_row(_e65);
-                row_6 = _e66;
-                i_4 = 0i;
-                loop {
-                    let _e70 = i_4;
-                    if !((_e70 < 3i)) {
-                        break;
-                    }
-                    {
-                        let _e79 = i_4;
-                        let _e82 = x_8.node[_e79];
-                        let _e84 = j_4;
-                        let _e87 = y_7.node[_e84];
-                        node_3.value = vec2<f32>(_e82.x, _e87.x);
-                        let _e91 = stretch_2;
-                        let _e92 = i_4;
-                        let _e95 = x_8.node[_e92];
-                        let _e97 = j_4;
-                        let _e100 = y_7.node[_e97];
-                        node_3.slope = (_e91 * vec2<f32>(_e95.z, _e100.z));
-                        let _e104 = x_8;
-                        let _e106 = i_4;
-                        let _e111 = y_7;
-                        let _e113 = j_4;
-                        d_4 = vec2<f32>((_e104.offset - f32((_e106 - 1i))), (_e111.offset - f32((_e113 - 1i))));
-                        let _e121 = node_3;
-                        let _e122 = d_4;
-                        let _e123 = frequency_11;
-                        let _e124 = i_4;
-                        let _e127 = x_8.word[_e124];
-                        let _e128 = row_6;
-                        gabor_impl_add_star((&sum_13), place, _e121, pixel, _e122, _e123, (_e127 * _e128));
-                    }
-                    continuing {
-                        let _e74 = i_4;
-                        i_4 = (_e74 + 1i);
-                    }
-                }
-            }
-            continuing {
-                let _e59 = j_4;
-                j_4 = (_e59 + 1i);
-            }
-        }
-        let _e131 = sum_13;
-        return _e131;
     }
+    let _e131 = sum_13;
+    return _e131;
 }
 
 fn gabor_impl_scaled_field(field: GaborField, scale: f32) -> GaborField {
@@ -3217,165 +2355,59 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
 // The mean of a profile over [phase - width / 2, phase + width / 2] is the change of its integral from one end to
 // the other, divided by the width. Each whole turn adds the integral of one period.
 fn gabor_impl_ends(phase: f32, width: f32) -> vec3<f32> {
-    if GABOR_TAPS == 2 {
-        var phase_2: f32;
-        var width_2: f32;
+    var phase_6: f32;
+    var width_2: f32;
 
-        phase_2 = phase;
-        width_2 = width;
-        let _e4 = width_2;
-        width_2 = clamp(_e4, 0.001f, 1f);
-        let _e8 = phase_2;
-        let _e9 = phase_2;
-        phase_2 = (_e8 - floor(_e9));
-        let _e12 = phase_2;
-        let _e14 = width_2;
-        let _e17 = phase_2;
-        let _e19 = width_2;
-        let _e23 = width_2;
-        return vec3<f32>((_e12 - (0.5f * _e14)), (_e17 + (0.5f * _e19)), (1f / _e23));
-    } else if GABOR_TAPS == 4 {
-        var phase_2: f32;
-        var width_2: f32;
-
-        phase_2 = phase;
-        width_2 = width;
-        let _e4 = width_2;
-        width_2 = clamp(_e4, 0.001f, 1f);
-        let _e8 = phase_2;
-        let _e9 = phase_2;
-        phase_2 = (_e8 - floor(_e9));
-        let _e12 = phase_2;
-        let _e14 = width_2;
-        let _e17 = phase_2;
-        let _e19 = width_2;
-        let _e23 = width_2;
-        return vec3<f32>((_e12 - (0.5f * _e14)), (_e17 + (0.5f * _e19)), (1f / _e23));
-    } else {
-        var phase_6: f32;
-        var width_2: f32;
-
-        phase_6 = phase;
-        width_2 = width;
-        let _e4 = width_2;
-        width_2 = clamp(_e4, 0.001f, 1f);
-        let _e8 = phase_6;
-        let _e9 = phase_6;
-        phase_6 = (_e8 - floor(_e9));
-        let _e12 = phase_6;
-        let _e14 = width_2;
-        let _e17 = phase_6;
-        let _e19 = width_2;
-        let _e23 = width_2;
-        return vec3<f32>((_e12 - (0.5f * _e14)), (_e17 + (0.5f * _e19)), (1f / _e23));
-    }
+    phase_6 = phase;
+    width_2 = width;
+    let _e4 = width_2;
+    width_2 = clamp(_e4, 0.001f, 1f);
+    let _e8 = phase_6;
+    let _e9 = phase_6;
+    phase_6 = (_e8 - floor(_e9));
+    let _e12 = phase_6;
+    let _e14 = width_2;
+    let _e17 = phase_6;
+    let _e19 = width_2;
+    let _e23 = width_2;
+    return vec3<f32>((_e12 - (0.5f * _e14)), (_e17 + (0.5f * _e19)), (1f / _e23));
 }
 
 fn gabor_impl_triangle_integral(x: f32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var turns: f32;
-        var t_4: f32;
-        var local_16: f32;
+    var turns: f32;
+    var t_4: f32;
+    var local_31: f32;
 
-        turns = floor(x);
-        let _e3 = turns;
-        t_4 = (x - _e3);
-        let _e7 = turns;
-        let _e9 = t_4;
-        if (_e9 < 0.5f) {
-            let _e12 = t_4;
-            let _e13 = t_4;
-            local_16 = (_e12 * _e13);
-        } else {
-            let _e16 = t_4;
-            let _e18 = t_4;
-            let _e19 = t_4;
-            local_16 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
-        }
-        let _e25 = local_16;
-        return ((0.5f * _e7) + _e25);
-    } else if GABOR_TAPS == 4 {
-        var turns: f32;
-        var t_3: f32;
-        var local_16: f32;
-
-        turns = floor(x);
-        let _e3 = turns;
-        t_3 = (x - _e3);
-        let _e7 = turns;
-        let _e9 = t_3;
-        if (_e9 < 0.5f) {
-            let _e12 = t_3;
-            let _e13 = t_3;
-            local_16 = (_e12 * _e13);
-        } else {
-            let _e16 = t_3;
-            let _e18 = t_3;
-            let _e19 = t_3;
-            local_16 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
-        }
-        let _e25 = local_16;
-        return ((0.5f * _e7) + _e25);
+    turns = floor(x);
+    let _e3 = turns;
+    t_4 = (x - _e3);
+    let _e7 = turns;
+    let _e9 = t_4;
+    if (_e9 < 0.5f) {
+        let _e12 = t_4;
+        let _e13 = t_4;
+        local_31 = (_e12 * _e13);
     } else {
-        var turns: f32;
-        var t_4: f32;
-        var local_31: f32;
-
-        turns = floor(x);
-        let _e3 = turns;
-        t_4 = (x - _e3);
-        let _e7 = turns;
-        let _e9 = t_4;
-        if (_e9 < 0.5f) {
-            let _e12 = t_4;
-            let _e13 = t_4;
-            local_31 = (_e12 * _e13);
-        } else {
-            let _e16 = t_4;
-            let _e18 = t_4;
-            let _e19 = t_4;
-            local_31 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
-        }
-        let _e25 = local_31;
-        return ((0.5f * _e7) + _e25);
+        let _e16 = t_4;
+        let _e18 = t_4;
+        let _e19 = t_4;
+        local_31 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
     }
+    let _e25 = local_31;
+    return ((0.5f * _e7) + _e25);
 }
 
 fn gabor_impl_sawtooth_integral(x: f32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var turns_1: f32;
-        var t_5: f32;
+    var turns_1: f32;
+    var t_5: f32;
 
-        turns_1 = floor(x);
-        let _e3 = turns_1;
-        t_5 = (x - _e3);
-        let _e7 = turns_1;
-        let _e8 = t_5;
-        let _e9 = t_5;
-        return (0.5f * (_e7 + (_e8 * _e9)));
-    } else if GABOR_TAPS == 4 {
-        var turns_1: f32;
-        var t_4: f32;
-
-        turns_1 = floor(x);
-        let _e3 = turns_1;
-        t_4 = (x - _e3);
-        let _e7 = turns_1;
-        let _e8 = t_4;
-        let _e9 = t_4;
-        return (0.5f * (_e7 + (_e8 * _e9)));
-    } else {
-        var turns_1: f32;
-        var t_5: f32;
-
-        turns_1 = floor(x);
-        let _e3 = turns_1;
-        t_5 = (x - _e3);
-        let _e7 = turns_1;
-        let _e8 = t_5;
-        let _e9 = t_5;
-        return (0.5f * (_e7 + (_e8 * _e9)));
-    }
+    turns_1 = floor(x);
+    let _e3 = turns_1;
+    t_5 = (x - _e3);
+    let _e7 = turns_1;
+    let _e8 = t_5;
+    let _e9 = t_5;
+    return (0.5f * (_e7 + (_e8 * _e9)));
 }
 
 fn gabor_impl_pulse_integral(x: f32, duty: f32) -> f32 {
@@ -3388,89 +2420,33 @@ fn gabor_impl_pulse_integral(x: f32, duty: f32) -> f32 {
 }
 
 fn gabor_impl_ridges_integral(x: f32) -> f32 {
-    if GABOR_TAPS == 2 {
-        var turns_3: f32;
-        var t_6: f32;
+    var turns_3: f32;
+    var t_6: f32;
 
-        turns_3 = floor(x);
-        let _e3 = turns_3;
-        t_6 = (x - _e3);
-        let _e7 = turns_3;
-        let _e9 = t_6;
-        let _e10 = t_6;
-        let _e14 = t_6;
-        return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
-    } else if GABOR_TAPS == 4 {
-        var turns_3: f32;
-        var t_5: f32;
-
-        turns_3 = floor(x);
-        let _e3 = turns_3;
-        t_5 = (x - _e3);
-        let _e7 = turns_3;
-        let _e9 = t_5;
-        let _e10 = t_5;
-        let _e14 = t_5;
-        return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
-    } else {
-        var turns_3: f32;
-        var t_6: f32;
-
-        turns_3 = floor(x);
-        let _e3 = turns_3;
-        t_6 = (x - _e3);
-        let _e7 = turns_3;
-        let _e9 = t_6;
-        let _e10 = t_6;
-        let _e14 = t_6;
-        return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
-    }
+    turns_3 = floor(x);
+    let _e3 = turns_3;
+    t_6 = (x - _e3);
+    let _e7 = turns_3;
+    let _e9 = t_6;
+    let _e10 = t_6;
+    let _e14 = t_6;
+    return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
 }
 
 // The (phase, width) of stripes. The mean of a unit vector over `width` turns has the length sin(pi width) / (pi
 // width); the polynomial inverts this within 0.0025.
 fn gabor_impl_phase_of(stripes: vec2<f32>) -> vec2<f32> {
-    if GABOR_TAPS == 2 {
-        var phasor: vec2<f32>;
-        var y_4: f32;
+    var phasor: vec2<f32>;
+    var y_8: f32;
 
-        let _e1 = gabor_phasor(stripes);
-        phasor = _e1;
-        let _e4 = phasor;
-        y_4 = max((1f - _e4.y), 0f);
-        let _e10 = phasor;
-        let _e12 = y_4;
-        let _e15 = y_4;
-        let _e17 = y_4;
-        let _e19 = y_4;
-        return vec2<f32>(_e10.x, (sqrt(_e12) * (0.7796968f + (_e15 * (0.13925488f + (_e17 * ((0.1322011f * _e19) - 0.05362376f)))))));
-    } else if GABOR_TAPS == 4 {
-        var phasor: vec2<f32>;
-        var y_5: f32;
-
-        let _e1 = gabor_phasor(stripes);
-        phasor = _e1;
-        let _e4 = phasor;
-        y_5 = max((1f - _e4.y), 0f);
-        let _e10 = phasor;
-        let _e12 = y_5;
-        let _e15 = y_5;
-        let _e17 = y_5;
-        let _e19 = y_5;
-        return vec2<f32>(_e10.x, (sqrt(_e12) * (0.7796968f + (_e15 * (0.13925488f + (_e17 * ((0.1322011f * _e19) - 0.05362376f)))))));
-    } else {
-        var phasor: vec2<f32>;
-        var y_8: f32;
-
-        let _e1 = gabor_phasor(stripes);
-        phasor = _e1;
-        let _e4 = phasor;
-        y_8 = max((1f - _e4.y), 0f);
-        let _e10 = phasor;
-        let _e12 = y_8;
-        let _e15 = y_8;
-        let _e17 = y_8;
-        let _e19 = y_8;
-        return vec2<f32>(_e10.x, (sqrt(_e12) * (0.7796968f + (_e15 * (0.13925488f + (_e17 * ((0.1322011f * _e19) - 0.05362376f)))))));
-    }
+    let _e1 = gabor_phasor(stripes);
+    phasor = _e1;
+    let _e4 = phasor;
+    y_8 = max((1f - _e4.y), 0f);
+    let _e10 = phasor;
+    let _e12 = y_8;
+    let _e15 = y_8;
+    let _e17 = y_8;
+    let _e19 = y_8;
+    return vec2<f32>(_e10.x, (sqrt(_e12) * (0.7796968f + (_e15 * (0.13925488f + (_e17 * ((0.1322011f * _e19) - 0.05362376f)))))));
 }
