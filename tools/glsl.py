@@ -1,36 +1,30 @@
-"""Reads the part of GLSL that the drop-ins use, into a syntax tree with types, and edits its text. tools/translate and tools/nodes.py
-print other languages from it. Raises Refused for everything else."""
+"""Reads the part of GLSL that the drop-ins use into a syntax tree with types, and edits its text. tools/translate and tools/nodes.py
+print other languages from it. Refuses everything else with its file and line."""
 
 import re
 from typing import NamedTuple
 
 TOKEN = re.compile(r"""(?P<space>(?:\s|\\\n)+) | (?P<comment>//[^\n]*|/\*.*?\*/) | (?P<directive>\#(?:\\\n|(?!//|/\*)[^\n])*)
                        | (?P<number>0[xX][\da-fA-F]+[uU]?|(?:\d+\.\d*|\.\d+|\d+(?=[eE]))(?:[eE][-+]?\d+)?[fF]?|\d+[uUif]?)
-                       | (?P<name>[A-Za-z_]\w*) | (?P<sign><<=|>>=|&&|\|\||\^\^|<<|>>|->|[-+*/%&|^=<>!]=|\+\+|--|[^\w\s])""",
-                   re.VERBOSE | re.DOTALL)
-# Each type of a number or vector, with the type of its components and their number.
-SHAPES = {"float": ("float", 1), "int": ("int", 1), "uint": ("uint", 1), "bool": ("bool", 1)} | {
-    f"{letter}vec{count}": (kind, count) for letter, kind in {"": "float", "i": "int", "u": "uint", "b": "bool"}.items() for count in (2, 3, 4)}
-VECTORS = {shape: name for name, shape in SHAPES.items()}
-SIGNS = ["||"], ["&&"], ["|"], ["^"], ["&"], ["==", "!="], ["<", ">", "<=", ">="], ["<<", ">>"], ["+", "-"], ["*", "/", "%"]
+                       | (?P<name>[A-Za-z_]\w*) | (?P<sign><<=|>>=|&&|\|\||<<|>>|[-+*/%&|^=<>!]=|\+\+|--|[^\w\s])""", re.VERBOSE | re.DOTALL)
+# Each number's or vector's type, with the type of its components and their number.
+NUMBERS = {"float": "", "int": "i", "uint": "u", "bool": "b"}
+SHAPES = {kind: (kind, 1) for kind in NUMBERS} | {f"{letter}vec{size}": (kind, size) for kind, letter in NUMBERS.items() for size in (2, 3, 4)}
+TYPES = {shape: name for name, shape in SHAPES.items()}
+SIGNS = ("||",), ("&&",), ("|",), ("^",), ("&",), ("==", "!="), ("<", ">", "<=", ">="), ("<<", ">>"), ("+", "-"), ("*", "/", "%")
 PRECEDENCE = {sign: level for level, signs in enumerate(SIGNS, 1) for sign in signs}
-ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="}
-# GLSL's functions that have a translation, and the components of their results: those of the widest argument if None. The result is a
-# vector unless its size is 1.
+LOGICAL = {sign for sign, level in PRECEDENCE.items() if level in (1, 2, 6, 7)}
 COMPARISONS = {"lessThan": "<", "lessThanEqual": "<=", "greaterThan": ">", "greaterThanEqual": ">=", "equal": "==", "notEqual": "!="}
+# Functions of GLSL that have a translation, and the type of their results' components if it is not that of their arguments.
 FUNCTIONS = dict.fromkeys("abs acos asin atan ceil clamp cos cross dFdx dFdy exp exp2 floor fract inversesqrt log log2 max min mix "
-                          "normalize pow sign sin smoothstep sqrt step tan".split()) | {
-    "dot": "float", "length": "float", "distance": "float", "all": "bool", "any": "bool", "uintBitsToFloat": "float",
-    "intBitsToFloat": "float", "floatBitsToUint": "uint", "floatBitsToInt": "int"} | dict.fromkeys(COMPARISONS, "bool")
-NUMBERS = {"float", "int", "uint", "bool"}
-SINGLE = {"dot", "length", "distance", "all", "any"}  # their results are numbers
+                          "normalize pow sign sin smoothstep sqrt step tan dot length distance".split()) | {
+    "all": "bool", "any": "bool", "uintBitsToFloat": "float", "intBitsToFloat": "float", "floatBitsToUint": "uint",
+    "floatBitsToInt": "int"} | dict.fromkeys(COMPARISONS, "bool")
+REDUCING = {"dot", "length", "distance", "all", "any"}  # they turn vectors into a number
 
 
 class Refused(Exception):
     """A text that has no translation."""
-
-    def __init__(self, path, line, reason):
-        super().__init__(f"{path}:{line}: {reason}")
 
 
 class Token(NamedTuple):
@@ -42,7 +36,9 @@ class Token(NamedTuple):
 
 
 class Node:
-    """A part of the syntax tree: its kind, its place in the text, its parts and, for expressions and variables, its type."""
+    """A part of the syntax tree: its kind, its place in the text, its parts and, for expressions and declarations, its type."""
+
+    changed = False  # whether an expression is what an assignment changes
 
     def __init__(self, kind, first, last, parts=(), type=None, **more):
         self.kind, self.start, self.end, self.line, self.type = kind, first.start, last.end, first.line, type
@@ -61,8 +57,7 @@ def tokens(text, start=0, end=None, line=1):
     while match := TOKEN.match(text, start, len(text) if end is None else end):
         if match.lastgroup != "space":
             yield Token(match.lastgroup, match[0].rstrip() if match.lastgroup == "directive" else match[0], start, match.end(), line)
-        line += match[0].count("\n")
-        start = match.end()
+        start, line = match.end(), line + match[0].count("\n")
 
 
 def without_comments(text):
@@ -75,74 +70,49 @@ def without_comments(text):
 
 
 def root(node):
-    """Returns the variable that an expression reads or changes a part of."""
-    while node.kind in ("member", "index", "group"):
-        node = node.parts[0]
-    return node
+    """Returns the variable of which an expression is a part."""
+    return root(node.parts[0]) if node.kind in ("member", "index", "group") else node
 
 
 def element(type):
-    """Returns the type of a vector's component or an array's element, or None."""
-    return type[:-2] if type and type.endswith("[]") else SHAPES[type][0] if type in SHAPES and SHAPES[type][1] > 1 else None
+    """Returns the type of a vector's or an array's elements, or None."""
+    return type[:-2] if type and type.endswith("[]") else SHAPES[type][0] if SHAPES.get(type, ("", 1))[1] > 1 else None
 
 
-def changes(body):
-    """Returns the declarations of all variables that a function's body changes."""
-    found = set()
-    for node in body.walk():
-        if node.kind in ("assign", "step"):
-            found.add(root(node.parts[0]).declared)
-        if node.kind == "call" and node.what == "function":
-            found |= {root(part).declared for part, given in zip(node.parts, node.callee.parameters) if given.how in ("out", "inout")}
-    return found
+def changes(function):
+    """Returns the declarations of the variables that a function changes."""
+    return {root(node).declared for node in function.walk() if node.changed}
 
 
 class Shader:
-    """The syntax tree of a drop-in. `before` are the shaders that come before it, whose names it uses.
+    """The syntax tree of a drop-in. `before` is the drop-in before it, whose names it uses.
 
     Directives and comments may stand between any two tokens. All branches of a condition are read, one after the other."""
 
-    def __init__(self, text, path, before=()):
-        self.text, self.path, self.before, self.place = text, path, before, 0
-        self.structs, self.functions, self.macros, self.scopes = {}, {}, {}, [{}]
-        for other in before:
-            self.structs |= other.structs
-            self.functions |= {name: self.functions.get(name, []) + found for name, found in other.functions.items()}
-            self.macros |= other.macros
-            self.scopes[0] |= other.scopes[0]
+    def __init__(self, text, path, before=None):
+        self.text, self.path, self.before, self.place, self.items = text, path, before, 0, []
+        self.structs, self.functions, self.macros, globals_ = (
+            dict(getattr(before, kind)) if before else {} for kind in ("structs", "functions", "macros", "globals"))
+        self.globals, self.scopes = globals_, [globals_]
         found = list(tokens(text))
-        self.comments = [token for token in found if token.kind == "comment"]
-        self.directives = [token for token in found if token.kind == "directive"]
+        self.comments, self.directives = ([token for token in found if token.kind == kind] for kind in ("comment", "directive"))
         self.tested = {token.text.split()[1] for token in self.directives if token.text.startswith(("#ifdef ", "#ifndef "))}
         self.defined = [self.macro(token) for token in self.directives if token.text.split()[0] == "#define"]
-        empty = {macro.name.text for macro in self.macros.values() if not macro.body and macro.given is None}
+        empty = {name for name, macro in self.macros.items() if not macro.body and macro.given is None}
         self.tokens = [token for token in found if token.kind not in ("comment", "directive") and token.text not in empty]
-        self.tokens.append(Token("end", "the end", len(text), len(text), text.count("\n") + 1))
-        self.items = []
+        self.tokens.append(Token("end", "the end of the file", len(text), len(text), text.count("\n") + 1))
         while self.token.kind != "end":
             self.items += self.definition()
         for macro in self.defined:
-            if macro.body:
-                macro.parts = [self.expanded(macro, {})]
-
-    # ---- Tokens ----
-
-    @property
-    def token(self):
-        return self.tokens[self.place]
-
-    def refuse(self, reason, where=None):
-        raise Refused(self.path, (where or self.token).line, reason)
+            macro.parts = [self.expanded(macro, {})] if macro.body else []
 
     def conditions(self, node):
-        """Returns the directives of the conditions around a node: for each, the last of #if, #elif and #else before it."""
+        """Returns the directives of the conditions around a node: for each, the last of #if, #elif and #else before the node."""
         found = []
         for directive in self.directives:
-            word = directive.text.split()[0]
-            if directive.start > node.start or word in ("#else", "#elif", "#endif"):
-                found = found if directive.start > node.start else found[:-1]
-            if directive.start < node.start and word in ("#if", "#ifdef", "#ifndef", "#elif", "#else"):
-                found.append(directive)
+            if directive.start < node.start and directive.text.startswith(("#if", "#el", "#endif")):
+                kept = found if directive.text.startswith("#if") else found[:-1]
+                found = kept if directive.text.startswith("#endif") else [*kept, directive]
         return found
 
     def comment_start(self, place):
@@ -151,43 +121,59 @@ class Shader:
             place = line
         return place
 
-    def member_types(self, type):
-        """Returns a type and, if it is a struct, those of its members."""
-        fields = self.structs[type].fields.values() if type in self.structs else ()
-        return [type, *(found for field in fields for found in self.member_types(field))]
+    # ---- Tokens ----
+
+    @property
+    def token(self):
+        return self.tokens[self.place]
+
+    def refuse(self, reason, where=None):
+        raise Refused(f"{self.path}:{(where or self.token).line}: {reason} has no translation")
 
     def at(self, *texts):
         return self.token.text in texts
 
     def take(self, *texts, kind=None):
         """Returns the next token, which must be one of these texts or of this kind."""
-        token = self.token
-        if texts and token.text not in texts or kind and token.kind != kind:
-            self.refuse(f"'{token.text}' has no translation here, where {' or '.join(texts) or 'a ' + kind} is expected")
+        if texts and not self.at(*texts) or kind and self.token.kind != kind:
+            self.refuse(f"'{self.token.text}' where {' or '.join(texts) or f'a {kind}'} should be")
         self.place += 1
-        return token
+        return self.tokens[self.place - 1]
 
-    def maybe(self, text):
-        return self.take() if self.at(text) else None
+    def maybe(self, *texts):
+        return self.take() if self.at(*texts) else None
+
+    def until(self, closing, read, separator=None):
+        """Reads parts up to a closing token, with separators between them."""
+        parts = []
+        while not self.at(closing):
+            if parts and separator:
+                self.take(separator)
+            parts.append(read())
+        self.take(closing)
+        return parts
+
+    def node(self, kind, first, parts=(), type=None, **more):
+        """Returns a node from a token or node to the last token."""
+        return Node(kind, first, self.tokens[self.place - 1], parts, type, **more)
 
     # ---- Macros ----
 
     def macro(self, directive):
-        """Reads a #define, but not yet its body."""
-        _, name, *rest = tokens(self.text, directive.start + 1, directive.start + len(directive.text), directive.line)
+        """Reads a #define, except for its body."""
+        _, name, *body = tokens(self.text, directive.start + 1, directive.start + len(directive.text), directive.line)
         given = None
-        if rest and rest[0].text == "(" and rest[0].start == name.end:
-            end = next(place for place, token in enumerate(rest) if token.text == ")")
-            given, rest = [token.text for token in rest[1:end] if token.kind == "name"], rest[end + 1:]
-        self.macros[name.text] = macro = Node("macro", name, rest[-1] if rest else name, name=name, given=given, body=rest)
-        return macro
+        if body and body[0].text == "(" and body[0].start == name.end:
+            end = [token.text for token in body].index(")")
+            given, body = [token.text for token in body[1:end:2]], body[end + 1:]
+        self.macros[name.text] = Node("macro", name, [name, *body][-1], name=name, given=given, body=body)
+        return self.macros[name.text]
 
     def expanded(self, macro, types):
-        """Returns the syntax tree of a macro's body, in which its parameters have these types."""
-        kept = self.tokens, self.place, self.scopes
-        last = macro.body[-1]
-        self.tokens = [*macro.body, Token("end", "the end of the macro", last.end, last.end, last.line)]
-        self.place, self.scopes = 0, [self.scopes[0], {name: Node("parameter", last, last, type=types.get(name)) for name in macro.given or []}]
+        """Returns the syntax tree of a macro, in which its parameters have these types."""
+        kept, last = (self.tokens, self.place, self.scopes), macro.body[-1]
+        self.tokens, self.place = [*macro.body, Token("end", "the end of the macro", last.end, last.end, last.line)], 0
+        self.scopes = [self.globals, {name: Node("parameter", last, last, type=types.get(name)) for name in macro.given or ()}]
         tree = self.expression()
         self.take(kind="end")
         self.tokens, self.place, self.scopes = kept
@@ -195,324 +181,252 @@ class Shader:
 
     # ---- Definitions ----
 
-    def declare(self, name, node):
-        known = self.scopes[-1].setdefault(name.text, node)
-        if known.type != node.type:
-            self.refuse(f"a second declaration of {name.text} with another type has no translation", name)
-
     def type_name(self):
-        if self.token.text not in SHAPES and self.token.text not in self.structs and self.token.text != "void":
-            self.refuse(f"'{self.token.text}' has no translation")
+        if not self.at("void", *SHAPES, *self.structs):
+            self.refuse(f"'{self.token.text}'")
         return self.take()
 
-    def variable(self, kind, type, **more):
-        """Reads a name and the length of an array after its type."""
-        name = last = self.take(kind="name")
-        first, length = more.pop("first", name), None
-        if self.maybe("["):
-            length, last = self.expression(), self.take("]")
-        return Node(kind, first, last, [length], type.text + "[]" * bool(length), name=name, **more)
+    def variable(self, kind, first, type_name, **more):
+        """Reads a name and the length of an array, after their type, and declares it."""
+        name = self.take(kind="name")
+        length = [self.expression(), self.take("]")][:1] if self.maybe("[") else []
+        node = self.node(kind, first or name, length, type_name.text + "[]" * len(length), name=name, type_name=type_name, value=None, **more)
+        if kind != "field" and self.scopes[-1].setdefault(name.text, node).type != node.type:
+            self.refuse(f"a second {name.text} with another type", name)
+        return node
 
-    def variables(self, kind, constant=None):
-        """Reads a declaration of one or more variables, with a semicolon."""
-        type, found = self.type_name(), []
-        while True:
-            node = self.variable(kind, type, value=None)
+    def declaration(self, kind):
+        """Reads the declaration of one or more variables or fields, with a semicolon."""
+        first, constant = self.token, self.maybe("const")
+        type_name, parts = self.type_name(), []
+        while not parts or self.take(",", ";").text == ",":
+            parts.append(node := self.variable(kind, None, type_name))
             if kind != "field" and self.maybe("="):
                 node.value = self.matched(self.expression(), node.type)
                 node.parts.append(node.value)
-                node.end = node.value.end
-            if kind != "field":
-                self.declare(node.name, node)
-            found.append(node)
-            if self.take(",", ";").text == ";":
-                return Node("declare", constant or type, self.tokens[self.place - 1], found, constant=constant, type_name=type)
+        return self.node("declare", first, parts, constant=constant)
 
     def definition(self):
-        """Reads a struct, function, constant or precision statement."""
+        """Returns a struct, constant, function or precision statement in a list."""
         first = self.token
         if self.maybe(";"):
             return []
         if self.maybe("precision"):
-            return [Node("precision", first, [self.take(kind="name"), self.take(kind="name"), self.take(";")][2])]
+            self.until(";", self.take)
+            return [self.node("precision", first)]
         if self.maybe("struct"):
-            name, fields = self.take(kind="name"), []
+            name = self.take(kind="name")
             self.take("{")
-            while not self.at("}"):
-                fields.append(self.variables("field"))
-            self.take("}")
-            if name.text in self.structs:
-                self.refuse(f"a second struct {name.text} has no translation", name)
-            self.structs[name.text] = node = Node("struct", first, self.take(";"), fields, name=name, constructed=False)
-            node.fields = {field.name.text: field.type for declared in fields for field in declared.parts}
-            return [node]
-        if constant := self.maybe("const"):
-            return [self.variables("variable", constant)]
-        type, name = self.type_name(), self.take(kind="name")
-        if not self.at("("):
-            self.refuse("a global variable that is not const has no translation", first)
-        return [self.function(type, name)]
-
-    def function(self, type, name):
-        opening, parameters = self.take("("), []
+            parts = self.until("}", lambda: self.declaration("field"))
+            fields = {field.name.text: field for line in parts for field in line.parts}
+            self.take(";")
+            self.structs[name.text] = self.node("struct", first, parts, name=name, fields=fields, constructed=False)
+            return [self.structs[name.text]]
+        if self.at("const"):
+            return [self.declaration("variable")]
+        type_name, name = self.type_name(), self.take(kind="name")
+        if not self.maybe("("):
+            self.refuse("a global variable that is not const", first)
         self.scopes.append({})
-        while not self.at(")"):
-            first, how = self.token, set()
-            while self.at("const", "in", "out", "inout"):
-                how.add(self.take().text)
-            type_name = self.type_name()
-            node = self.variable("parameter", type_name, first=first, how=next(iter(how & {"out", "inout"}), "in"), type_name=type_name)
-            self.declare(node.name, node)
-            parameters.append(node)
-            if not self.at(")"):
-                self.take(",")
-        closing = self.take(")")
-        node = Node("function", type, closing, parameters, type.text, name=name, opening=opening, closing=closing, parameters=parameters, body=None)
+        parameters = self.until(")", self.parameter, ",")
+        node = self.node("function", first, parameters, type_name.text, name=name, parameters=parameters, head=self.tokens[self.place - 1].end, body=None)
         for part in parameters:
             part.function = node
-        known = self.functions.setdefault(name.text, [])
-        self.functions[name.text] = [*known, node]
-        if same := [other for other in known if [part.type for part in other.parameters] == [part.type for part in parameters]]:
-            if same[-1].body and not self.at(";") and same[-1].path_of_text is self.text:
-                self.refuse(f"a second definition of {name.text} has no translation", name)
-            self.functions[name.text] = [other for other in known if other not in same] + [node]
-        node.path_of_text, self.result = self.text, type.text
-        if not self.at(";"):
+        types = [part.type for part in parameters]
+        self.functions[name.text] = [other for other in self.functions.get(name.text, ()) if [part.type for part in other.parameters] != types] + [node]
+        self.result = node.type
+        if not self.maybe(";"):
             node.body = self.statement()
             node.parts.append(node.body)
-            node.end = node.body.end
-        else:
-            node.end = self.take().end
+        node.end = self.tokens[self.place - 1].end
         self.scopes.pop()
-        return node
+        return [node]
+
+    def parameter(self):
+        first, words = self.token, set()
+        while word := self.maybe("const", "in", "out", "inout"):
+            words.add(word.text)
+        return self.variable("parameter", first, self.type_name(), out=bool(words & {"out", "inout"}))
 
     # ---- Statements ----
 
     def statement(self):
         first, text = self.token, self.token.text
-        if text == "{":
-            self.take()
+        if text in ("{", "for"):
             self.scopes.append({})
-            parts = []
-            while not self.at("}"):
-                parts.append(self.statement())
-            self.scopes.pop()
-            return Node("block", first, self.take("}"), parts)
-        if text in ("if", "while"):
-            self.take()
-            parts = [self.condition(), self.statement()]
-            if text == "if" and self.maybe("else"):
-                parts.append(self.statement())
-            return Node("branch" if text == "if" else "while", first, parts[-1], parts)
-        if text == "do":
-            self.take()
-            parts = [self.statement()]
-            self.take("while")
-            parts.append(self.condition())
-            return Node("do", first, self.take(";"), parts)
-        if text == "for":
-            self.take()
+        if self.maybe("{"):
+            parts = self.until("}", self.statement)
+        elif self.maybe("for"):
             self.take("(")
-            self.scopes.append({})
-            parts = [self.statement(), None if self.at(";") else self.matched(self.expression(), "bool")]
+            parts = [self.statement(), *self.until(";", self.expression, ";"), *self.until(")", self.expression, ","), self.statement()]
+        elif self.maybe("if", "while"):
+            parts = [self.condition(), self.statement(), *([self.statement()] if text == "if" and self.maybe("else") else [])]
+        elif self.maybe("do"):
+            parts = [self.statement(), self.take("while") and self.condition()]
             self.take(";")
-            parts += [*([] if self.at(")") else self.sequence()), self.take(")") and self.statement()]
+        elif self.maybe("return"):
+            parts = self.until(";", lambda: self.matched(self.expression(), self.result), ";")
+        elif self.maybe("break", "continue"):
+            text, parts = "jump", self.take(";") and []
+        elif text == "const" or text in {*SHAPES, *self.structs} and self.tokens[self.place + 1].kind == "name":
+            return self.declaration("variable")
+        else:
+            text, parts = "expression", self.until(";", self.expression, ",")
+        if text in ("{", "for"):
             self.scopes.pop()
-            return Node("for", first, parts[-1], parts)
-        if text in ("break", "continue"):
-            return Node("jump", self.take(), self.take(";"))
-        if text == "return":
-            self.take()
-            value = None if self.at(";") else self.matched(self.expression(), self.result)
-            return Node("return", first, self.take(";"), [value])
-        if text == "const" or (text in SHAPES or text in self.structs) and self.tokens[self.place + 1].kind == "name":
-            return self.variables("variable", self.maybe("const"))
-        parts = [] if text == ";" else self.sequence()
-        return Node("expression", first, self.take(";"), parts)
+        return self.node({"{": "block", "if": "branch"}.get(text, text), first, parts)
 
     def condition(self):
         self.take("(")
-        node = self.matched(self.expression(), "bool")
-        self.take(")")
-        return node
-
-    def sequence(self):
-        parts = [self.expression()]
-        while self.maybe(","):
-            parts.append(self.expression())
-        return parts
+        return [self.matched(self.expression(), "bool"), self.take(")")][0]
 
     # ---- Expressions ----
 
     def matched(self, node, type):
-        """Returns the expression if it has this type. GLSL ES, Godot and WGSL convert nothing."""
+        """Returns the expression, which must have this type: GLSL ES, Godot and WGSL convert nothing."""
         if None not in (node.type, type) and node.type != type:
-            self.refuse(f"a conversion from {node.type} to {type} has no translation", node)
+            self.refuse(f"a conversion from {node.type} to {type}", node)
         return node
 
-    def operated(self, left, sign, right):
+    def operated(self, left, sign, right, where):
         """Returns the type of a binary operation."""
         types = left.type, right.type
-        if sign.text in ("&&", "||"):
+        if sign in ("&&", "||"):
             self.matched(left, "bool"), self.matched(right, "bool")
-        if sign.text in ("==", "!="):
-            if {*types} & {*self.structs} or "[]" in "".join(filter(None, types)):
-                self.refuse(f"{sign.text} of structs or arrays has no translation", sign)
-            self.matched(left, right.type)
-        if PRECEDENCE[sign.text] in (1, 2, 6, 7):
-            return "bool"
+        if sign in LOGICAL and ({*types} <= {*SHAPES, None} or self.refuse(f"{sign} of structs or arrays", where)):
+            return self.matched(left, right.type) and "bool"
         if None in types:
             return None
         (kind, size), (other, count) = (SHAPES.get(type, (type, 0)) for type in types)
-        if not size or not count or kind != other and sign.text not in ("<<", ">>") or size != count and 1 not in (size, count):
-            self.refuse(f"{types[0]} {sign.text} {types[1]} has no translation", sign)
-        return VECTORS[kind, max(size, count)]
-
-    def expression(self):
-        left = self.choice()
-        if self.token.text not in ASSIGNMENTS:
-            return left
-        sign, right = self.take(), self.expression()
-        self.change(left)
-        if sign.text == "=":
-            self.matched(right, left.type)
-        elif (type := self.operated(left, Token("sign", sign.text[:-1], *sign[2:]), right)) != left.type and type:
-            self.refuse(f"{left.type} {sign.text} {right.type} has no translation", sign)
-        return Node("assign", left, right, [left, right], left.type, sign=sign)
+        if not size or not count or kind != other and sign not in ("<<", ">>") or size != count and 1 not in (size, count):
+            self.refuse(f"{types[0]} {sign} {types[1]}", where)
+        return TYPES[kind, max(size, count)]
 
     def change(self, node):
-        """Checks that the expression is a variable or a part of one, and notes that it changes."""
+        """Notes that an expression changes. It must be a variable or a part of one."""
         if root(node).kind != "name" or node.kind in ("member", "index") and getattr(node.parts[0], "swizzle", False):
-            self.refuse(f"a change of '{self.text[node.start:node.end]}' has no translation", node)
+            self.refuse(f"a change of '{self.text[node.start:node.end]}'", node)
         node.changed = True
+        return node
+
+    def expression(self):
+        left, sign = self.choice(), self.token
+        if not sign.text.endswith("=") or sign.text in PRECEDENCE:
+            return left
+        self.take()
+        self.change(left)
+        right = self.expression()
+        if sign.text == "=":
+            self.matched(right, left.type)
+        elif self.operated(left, sign.text[:-1], right, sign) not in (left.type, None):
+            self.refuse(f"{left.type} {sign.text} {right.type}", sign)
+        return self.node("assign", left, [left, right], left.type, sign=sign)
 
     def choice(self):
         test = self.binary(1)
         if not self.maybe("?"):
             return test
-        self.matched(test, "bool")
-        yes = self.expression()
-        self.take(":")
+        yes = [self.matched(test, "bool"), self.expression(), self.take(":")][1]
         no = self.matched(self.expression(), yes.type)
-        return Node("choice", test, no, [test, yes, no], yes.type or no.type)
+        return self.node("choice", test, [test, yes, no], yes.type or no.type)
 
     def binary(self, level):
         left = self.unary()
         while PRECEDENCE.get(self.token.text, 0) >= level:
             sign = self.take()
             right = self.binary(PRECEDENCE[sign.text] + 1)
-            left = Node("binary", left, right, [left, right], self.operated(left, sign, right), sign=sign)
+            left = self.node("binary", left, [left, right], self.operated(left, sign.text, right, sign), sign=sign)
         return left
 
-    def step(self, first, last, part, sign):
-        self.change(part)
-        if part.type not in ("int", "uint"):
-            self.refuse(f"{sign.text} of a {part.type} has no translation", sign)
-        return Node("step", first, last, [part], part.type, sign=sign)
-
     def unary(self):
-        if self.at("-", "+", "!", "~"):
-            sign, part = self.take(), self.unary()
-            return Node("unary", sign, part, [part], part.type, sign=sign)
-        if self.at("++", "--"):
-            sign, part = self.take(), self.unary()
-            return self.step(sign, part, part, sign)
+        if sign := self.maybe("-", "+", "!", "~"):
+            part = self.unary()
+            return self.node("unary", sign, [part], part.type, sign=sign)
+        if sign := self.maybe("++", "--"):
+            return self.step(sign, sign, self.unary())
         node = self.primary()
-        while self.at(".", "[", "++", "--"):
-            sign = self.take()
+        while sign := self.maybe(".", "[", "++", "--"):
             if sign.text == ".":
-                name = self.take(kind="name")
-                node = Node("member", node, name, [node], self.member(node.type, name), name=name, changed=False,
-                            swizzle=node.type in SHAPES or node.type is None and not set(name.text) - set("xyzw"))
+                node = self.member(node, self.take(kind="name"))
             elif sign.text == "[":
-                index = self.expression()
+                index = [self.expression(), self.take("]")][0]
                 if node.type and not element(node.type):
-                    self.refuse(f"an index into a {node.type} has no translation", sign)
-                node = Node("index", node, self.take("]"), [node, index], element(node.type))
+                    self.refuse(f"an index into a {node.type}", sign)
+                node = self.node("index", node, [node, index], element(node.type))
             else:
-                node = self.step(node, sign, node, sign)
+                node = self.step(node, sign, node)
         return node
 
-    def member(self, type, name):
-        """Returns the type of a struct's member or of a swizzle."""
-        if type in self.structs and name.text in self.structs[type].fields:
-            return self.structs[type].fields[name.text]
-        kind, size = SHAPES.get(type, (None, 4))
-        if type in self.structs or type and not kind or size == 1 or set(name.text) - set("xyzw"[:size]) or len(name.text) > 4:
-            self.refuse(f".{name.text} of a {type} has no translation", name)
-        return VECTORS[kind, len(name.text)] if kind else None
+    def step(self, first, sign, part):
+        if part.type not in ("int", "uint"):
+            self.refuse(f"{sign.text} of a {part.type}", sign)
+        return self.node("step", first, [self.change(part)], part.type, sign=sign)
+
+    def member(self, part, name):
+        """Returns a struct's member or a swizzle. If the type is unknown, so is that of the member."""
+        if part.type in self.structs and name.text in (fields := self.structs[part.type].fields):
+            return self.node("member", part, [part], fields[name.text].type, name=name, swizzle=False)
+        kind, size = SHAPES.get(part.type, (None, 4))
+        swizzle = not set(name.text) - set("xyzw"[:size]) and len(name.text) < 5
+        if part.type and (not kind or size == 1 or not swizzle):
+            self.refuse(f".{name.text} of a {part.type}", name)
+        return self.node("member", part, [part], kind and TYPES[kind, len(name.text)], name=name, swizzle=swizzle)
 
     def primary(self):
         token = self.take()
         if token.kind == "number":
             whole = token.text[:2] in ("0x", "0X") or not set(token.text) & set(".eEfF")
-            return Node("number", token, token, type="uint" if token.text[-1] in "uU" else "int" if whole else "float", name=token)
+            return self.node("number", token, type="uint" if token.text[-1] in "uU" else "int" if whole else "float", name=token)
         if token.text == "(":
-            part = self.expression()
-            return Node("group", token, self.take(")"), [part], part.type)
+            part = [self.expression(), self.take(")")][0]
+            return self.node("group", token, [part], part.type)
         if token.text in ("true", "false"):
-            return Node("name", token, token, type="bool", name=token, declared=None)
-        if token.kind != "name":
-            self.refuse(f"'{token.text}' has no translation here", token)
-        if self.at("("):
-            return self.call(token)
-        declared = next((scope[token.text] for scope in reversed(self.scopes) if token.text in scope), None)
-        if declared:
-            return Node("name", token, token, type=declared.type, name=token, declared=declared)
+            return self.node("name", token, type="bool", name=token, declared=None)
+        if token.kind == "name" and self.maybe("("):
+            parts = self.until(")", self.expression, ",")
+            what, callee, type = self.called(token, parts)
+            return self.node("call", token, parts, type, name=token, what=what, callee=callee)
+        for scope in reversed(self.scopes):
+            if token.text in scope:
+                return self.node("name", token, type=scope[token.text].type, name=token, declared=scope[token.text])
         if token.text in self.macros and self.macros[token.text].given is None:
-            return Node("macro_name", token, token, type=self.expanded(self.macros[token.text], {}).type, name=token)
-        self.refuse(f"an array constructor has no translation" if self.at("[") else f"'{token.text}' is not declared, so it has no translation", token)
-
-    def call(self, name):
-        self.take("(")
-        opening, parts, commas = self.tokens[self.place - 1], [], []
-        while not self.at(")"):
-            parts.append(self.expression())
-            if not self.at(")"):
-                commas.append(self.take(","))
-        closing = self.take(")")
-        what, callee, type = self.called(name, parts)
-        return Node("call", name, closing, parts, type, name=name, opening=opening, commas=commas, closing=closing, what=what, callee=callee)
+            return self.node("macro_name", token, type=self.expanded(self.macros[token.text], {}).type, name=token)
+        self.refuse("an array constructor" if self.at("[") else f"'{token.text}', which is not declared," if token.kind == "name" else f"'{token.text}' here", token)
 
     def called(self, name, parts):
-        """Returns what a call is, the function if it is in the text, and its type."""
-        types = [part.type for part in parts]
+        """Returns what a call is, the definition that it calls, and its type."""
+        types, text = [part.type for part in parts], name.text
         shapes = [SHAPES.get(type, (None, 1)) for type in types]
-        if name.text in SHAPES:
-            kind, size = SHAPES[name.text]
-            counts = [count for _, count in shapes]
-            if set(types) - set(SHAPES) - {None} or not parts or None not in types and counts not in ([1], [size]) and sum(counts) != size:
-                self.refuse(f"{name.text}({', '.join(map(str, types))}) has no translation", name)
-            return "vector" if size > 1 else "number", None, name.text
-        if name.text in self.structs:
-            wanted = list(self.structs[name.text].fields.values())
-            if len(parts) != len(wanted):
-                self.refuse(f"{name.text} with {len(parts)} members has no translation", name)
-            for part, type in zip(parts, wanted):
-                self.matched(part, type)
-            self.structs[name.text].constructed |= self.structs[name.text] in self.items
-            return "struct", self.structs[name.text], name.text
-        if name.text in self.functions:
-            for function in self.functions[name.text]:
-                if len(parts) == len(function.parameters) and all(None in (a, b.type) or a == b.type for a, b in zip(types, function.parameters)):
-                    for part, given in zip(parts, function.parameters):
-                        if given.how != "in" and part.kind in ("member", "index") and not (part.parts[0].type or "").endswith("[]") and (
-                                part.parts[0].type not in self.structs):
-                            self.refuse(f"a component of a vector as an {given.how} argument has no translation", part)
-                        if given.how != "in":
-                            self.change(part)
-                    return "function", function, function.type
-            self.refuse(f"{name.text}({', '.join(map(str, types))}) matches no function, so it has no translation", name)
-        if name.text in self.macros and self.macros[name.text].given is not None:
-            macro = self.macros[name.text]
-            return "macro", macro, self.expanded(macro, dict(zip(macro.given, types))).type
-        if name.text in self.tested:
-            return "macro", None, None
-        if name.text not in FUNCTIONS or not parts:
-            self.refuse(f"{name.text} has no translation", name)
-        kind, size = max((shape for shape in shapes if shape[0]), key=lambda shape: shape[1], default=(None, 1))
-        kind = FUNCTIONS[name.text] or kind
-        return "builtin", None, VECTORS[kind, 1 if name.text in SINGLE else size] if kind and (None not in types or name.text in SINGLE) else None
+        listed = f"{text}({', '.join(map(str, types))})"
+        if text in SHAPES:
+            counts = [size for _, size in shapes]
+            if not parts or {*types} - {*SHAPES, None} or None not in types and counts not in ([1], [SHAPES[text][1]]) and sum(counts) != SHAPES[text][1]:
+                self.refuse(listed, name)
+            return "vector", None, text
+        if struct := self.structs.get(text):
+            if len(parts) != len(struct.fields):
+                self.refuse(listed, name)
+            for part, field in zip(parts, struct.fields.values()):
+                self.matched(part, field.type)
+            struct.constructed |= struct in self.items
+            return "struct", struct, text
+        if text in self.functions:
+            for function in self.functions[text]:
+                if len(parts) == len(function.parameters) and all(None in (type, part.type) or type == part.type for type, part in zip(types, function.parameters)):
+                    break
+            else:
+                self.refuse(f"{listed}, which matches no function,", name)
+            for part in [self.change(part) for part, given in zip(parts, function.parameters) if given.out]:
+                if part.kind in ("member", "index") and part.parts[0].type in SHAPES:
+                    self.refuse("a component of a vector as an out argument", part)
+            return "function", function, function.type
+        macro = self.macros.get(text)
+        if macro and macro.given is not None or text in self.tested:
+            return "macro", macro, macro and self.expanded(macro, dict(zip(macro.given, types))).type
+        if text not in FUNCTIONS or not parts:
+            self.refuse(text, name)
+        kind, size = max(shapes, key=lambda shape: shape[1])
+        return "builtin", None, TYPES.get((FUNCTIONS[text] or kind, 1 if text in REDUCING else size)) if None not in types else None
 
 
 class Printer:
@@ -524,27 +438,29 @@ class Printer:
             for node in item.walk():
                 getattr(self, node.kind, lambda node: None)(node)
         for token in shader.tokens + [token for macro in shader.defined for token in macro.body]:
-            if token.kind == "name" and (word := self.word(token.text)) != token.text:
-                self.replace(token, word)
+            if token.kind == "name":
+                self.replace(token, self.word(token.text))
         for token in shader.comments:
-            self.replace(token, self.comment(token.text))
+            self.replace(token, self.remark(token.text))
 
     def word(self, word):
         """Returns the translation of a name, wherever it stands."""
         return word
 
-    def comment(self, text):
+    def remark(self, text):
+        """Returns the translation of a comment."""
         return text
 
     def refuse(self, reason, node):
-        raise Refused(self.shader.path, node.line, reason)
+        raise Refused(f"{self.shader.path}:{node.line}: {reason} has no translation")
 
     def edit(self, start, end, text):
         """Replaces a part of the text. Of edits that overlap, the one that starts first or was made first counts."""
         self.edits.append((start, 2, len(self.edits), end, text))
 
     def replace(self, place, text):
-        self.edit(place.start, place.end, text)
+        if text != self.shader.text[place.start:place.end]:
+            self.edit(place.start, place.end, text)
 
     def before(self, place, text):
         """Inserts a text before a token or node, outside of earlier ones."""
@@ -554,18 +470,16 @@ class Printer:
         """Inserts a text after a token or node, outside of earlier ones."""
         self.edits.append((place.end, 0, len(self.edits), place.end, text))
 
-    def after_line(self, node, text):
-        """Inserts a text below a node's last line, or behind the node if more follows on that line."""
+    def below(self, node, text):
+        """Inserts lines below a node's last line, or behind the node if more follows on that line."""
         end = self.shader.text.index("\n", node.end) + 1
-        if any(node.end <= token.start < end for token in self.shader.tokens):
-            end, text = node.end, "\n" + text
-        self.edits.append((end, 0, len(self.edits), end, text))
+        more = any(node.end <= token.start < end for token in self.shader.tokens)
+        self.after(node, "\n" + text) if more else self.edits.append((end, 0, len(self.edits), end, text))
 
     def text(self, start=0, end=None):
         """Returns the edited text between two places."""
         end, result, place = len(self.shader.text) if end is None else end, "", start
         for first, rank, _, last, text in sorted(self.edits):
             if place <= first and last <= end and (first, rank) not in ((start, 0), (end, 1)):
-                result += self.shader.text[place:first] + text
-                place = last
+                result, place = result + self.shader.text[place:first] + text, last
         return result + self.shader.text[place:end]
