@@ -95,7 +95,7 @@ def made(shader, plain, wgsl, missing):
     for path, original in COPIES.items():
         yield ROOT / path, (ROOT / original).read_text()
     node, noise = json.loads(MATERIAL_MAKER.read_text()), shader("gabor_noise")
-    node["shader_model"]["global"] = plain(noise).text(noise.directives[0].start)
+    node["shader_model"]["global"] = plain(noise).text(noise.start)
     yield MATERIAL_MAKER, json.dumps(node, indent="\t") + "\n"
 
     def filled(match):

@@ -103,6 +103,7 @@ class Shader:
         self.tokens.append(Token("end", "the end of the file", len(text), len(text), text.count("\n") + 1))
         while self.token.kind != "end":
             self.items += self.definition()
+        self.start = min(place.start for place in [*self.directives, *self.items, self.token])
         for macro in self.defined:
             macro.parts = [self.expanded(macro, {})] if macro.body else []
 
@@ -298,7 +299,7 @@ class Shader:
         if None in types:
             return None
         (kind, size), (other, count) = (SHAPES.get(type, (type, 0)) for type in types)
-        if not size or not count or kind != other and sign not in ("<<", ">>") or size != count and 1 not in (size, count):
+        if not size or not count or kind != other and (sign not in ("<<", ">>") or size * count > 1) or size != count and 1 not in (size, count):
             self.refuse(f"{types[0]} {sign} {types[1]}", where)
         return TYPES[kind, max(size, count)]
 
@@ -423,9 +424,10 @@ class Shader:
         macro = self.macros.get(text)
         if macro and macro.given is not None or text in self.tested:
             return "macro", macro, macro and self.expanded(macro, dict(zip(macro.given, types))).type
-        if text not in FUNCTIONS or not parts:
-            self.refuse(text, name)
-        kind, size = max(shapes, key=lambda shape: shape[1])
+        kind, size = max(shapes, key=lambda shape: shape[1], default=("", 0))
+        numbers_only = text in REDUCING | {"normalize"} and size == 1 or "bool" in dict(shapes) and text not in ("all", "any", "equal", "notEqual")
+        if text not in FUNCTIONS or not parts or numbers_only and None not in types:
+            self.refuse(listed if text in FUNCTIONS else text, name)
         return "builtin", None, TYPES.get((FUNCTIONS[text] or kind, 1 if text in REDUCING else size)) if None not in types else None
 
 

@@ -134,7 +134,7 @@ class Osl(Integers):
 
 
 def osl(tree):
-    return Osl(tree).text(min(place.start for place in tree.directives + tree.items)).replace('.glsl"', '.osl"')
+    return Osl(tree).text(tree.start).replace('.glsl"', '.osl"')
 
 
 def osl_shader(path, library):
