@@ -136,8 +136,8 @@ class Shader:
 
     def take(self, *texts, kind=None):
         """Returns the next token, which must be one of these texts or of this kind."""
-        if texts and not self.at(*texts) or kind and self.token.kind != kind:
-            self.refuse(f"'{self.token.text}' where {' or '.join(texts) or f'a {kind}'} should be")
+        if texts and not self.at(*texts) or self.token.kind != (kind or self.token.kind) or self.token.kind == "end" != kind:
+            self.refuse(f"'{self.token.text}' where {' or '.join(texts) or kind or 'more'} should be")
         self.place += 1
         return self.tokens[self.place - 1]
 
@@ -247,7 +247,7 @@ class Shader:
         first, words = self.token, set()
         while word := self.maybe("const", "in", "out", "inout"):
             words.add(word.text)
-        return self.variable("parameter", first, self.type_name(), out=bool(words & {"out", "inout"}))
+        return self.variable("parameter", first, self.type_name(), out=bool(words & {"out", "inout"}), constant="const " * ("const" in words))
 
     # ---- Statements ----
 
@@ -317,6 +317,8 @@ class Shader:
         self.take()
         self.change(left)
         right = self.expression()
+        if sign.text != "=" and any(part.kind in ("call", "step", "assign") for part in left.walk()):
+            self.refuse(f"{sign.text} after an index with an effect", sign)  # naga evaluates it twice
         if sign.text == "=":
             self.matched(right, left.type)
         elif self.operated(left, sign.text[:-1], right, sign) not in (left.type, None):
@@ -418,8 +420,8 @@ class Shader:
             else:
                 self.refuse(f"{listed}, which matches no function,", name)
             for part in [self.change(part) for part, given in zip(parts, function.parameters) if given.out]:
-                if part.kind in ("member", "index") and part.parts[0].type in SHAPES:
-                    self.refuse("a component of a vector as an out argument", part)
+                if part.kind != "name":
+                    self.refuse(f"'{self.text[part.start:part.end]}' as an out argument", part)
             return "function", function, function.type
         macro = self.macros.get(text)
         if macro and macro.given is not None or text in self.tested:

@@ -9,6 +9,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 def as_cpp(text):
     """Turns swizzles into calls, since C++ has none."""
+    text = re.sub(r"([\w.\[\]+]+)\.([xyzw]{2,4}) ([-+*/])= ([^;]*);", r"\1.\2 = \1.\2 \3 (\4);", text)
     text = re.sub(r"\.([xyzw]{2,4}) = ([^;]*);", r".set_\1(\2);", text)
     return re.sub(r"\.([xyzw]{2,4})\b", r".\1()", text)
 
