@@ -1,5 +1,5 @@
-// The page's address can name another drop-in and constants: ?drop_in=gabor_noise&GABOR_TAPS=4
-const { drop_in = "gabor_noise", ...constants } = Object.fromEntries(new URLSearchParams(location.search));
+// The page's address can name another drop-in: ?drop_in=gabor_sparse
+const drop_in = new URLSearchParams(location.search).get("drop_in") ?? "gabor_noise";
 const noise = await (await fetch(`../../../shaders/translations/${drop_in}.wgsl`)).text();
 
 async function draw() {
@@ -27,7 +27,7 @@ async function draw() {
         }` });
     const pipeline = (entryPoint, format) => device.createRenderPipeline({
         layout: "auto", vertex: { module },
-        fragment: { module, entryPoint, constants, targets: [{ format }] },
+        fragment: { module, entryPoint, targets: [{ format }] },
     });
     const target = device.createTexture({
         size: [256, 257], format: "r32float", usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC,

@@ -1,5 +1,5 @@
 """Runs a drop-in in a GLSL 450 compute shader, or its WGSL translation, with wgpu, which contains naga:
-run.py glsl|wgsl VALUES.raw DROP_IN [NAME=VALUE]"""
+run.py glsl|wgsl VALUES.raw DROP_IN [NAME=VALUE], where NAME is a macro in GLSL"""
 
 import json
 import pathlib
@@ -44,9 +44,7 @@ size = 256 * 257 * 4
 values = device.create_buffer(size=size, usage=wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC)
 # For GLSL, the label must contain comp, vert or frag: it selects the stage.
 module = device.create_shader_module(label="comp", code=WGSL if language == "wgsl" else GLSL)
-# Macros in GLSL are override constants in WGSL.
-constants = {name: float(value) for name, value in (macro.split("=") for macro in macros)} if language == "wgsl" else {}
-pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main", "constants": constants})
+pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main"})
 group = device.create_bind_group(layout=pipeline.get_bind_group_layout(0),
                                  entries=[{"binding": 0, "resource": {"buffer": values, "offset": 0, "size": size}}])
 encoder = device.create_command_encoder()
