@@ -1,6 +1,7 @@
 """Reads the part of GLSL that the drop-ins use into a syntax tree with types, and edits its text. tools/translate and tools/nodes.py
 print other languages from it. Refuses everything else with its file and line."""
 
+import itertools
 import re
 from typing import NamedTuple
 
@@ -155,7 +156,11 @@ class Shader:
         return parts
 
     def node(self, kind, first, parts=(), type=None, **more):
-        """Returns a node from a token or node to the last token."""
+        """Returns a node from a token or node to the last token. C++ may evaluate the parts of an expression in any order."""
+        changed = [{root(node).declared for node in part.walk() if node.changed and node is not part} for part in parts]
+        for change, other in itertools.permutations(range(len(parts) if kind in ("assign", "binary", "call", "index") else 0), 2):
+            if changed[change] & {node.declared for node in parts[other].walk() if node.kind == "name"}:
+                self.refuse("a use and a change of a variable in one expression", first)
         return Node(kind, first, self.tokens[self.place - 1], parts, type, **more)
 
     # ---- Macros ----
@@ -172,7 +177,7 @@ class Shader:
 
     def expanded(self, macro, types):
         """Returns the syntax tree of a macro, in which its parameters have these types."""
-        kept, last = (self.tokens, self.place, self.scopes), macro.body[-1]
+        kept, last = (self.tokens, self.place, self.scopes), [macro.name, *macro.body][-1]
         self.tokens, self.place = [*macro.body, Token("end", "the end of the macro", last.end, last.end, last.line)], 0
         self.scopes = [self.globals, {name: Node("parameter", last, last, type=types.get(name)) for name in macro.given or ()}]
         tree = self.expression()
@@ -192,6 +197,8 @@ class Shader:
         name = self.take(kind="name")
         length = [self.expression(), self.take("]")][:1] if self.maybe("[") else []
         node = self.node(kind, first or name, length, type_name.text + "[]" * len(length), name=name, type_name=type_name, value=None, **more)
+        if kind == "parameter" and length:
+            self.refuse("an array as a parameter", name)
         if kind != "field" and self.scopes[-1].setdefault(name.text, node).type != node.type:
             self.refuse(f"a second {name.text} with another type", name)
         return node
@@ -285,15 +292,21 @@ class Shader:
 
     def matched(self, node, type):
         """Returns the expression, which must have this type: GLSL ES, Godot and WGSL convert nothing."""
-        if None not in (node.type, type) and node.type != type:
-            self.refuse(f"a conversion from {node.type} to {type}", node)
+        if None not in (node.type, type) and (node.type != type or type.endswith("[]")):
+            self.refuse(f"a conversion from {node.type} to {type}" if node.type != type else "a copy of an array", node)
+        return node
+
+    def pure(self, node):
+        """Returns the expression, which must change nothing, because some languages evaluate it always, or twice."""
+        if any(part.changed for part in node.walk()):
+            self.refuse("a change within a part of an expression that may be skipped or repeated", node)
         return node
 
     def operated(self, left, sign, right, where):
         """Returns the type of a binary operation."""
         types = left.type, right.type
         if sign in ("&&", "||"):
-            self.matched(left, "bool"), self.matched(right, "bool")
+            self.matched(left, "bool"), self.pure(self.matched(right, "bool"))
         if sign in LOGICAL and ({*types} <= {*SHAPES, None} or self.refuse(f"{sign} of structs or arrays", where)):
             return self.matched(left, right.type) and "bool"
         if None in types:
@@ -315,10 +328,8 @@ class Shader:
         if not sign.text.endswith("=") or sign.text in PRECEDENCE:
             return left
         self.take()
-        self.change(left)
         right = self.expression()
-        if sign.text != "=" and any(part.kind in ("call", "step", "assign") for part in left.walk()):
-            self.refuse(f"{sign.text} after an index with an effect", sign)  # naga evaluates it twice
+        self.change(self.pure(left))
         if sign.text == "=":
             self.matched(right, left.type)
         elif self.operated(left, sign.text[:-1], right, sign) not in (left.type, None):
@@ -329,8 +340,10 @@ class Shader:
         test = self.binary(1)
         if not self.maybe("?"):
             return test
-        yes = [self.matched(test, "bool"), self.expression(), self.take(":")][1]
-        no = self.matched(self.expression(), yes.type)
+        yes = [self.matched(test, "bool"), self.pure(self.expression()), self.take(":")][1]
+        no = self.pure(self.matched(self.expression(), yes.type))
+        if {yes.type, no.type} - {*SHAPES, None}:
+            self.refuse(f"? of {yes.type}", test)
         return self.node("choice", test, [test, yes, no], yes.type or no.type)
 
     def binary(self, level):
@@ -419,8 +432,9 @@ class Shader:
                     break
             else:
                 self.refuse(f"{listed}, which matches no function,", name)
-            for part in [self.change(part) for part, given in zip(parts, function.parameters) if given.out]:
-                if part.kind != "name":
+            out = [self.change(part) for part, given in zip(parts, function.parameters) if given.out]
+            for part in out:
+                if part.kind != "name" or [other.name.text for other in out].count(part.name.text) > 1:
                     self.refuse(f"'{self.text[part.start:part.end]}' as an out argument", part)
             return "function", function, function.type
         macro = self.macros.get(text)
