@@ -202,10 +202,7 @@ def mdl(trees):
 
 METHODS = {"+": "add", "-": "sub", "*": "mul", "/": "div", "&": "bitAnd", "|": "bitOr", "^": "bitXor", "<<": "shiftLeft", ">>": "shiftRight",
            "<": "lessThan", ">": "greaterThan", "<=": "lessThanEqual", ">=": "greaterThanEqual", "==": "equal", "!=": "notEqual"}
-
-
-def tsl_name(name):
-    return "gabor_impl_lobe_seed" if name == "gabor_lobe_seed" else name
+NAMES = {"gabor_lobe_seed": "gabor_impl_lobe_seed"}  # the module has a public function of the first name
 
 
 def tsl_expression(node, alone=True):
@@ -225,7 +222,7 @@ def tsl_expression(node, alone=True):
     if node.kind == "unary" and node.sign.text == "-":
         return f"-{tsl_expression(parts[0])}" if parts[0].kind == "number" else f"{tsl_expression(parts[0], False)}.negate()"
     if node.kind == "call" or node.kind == "choice":
-        return f"{tsl_name(node.name.text) if node.kind == 'call' else 'select'}({', '.join(map(tsl_expression, parts))})"
+        return f"{NAMES.get(node.name.text, node.name.text) if node.kind == 'call' else 'select'}({', '.join(map(tsl_expression, parts))})"
     if node.kind == "binary" and node.sign.text in METHODS:
         return f"{tsl_expression(parts[0], False)}.{METHODS[node.sign.text]}({tsl_expression(parts[1])})"
     raise Refused(f"shaders/gabor_noise.glsl:{node.line}: this {node.kind} has no translation to TSL")
@@ -234,7 +231,7 @@ def tsl_expression(node, alone=True):
 def tsl_function(function):
     changed = changes(function)
     names = [part.name.text + "_" * (part in changed) for part in function.parameters]
-    yield f"const {tsl_name(function.name.text)} = ({', '.join(names)}) => {{"
+    yield f"const {NAMES.get(function.name.text, function.name.text)} = ({', '.join(names)}) => {{"
     yield from (f"    let {name[:-1]} = {name}.toVar();" for name in names if name.endswith("_"))
     for part in [part for statement in function.body.parts for part in (statement.parts if statement.kind in ("declare", "expression") else [statement])]:
         if part.kind == "return":
