@@ -129,6 +129,8 @@ SNIPPETS = [
     ("a missing semicolon", "float try_value(float x) {\n    x += 1.0\n    return x;\n}", ":3: 'return' where"),
     ("a missing brace", "float try_value(float x) {\n    return x;\n", ":3: 'the end of the file'"),
     ("a strange character", "float try_value(float x) { return x @ 2.0; }", ":1: '@' where"),
+    ("precision", "precision highp float;\nfloat try_value(float x) { return x; }", lambda x: x,
+     dict.fromkeys(["hlsl", "metal", "hpp", "gdshaderinc"], ":1: precision outside of #ifdef GL_ES")),
     ("discard", "float try_value(float x) { discard; return x; }", ":1: 'discard'"),
     ("a += within an index", "float try_value(float x) { vec3 a[2]; a[0] = vec3(x); a[1] = a[0]; int i = 0; a[i++].xy += vec2(1.0); return a[0].x + float(i); }",
      ":1: a change within a part of an expression"),
@@ -342,6 +344,13 @@ class Program(unittest.TestCase):
             with self.assertRaisesRegex(glsl.Refused, "gap.glsl:4: gap_b: naga or a condition leaves it out"):
                 translate.wgsl("gap")
             self.assertIn("fn gap_a", translate.wgsl("gap", ["GABOR_OTHER=1"]))
+
+    def test_check_of_a_folder(self):
+        """--check -o compares the files of another folder."""
+        with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+            self.assertEqual(self.run_program("--check", "-o", folder)[0], 1)
+            shutil.copytree(ROOT / "shaders" / "translations", folder, dirs_exist_ok=True)
+            self.assertEqual(self.run_program("--check", "-o", folder), (0, ""))
 
 
 if __name__ == "__main__":
