@@ -450,6 +450,8 @@ class Shader:
 class Printer:
     """A shader's text in another language: subclasses edit the nodes, words and comments that differ, and everything else stays."""
 
+    words = {}  # translations of names, wherever they stand
+
     def __init__(self, shader):
         self.shader, self.edits = shader, []
         for item in shader.items + shader.defined:
@@ -462,8 +464,7 @@ class Printer:
             self.replace(token, self.remark(token.text))
 
     def word(self, word):
-        """Returns the translation of a name, wherever it stands."""
-        return word
+        return self.words.get(word, word)
 
     def remark(self, text):
         """Returns the translation of a comment."""

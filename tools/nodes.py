@@ -75,9 +75,6 @@ class Integers(Printer):
 
     words = {"uint": "int"}
 
-    def word(self, word):
-        return self.words.get(word, word)
-
     def number(self, node):
         self.replace(node, node.name.text.rstrip("u"))
 
