@@ -36,8 +36,8 @@ SNIPPETS = [
     ("several functions on one line", "float try_f(float x) { return x; } float try_g(float x) { return -try_f(x); }\n"
      "float try_value(float x) { return try_g(x) + 1.0; }", lambda x: 1 - x),
     ("an overload", "float try_f(float x) { return x; }\nfloat try_f(vec2 v) { return v.x + 10.0 * v.y; }\n"
-     "float try_value(float x) { return try_f(x) + try_f(vec2(x, 1.0)); }", lambda x: 2 * x + 10, {"wgsl": "an overload of it"}),
-    ("a prototype", "float try_f(float x);\nfloat try_value(float x) { return try_f(x); }\nfloat try_f(float x) { return x * x; }", lambda x: x * x),
+     "float try_value(float x) { return try_f(x) + try_f(vec2(x, 1.0)); }", lambda x: 2 * x + 10, {"wgsl": "an overload of it", "gdshaderinc": ":1: an overload"}),
+    ("a prototype", "float try_f(float x);\nfloat try_value(float x) { return try_f(x); }\nfloat try_f(float x) { return x * x; }", lambda x: x * x, {"gdshaderinc": ":1: a declaration"}),
     ("+= of two components", "float try_value(float x) {\n    vec3 v = vec3(x, 2.0, 3.0);\n    v.xy += vec2(1.0, x);\n    v.zx *= 2.0;\n"
      "    return v.x + 10.0 * v.y + 100.0 * v.z;\n}", lambda x: 2 * (x + 1) + 10 * (x + 2) + 600),
     ("components of an array in a struct", "struct TryRow { vec4 node[2]; int count; };\nfloat try_value(float x) {\n    TryRow row;\n"
@@ -142,7 +142,7 @@ SNIPPETS = [
      lambda x: x + 1 + 6 * (x + 1) + x),
     ("one variable for two out arguments", "void try_f(out float a, out float b) { a = 1.0; b = 2.0; }\nfloat try_value(float x) { try_f(x, x); return x; }",
      ":2: 'x' as an out argument"),
-    ("a void check and a prototype of it", "void try_f(float x);\nfloat try_value(float x) { return x; }\nvoid try_f(float x) {\n}", lambda x: x),
+    ("a void check and a prototype of it", "void try_f(float x);\nfloat try_value(float x) { return x; }\nvoid try_f(float x) {\n}", lambda x: x, {"gdshaderinc": ":1: a declaration"}),
     ("structs from a ternary", "struct TryPair { float a; };\nfloat try_value(float x) { return (x > 0.0 ? TryPair(x) : TryPair(1.0)).a; }", r":2: \? of Try"),
     ("a copy of an array", "float try_value(float x) { float a[2], b[2]; a[0] = x; a[1] = x; b = a; return b[0]; }", ":1: a copy of an array"),
     ("an array as a parameter", "float try_f(float a[2]) { return a[0]; }\nfloat try_value(float x) { float a[2]; return try_f(a); }", ":1: an array as a parameter"),
