@@ -5,7 +5,7 @@ calls this module."""
 import json
 import pathlib
 
-from glsl import Printer, Refused, Shader, changes, without_comments
+from glsl import SHAPES, Printer, Refused, Shader, changes, without_comments
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 NODES = ROOT / "shaders" / "nodes"
@@ -19,6 +19,8 @@ LICENSE = "// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifie
 # Functions that the library takes unchanged from the drop-in.
 FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
              "gabor_impl_product", "gabor_impl_half_turn", "gabor_impl_wave"]
+# GLSL's functions that OSL and MDL have, too.
+PORTABLE = set("abs ceil clamp cos dot exp floor inversesqrt length log max min normalize pow sin sqrt".split())
 
 
 def taken(tree):
@@ -75,6 +77,15 @@ class Integers(Printer):
 
     words = {"uint": "int"}
 
+    def call(self, node):
+        odd = node.what == "vector" and len(node.parts) != SHAPES[node.name.text][1]
+        if odd or node.what in ("struct", "macro") or node.what == "builtin" and node.name.text not in PORTABLE:
+            self.refuse(f"{node.name.text} with these arguments, to OSL or MDL,", node)
+
+    def member(self, node):
+        if len(node.name.text) > 1:
+            self.refuse(f".{node.name.text}, to OSL or MDL,", node)
+
     def number(self, node):
         self.replace(node, node.name.text.rstrip("u"))
 
@@ -114,12 +125,14 @@ class Osl(Integers):
             self.edit(node.start, node.type_name.start, "output ")
 
     def member(self, node):
+        super().member(node)
         declared = getattr(node.parts[0], "declared", node)
         in_node = declared.kind == "parameter" and declared.function.type == "void" and declared.type == "vec2"
         if node.parts[0].type in ("vec2", "vec3") and not in_node:
             self.edit(node.parts[0].end, node.end, f"[{'xyz'.index(node.name.text)}]")
 
     def call(self, node):
+        super().call(node)
         if node.name.text == "vec2":
             self.edit(node.end - 1, node.end - 1, ", 0")
 

@@ -308,6 +308,18 @@ class Functions(unittest.TestCase):
         self.assertGreater(len(lines), 100)
 
 
+class Nodes(unittest.TestCase):
+    def test_osl_mdl_and_tsl_refuse_what_they_lack(self):
+        for body in ("return vec2(x);", "vec4 v = vec4(x, x, x, x); return v.xy;", "return vec2(fract(x), x);", "return vec2(vec3(x, x, x).yz);"):
+            tree = glsl.Shader(f"vec2 mx_f(float x)\n{{\n    {body}\n}}\n", "mx.glsl")
+            for printer in (translate.nodes.Osl, translate.nodes.Mdl):
+                with self.subTest(body, printer=printer), self.assertRaisesRegex(glsl.Refused, "mx.glsl:3: .*to OSL or MDL, has no translation"):
+                    printer(tree)
+        tree = glsl.Shader("float f(float x) {\n    for (int i = 0; i < 3; ++i) x += 1.0;\n    return x;\n}\n", "f.glsl")
+        with self.assertRaisesRegex(glsl.Refused, ":2: this declare has no translation to TSL|:2: this for has no"):
+            list(translate.nodes.tsl_function(tree.items[0]))
+
+
 class Program(unittest.TestCase):
     def run_program(self, *arguments):
         said = subprocess.run([sys.executable, "-B", ROOT / "tools" / "translate", *arguments], capture_output=True, text=True)
