@@ -1,9 +1,8 @@
-"""Generates the parts of shaders/nodes that come from the drop-ins: WGSL modules for Bevy, TSL for three.js, and MaterialX's library
-in GLSL, OSL and MDL. The library has a few functions of gabor_noise.glsl, rewritten for languages without structs or unsigned
+"""Generates the parts of shaders/nodes that are translations of their own: TSL for three.js, and MaterialX's library in GLSL, OSL
+and MDL. The library has a few functions of gabor_noise.glsl, rewritten for languages without structs or unsigned
 integers. tools/translate calls this module."""
 
 import ast
-import json
 import pathlib
 import re
 
@@ -11,8 +10,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 NODES = ROOT / "shaders" / "nodes"
 LIBRARY = NODES / "materialx" / "libraries" / "gabor"
 COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
-MANIFEST = NODES / "blender" / "gabor_noise" / "blender_manifest.toml"
-OSL_SHADERS = NODES / "osl" / "gabor_noise.osl", NODES / "osl" / "gabor_erosion.osl"
 
 # Functions that the library takes unchanged from the drop-in.
 FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl_line_word", "gabor_impl_amplitude",
@@ -46,31 +43,6 @@ def each_call(text, name, rewritten):
         result += text[place:match.start()] + rewritten(match[1], [each_call(part, name, rewritten) for part in parts])
         place = end + 1
     return result + text[place:]
-
-
-# ---- Bevy: WGSL with imports ---------------------------------------------------------------------------------------
-
-# Each module's drop-in, and the modules that it imports.
-MODULES = {
-    "noise": ("gabor_noise", []),
-    "spectrum": ("gabor_spectrum", ["noise"]),
-    "noise_3d": ("gabor_noise_3d", ["noise", "spectrum"]),
-    "materials": ("gabor_materials", ["noise", "spectrum"]),
-    "erosion": ("gabor_erosion", ["noise"]),
-    "direction": ("gabor_direction", ["noise"]),
-}
-
-
-def bevy_modules():
-    """Yields the path and text of each module. naga_oil allows no override constants in modules."""
-    texts = {module: (ROOT / "shaders" / "translations" / f"{name}.wgsl").read_text() for module, (name, _) in MODULES.items()}
-    defined = {module: re.findall(r"^(?:fn|struct|const|override) (\w+)", text, re.MULTILINE) for module, text in texts.items()}
-    for module, (name, needed) in MODULES.items():
-        used = set(re.findall(r"\b[Gg]abor_?\w+|\bGABOR_\w+", re.sub("//.*", "", texts[module]))) - set(defined[module])
-        imports = "".join(f"#import gabor_noise::{other}::{{{', '.join(names)}}}\n" for other in needed
-                          if (names := [name for name in defined[other] if name in used]))
-        text = re.sub(" Paste or include it after .*|\n// Digest of .*", "", re.sub("^override ", "const ", texts[module], flags=re.MULTILINE))
-        yield NODES / "bevy" / f"{module}.wgsl", f"#define_import_path gabor_noise::{module}\n{imports}\n{text}"
 
 
 # ---- MaterialX: GLSL without structs -------------------------------------------------------------------------------
@@ -149,14 +121,6 @@ def osl(text):
     body = integers(text[re.search("^(#|uint|void)", text, re.MULTILINE).start():], r"mx_gabor_right(\1, \2)")
     body = FUNCTION.sub(osl_function, body).replace(".glsl\"", ".osl\"")
     return body.replace("\nint mx_gabor_mix", "\n" + OSL_RIGHT + "int mx_gabor_mix")
-
-
-def osl_shader(path, library):
-    """Returns a shader of shaders/nodes/osl with the library's functions, under the drop-in's names, between its marker lines."""
-    functions = re.sub(r"\bmx_gabor_", "gabor_impl_", library[library.index("#define"):].replace("MX_GABOR", "GABOR_IMPL"))
-    functions = re.sub(r"^// ---- End ----\n\n", "", functions, flags=re.MULTILINE)
-    return re.sub(r"(// ---- From MaterialX's library ----\n)(?:.*\n)*?(// ---- End ----\n)",
-                  lambda match: f"{match[1]}\n{functions}\n{match[2]}", path.read_text())
 
 
 # ---- MDL -----------------------------------------------------------------------------------------------------------
@@ -270,13 +234,8 @@ def tsl(source):
 def made(source):
     """Yields the path and text of each file. `source` returns the text of a drop-in."""
     glsl = common(source)
-    yield from bevy_modules()
     yield COMMON, glsl
-    library = osl(glsl)
-    yield from ((path, osl_shader(path, library)) for path in OSL_SHADERS)
-    version = json.loads((ROOT / "package.json").read_text())["version"]
     yield TSL, tsl(source)
-    yield MANIFEST, re.sub(r'(?m)^version = ".*"', f'version = "{version}"', MANIFEST.read_text())
     nodes = {path: path.read_text() for path in sorted(COMMON.parents[1].glob("*.glsl"))}
     for path, text in ({COMMON: glsl} | nodes).items():
         yield (LIBRARY / "genosl" / path.relative_to(COMMON.parents[1])).with_suffix(".osl"), title(text, "OSL") + osl(text)
