@@ -1,7 +1,7 @@
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point: for WGSL.
 //
-// Digest of the GLSL and of this file: 4f99bc87bb981466
+// Digest of the GLSL and of this file: 792f1ebe9a4a1b68
 // Generated from shaders/gabor_sparse.glsl by tools/translate and naga 30.0.1: change that file, not this one.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
@@ -13,7 +13,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-const GABOR_NOISE_VERSION: u32 = 20000u;
+const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 // all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
