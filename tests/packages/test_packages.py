@@ -244,6 +244,7 @@ class Node(Package):
         root = self.folder / self.place
         files = {str(path.relative_to(root)) for path in root.rglob("*") if path.is_file()}
         self.assertEqual(files, tracked(source) | set(self.copied) | {"LICENSE"} | set(self.made(root)))
+        self.assertLessEqual(set(self.included), files)
         for name, original in (self.copied | {"LICENSE": "../LICENSE"}).items():
             self.assertTrue((root / name).read_bytes() == (SHADERS / original).read_bytes(), name)
         for name in tracked(source):
