@@ -30,7 +30,7 @@
 #endif
 #ifndef GABOR_NOISE_GLSL
 #define GABOR_NOISE_GLSL
-#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 #ifdef GL_ES
 precision highp float;

@@ -24,7 +24,7 @@ precision highp float;
 precision highp int;
 #endif
 
-#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 

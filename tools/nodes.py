@@ -1,8 +1,7 @@
-"""Generates the parts of shaders/nodes that come from the drop-ins: TSL for three.js, and MaterialX's library in GLSL, OSL and MDL.
+"""Generates the parts of shaders/nodes that are translations: TSL for three.js, and MaterialX's library in GLSL, OSL and MDL.
 The library has a few functions of gabor_noise.glsl, rewritten for languages without structs or unsigned integers. tools/translate
 calls this module."""
 
-import json
 import pathlib
 
 from glsl import SHAPES, Printer, Refused, Shader, changes, without_comments
@@ -11,8 +10,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 NODES = ROOT / "shaders" / "nodes"
 LIBRARY = NODES / "materialx" / "libraries" / "gabor"
 COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
-MANIFEST = NODES / "blender" / "gabor_noise" / "blender_manifest.toml"
-OSL_SHADERS = NODES / "osl" / "gabor_noise.osl", NODES / "osl" / "gabor_erosion.osl"
 TSL = NODES / "three" / "gabor_noise.tsl.js"
 LICENSE = "// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT\n"
 
@@ -147,12 +144,6 @@ def osl(tree):
     return Osl(tree).text(tree.start).replace('.glsl"', '.osl"')
 
 
-def osl_shader(path, library):
-    """Returns a shader of shaders/nodes/osl with the library's functions, under the drop-in's names, between its marker lines."""
-    functions = library[library.index("#define"):].replace("MX_GABOR", "GABOR_IMPL").replace("mx_gabor_", "gabor_impl_")
-    return between(path, "From MaterialX's library", functions.replace("// ---- End ----\n\n", ""))
-
-
 # ---- MDL -----------------------------------------------------------------------------------------------------------
 
 class Mdl(Integers):
@@ -268,11 +259,7 @@ def made(shader):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
     library = Shader(common(shader), COMMON.relative_to(ROOT))
     yield COMMON, library.text
-    yield from ((path, osl_shader(path, osl(library))) for path in OSL_SHADERS)
     yield TSL, tsl(shader)
-    version = json.loads((ROOT / "package.json").read_text())["version"]
-    yield MANIFEST, "".join(f'version = "{version}"\n' if line.startswith("version = ") else line
-                            for line in MANIFEST.read_text().splitlines(keepends=True))
     trees = [library, *(Shader(path.read_text(), path.relative_to(ROOT), library) for path in sorted(COMMON.parents[1].glob("*.glsl")))]
     for tree in trees:
         path = (ROOT / tree.path).relative_to(COMMON.parents[1])

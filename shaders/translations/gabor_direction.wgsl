@@ -2,7 +2,7 @@
 // pixel: for WGSL.
 //
 // Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: a710aee944383450
+// Digest of the GLSL and of this file: 5211f4551bfb6e66
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)

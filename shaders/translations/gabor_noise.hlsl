@@ -29,7 +29,7 @@
 #endif
 #ifndef GABOR_NOISE_HLSL
 #define GABOR_NOISE_HLSL
-#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
 // shows columns and rows at high frequencies; with 4, the covariance depends less on the position.

@@ -478,7 +478,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 #undef GABOR_EQUAL
 #undef GABOR_UNEQUAL
 #endif // GABOR_VECTORS_HPP
-#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
 // shows columns and rows at high frequencies; with 4, the covariance depends less on the position.

@@ -1,7 +1,7 @@
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 5f6915584ae1bfb9
+// Digest of the GLSL and of this file: 9ffb2bea1dfc5f87
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -25,7 +25,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-const GABOR_NOISE_VERSION: u32 = 20000u;
+const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // The noise, with continuous first derivatives.
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {

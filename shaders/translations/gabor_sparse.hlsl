@@ -18,7 +18,7 @@
 #ifndef GABOR_SPARSE_HLSL
 #define GABOR_SPARSE_HLSL
 
-#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 

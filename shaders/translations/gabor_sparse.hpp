@@ -467,7 +467,7 @@ GABOR_INLINE gabor_vec3 gabor_cpp_cross(gabor_vec3 a, gabor_vec3 b) {
 #undef GABOR_UNEQUAL
 #endif // GABOR_VECTORS_HPP
 
-#define GABOR_NOISE_VERSION 20000 // 10000 major + 100 minor + patch
+#define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 

@@ -2,7 +2,7 @@
 // point: for WGSL.
 //
 // Generated from shaders/gabor_sparse.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 4f99bc87bb981466
+// Digest of the GLSL and of this file: 792f1ebe9a4a1b68
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -13,7 +13,7 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-const GABOR_NOISE_VERSION: u32 = 20000u;
+const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
 // all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.

@@ -12,6 +12,9 @@ import sys
 import metal
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent / "engines"))
+from packaged import packaged  # noqa: E402
+
 SHADERS = HERE.parents[1] / "shaders"
 SCENES = pathlib.Path(os.environ["GABOR_SCENES"])
 
@@ -32,11 +35,13 @@ def pasted(scene, text, ending):
     return path
 
 
-def included(path):
-    """Returns a file's text with its includes expanded; their paths are relative to the file or to the repository."""
-    def contents(match):
-        return included(next(file for file in (path.parent / match[1], HERE.parents[1] / match[1]) if file.exists()))
-    return re.sub(r'^#include "(.*)"$', contents, path.read_text(), flags=re.MULTILINE)
+def with_node(scene):
+    """Returns the scene's text with the files of the dialect's package in place of their includes."""
+    node = packaged(dialect, f"{values}.{dialect}")
+
+    def expanded(path):
+        return re.sub(r'^#include "(.*)"$', lambda match: expanded(node / match[1]), path.read_text(), flags=re.MULTILINE)
+    return expanded(HERE / scene)
 
 
 def drawn_by_vulkan():
@@ -46,7 +51,7 @@ def drawn_by_vulkan():
         run("glslangValidator", "--quiet", "-V", "-S", "comp", "-o", spirv, shader)
     elif dialect == "unreal":
         shader = pathlib.Path(values).with_suffix(".hlsl")
-        shader.write_text(included(HERE / "scene_unreal.hlsl"))
+        shader.write_text(with_node("scene_unreal.hlsl"))
         run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
     else:
         shader = pasted((HERE / "scene.hlsl").read_text(), (SHADERS / "translations" / f"{drop_in}.hlsl").read_text(),
@@ -72,8 +77,9 @@ UNITY = {  # the same functions as in reference.FUNCTIONS
 
 def drawn_by_unity():
     shader, spirv, pictures = pathlib.Path(values).with_suffix(".hlsl"), f"{values}.spv", b""
+    scene = with_node("scene_unity.hlsl")
     for value in UNITY.values():
-        shader.write_text(f"#define VALUE ({value})\n" + included(HERE / "scene_unity.hlsl"))
+        shader.write_text(f"#define VALUE ({value})\n" + scene)
         run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
         driver = run(SCENES / "scene_vulkan", spirv, values).strip()
         pictures += pathlib.Path(values).read_bytes()[:4 * 256 * 256]

@@ -1,6 +1,6 @@
 // Calls the functions as Shader Graph's Custom Function nodes do: in graphs of single precision, those whose names end in _float,
 // and in graphs of half precision, those in _half. VALUE combines the results that the scene draws.
-#include "shaders/nodes/unity/GaborNoise.hlsl"
+#include "GaborNoise.hlsl"
 
 RWStructuredBuffer<float> values : register(u0);
 

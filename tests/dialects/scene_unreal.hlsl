@@ -2,7 +2,7 @@
 // name of the first parameter.
 #define MaterialFloat float
 #define MaterialFloat2 float2
-#include "shaders/nodes/unreal/gabor_noise.ush"
+#include "gabor_noise.ush"
 
 struct FMaterialPixelParameters {
     float4 SvPosition;
@@ -10,7 +10,7 @@ struct FMaterialPixelParameters {
 
 MaterialFloat CustomExpression0(FMaterialPixelParameters, MaterialFloat2 Place, MaterialFloat Frequency, MaterialFloat Orientation, MaterialFloat Seed)
 {
-#include "shaders/nodes/unreal/custom.hlsl"
+#include "custom.hlsl"
 }
 
 RWStructuredBuffer<float> values : register(u0);

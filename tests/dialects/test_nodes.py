@@ -17,6 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "engines"))
 import metal  # noqa: E402
 import reference  # noqa: E402
+from packaged import packaged  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NODES = ROOT / "shaders" / "nodes"
@@ -142,7 +143,7 @@ class ByHand(unittest.TestCase):
     def run_osl(self, name, scene):
         """Returns the output of a scene that calls an OSL shader as a C++ function."""
         shader, compiler = self.folder / "shader.hpp", os.environ.get("CXX", "c++")
-        text = (NODES / "osl" / name).read_text()
+        text = (packaged("osl", self.folder / "osl") / name).read_text()
         text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
         text = re.sub(r"output (\w+ \w+\[)", r"\1", text)  # arrays are passed by reference anyway
         shader.write_text(re.sub(r"output (\w+) (\w+)", r"\1& \2", text))

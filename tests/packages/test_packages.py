@@ -1,5 +1,5 @@
-"""Installs the packages of tools/package in an empty folder, and uses them there: test_packages.py [-v]
-npm|pypi|unity|godot|blender|vcpkg|openupm|release"""
+"""Compares the packages of tools/package with the texts that they are made of, and uses them in an empty folder:
+test_packages.py [-v] nodes|npm|pypi|vcpkg|benchmark|release"""
 
 import importlib.util
 import json
@@ -19,11 +19,12 @@ import zipfile
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "engines"))
+SHADERS = ROOT / "shaders"
+sys.path[:0] = [str(ROOT / "tests" / "engines"), str(ROOT / "tools")]
 import reference  # noqa: E402
+from version import VERSION  # noqa: E402
 
-VERSION = json.loads((ROOT / "package.json").read_text())["version"]
-DROP_INS = sorted(path for folder in ("", "translations") for path in (ROOT / "shaders" / folder).glob("gabor_*"))
+DROP_INS = sorted(path for folder in ("", "translations") for path in (SHADERS / folder).glob("gabor_*"))
 LEFTOVERS = re.compile(r"\.(oso|pyc|o|so)$|__pycache__|node_modules")
 
 
@@ -38,8 +39,14 @@ def guid(meta):
     return re.search(r"^guid: ([0-9a-f]{32})$", meta.read_text(), re.MULTILINE)[1]
 
 
+def tracked(folder):
+    """Returns the paths of a folder's files in the repository, relative to the folder."""
+    listed = run("git", "-C", folder, "ls-files", "-z", "--cached", "--others", "--exclude-standard").split("\0")
+    return {name for name in listed if name and (folder / name).is_file()}
+
+
 class Package(unittest.TestCase):
-    tools = ()
+    tools, name = (), None
 
     def setUp(self):
         if missing := [tool for tool in (*self.tools, "git") if not shutil.which(tool)]:
@@ -47,7 +54,7 @@ class Package(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        name = type(self).__name__.lower()
+        name = self.name or type(self).__name__.lower()
         self.archives = [ROOT / line for line in run(sys.executable, "-B", ROOT / "tools" / "package", name).splitlines()]
 
     def unpack(self):
@@ -90,9 +97,10 @@ class Npm(Package):
         installed = project / "node_modules" / "gabor-noise"
         names = {str(path.relative_to(installed)) for path in installed.rglob("*")}
         self.assertEqual([name for name in names if LEFTOVERS.search(name)], [])
-        wanted = {str(path.relative_to(ROOT)) for folder in ("translations", "nodes") for path in (ROOT / "shaders" / folder).rglob("*")
-                  if path.is_file() and not LEFTOVERS.search(str(path))}
-        self.assertLessEqual({"LICENSE", "README.md"} | wanted, names)
+        three_nodes = SHADERS / "nodes" / "three"
+        self.assertEqual({name for name in names if (installed / name).is_file()},
+                         {"LICENSE", "README.md", "package.json", *(str(path.relative_to(ROOT)) for path in DROP_INS),
+                          *(str((three_nodes / name).relative_to(ROOT)) for name in tracked(three_nodes))})
         described = json.loads((installed / "package.json").read_text())
         self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 needs it to recognize modules
 
@@ -223,7 +231,146 @@ int main() {
         self.assertLess(difference.max(), 2e-5)
 
 
-class Unity(Package):
+class Node(Package):
+    """Compares a node's package with its folder, and with the texts that the folder includes from elsewhere."""
+
+    part, place = "", ""  # the part of the folder that is packaged, and its place in the archive
+    included = {}  # for each file, the texts that it must contain, as paths in shaders/
+    copied = {}  # files that the folder lacks, and what they are copies of
+
+    def test_has_the_folders_files_and_all_that_they_include(self):
+        source = SHADERS / "nodes" / (self.name or type(self).__name__.lower()) / self.part
+        self.unpack()
+        root = self.folder / self.place
+        files = {str(path.relative_to(root)) for path in root.rglob("*") if path.is_file()}
+        self.assertEqual(files, tracked(source) | set(self.copied) | {"LICENSE"} | set(self.made(root)))
+        self.assertLessEqual(set(self.included), files)
+        for name, original in (self.copied | {"LICENSE": "../LICENSE"}).items():
+            self.assertTrue((root / name).read_bytes() == (SHADERS / original).read_bytes(), name)
+        for name in tracked(source):
+            wanted, packaged = (source / name).read_bytes().replace(b"@VERSION@", VERSION.encode()), (root / name).read_bytes()
+            for original in self.included.get(name, []):
+                text = (SHADERS / original).read_bytes()
+                self.assertTrue(self.quoted(text) in packaged, f"{name} lacks {original}")
+                packaged = packaged.replace(self.quoted(text), b"")
+                path = os.path.relpath(SHADERS / original, (source / name).parent)
+                wanted = wanted.replace(self.quoted(f'#include "{path}"\n'.encode()), b"")
+            self.assertTrue(packaged == wanted, name)
+            self.assertFalse(re.search(rb'#include "\.\.|@VERSION@', packaged), name)
+
+    def quoted(self, text):
+        return text
+
+    def made(self, root):
+        """Checks the files that are made for the package, and returns their names."""
+        return []
+
+
+class Bevy(Node):
+    MODULES = {"noise": "gabor_noise", "spectrum": "gabor_spectrum", "noise_3d": "gabor_noise_3d", "materials": "gabor_materials",
+               "erosion": "gabor_erosion", "direction": "gabor_direction"}
+    DEFINED = re.compile(r"^(?:fn|struct|const) (\w+)", re.MULTILINE)
+
+    def made(self, root):
+        """Checks that each module is its translation, and imports what it uses from the modules that define it. Without
+        imports, the modules together are one valid shader."""
+        modules = {module: (root / f"{module}.wgsl").read_text() for module in self.MODULES}
+        code = {}
+        for module, text in modules.items():
+            *head, code[module] = re.fullmatch(r"(#define_import_path gabor_noise::\w+\n)((?:#import .*\n)*)\n((?:.*\n)*)", text).groups()
+            self.assertEqual(head[0], f"#define_import_path gabor_noise::{module}\n")
+            original = (SHADERS / "translations" / f"{self.MODULES[module]}.wgsl").read_text()
+            plain = [line for line in original.splitlines() if not line.startswith("// Digest of ")]
+            for made, wanted in zip(code[module].splitlines(), plain, strict=True):
+                self.assertEqual(made, re.sub(" Paste or include it after .*", "", wanted))
+            imported = {}
+            for other, names in re.findall(r"#import gabor_noise::(\w+)::\{(.*)\}\n", head[1]):
+                self.assertLessEqual(set(names.split(", ")), set(self.DEFINED.findall(modules[other])))
+                imported |= dict.fromkeys(names.split(", "), other)
+            used = set(re.findall(r"\b(?:gabor_|Gabor|GABOR_)\w+", re.sub("//.*", "", code[module])))
+            elsewhere = used & {name for other in code if other != module for name in self.DEFINED.findall(code[other])}
+            self.assertEqual(elsewhere - set(self.DEFINED.findall(code[module])), set(imported))
+        if shutil.which("naga"):
+            whole = self.folder / "whole.wgsl"
+            whole.write_text("\n".join(code.values()))
+            run("naga", whole)
+        return [f"{module}.wgsl" for module in modules]
+
+
+class Blender(Node):
+    part = "gabor_noise"
+
+    def test_manifest_is_accepted_by_blender(self):
+        self.unpack()
+        manifest = tomllib.loads((self.folder / "blender_manifest.toml").read_text())
+        self.assertEqual(manifest["version"], VERSION)
+        self.assertEqual((manifest["schema_version"], manifest["type"]), ("1.0.0", "add-on"))
+        self.assertRegex(manifest["id"], r"^[a-z]\w*$")
+        self.assertLessEqual(len(manifest["tagline"]), 64)
+        self.assertNotRegex(manifest["tagline"], r"[.!?]$")
+        for name in ("name", "maintainer", "blender_version_min", "license"):
+            self.assertTrue(manifest[name], name)
+        compile((self.folder / "__init__.py").read_text(), "__init__.py", "exec")
+
+
+class Cpp(Node):
+    copied = {path.name: f"translations/{path.name}" for path in DROP_INS if path.suffix == ".hpp"}
+
+    def test_the_example_compiles_in_the_package(self):
+        if not shutil.which("c++"):
+            self.skipTest("no C++ compiler")
+        self.unpack()
+        run("c++", "-std=c++11", "-fsyntax-only", self.folder / "relief.cpp")
+
+
+class Godot(Node):
+    part = place = "addons/gabor_noise"
+    included = {"gabor_noise.gdshaderinc": ["translations/gabor_noise.gdshaderinc"]}
+
+    def test_unpacks_into_addons(self):
+        files = self.unpack()
+        self.assertEqual({pathlib.PurePath(name).parts[:2] for name in files}, {("addons", "gabor_noise")})
+        root = self.folder / "addons" / "gabor_noise"
+        for resource in ("gabor_noise.gdshaderinc", "gabor_noise.gd"):
+            self.assertRegex((root / f"{resource}.uid").read_text(), r"^uid://[a-y0-8]+\n?$")
+        for path in re.findall(r"res://([\w./]+)", (root / "gabor_noise.gd").read_text()):
+            self.assertIn(path, files)
+        icon = (root / "icon.png").read_bytes()
+        self.assertEqual((icon[:8], struct.unpack(">II", icon[16:24])), (b"\x89PNG\r\n\x1a\n", (128, 128)))
+
+
+class MaterialMaker(Node):
+    name = "material_maker"
+    included = {"gabor_noise.mmg": ["translations/gabor_noise.gdshaderinc"]}
+
+    def quoted(self, text):
+        return json.dumps(text.decode())[1:-1].encode()
+
+
+class MaterialX(Node):
+    pass
+
+
+class Osl(Node):
+    included = dict.fromkeys(("gabor_noise.osl", "gabor_erosion.osl"), ["nodes/materialx/libraries/gabor/genosl/lib/mx_gabor.osl"])
+
+
+class Shadertoy(Node):
+    included = {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": ["gabor_noise.glsl", "gabor_erosion.glsl"]}
+
+
+class Slang(Node):
+    included = {"gabor_noise.slang": ["translations/gabor_noise.hlsl"]}
+
+
+class Three(Node):
+    pass
+
+
+class Unity(Node):
+    place = "package"
+    included = {"gabor_noise.hlsl": ["translations/gabor_noise.hlsl"]}
+
     def test_each_file_has_an_id_of_its_own(self):
         """Checks the .meta files, since Unity ignores a package's files that have none."""
         files = self.unpack()
@@ -235,38 +382,21 @@ class Unity(Package):
                          {f"{name}.meta" for name in files if not name.endswith(".meta")})
         ids = [guid(path) for path in root.glob("*.meta")]
         self.assertEqual(len(ids), len(set(ids)))
-        self.assertIn("package/LICENSE", files)
         for include in re.findall(r'#include "([^"]+)"', (root / "GaborNoise.hlsl").read_text()):
             self.assertTrue((root / include).exists(), include)
 
 
-class Godot(Package):
-    def test_unpacks_into_addons(self):
-        files = self.unpack()
-        self.assertEqual({pathlib.PurePath(name).parts[:2] for name in files}, {("addons", "gabor_noise")})
-        root = self.folder / "addons" / "gabor_noise"
-        for resource in ("gabor_noise.gdshaderinc", "gabor_noise.gd"):
-            self.assertRegex((root / f"{resource}.uid").read_text(), r"^uid://[a-y0-8]+\n?$")
-        for path in re.findall(r"res://([\w./]+)", (root / "gabor_noise.gd").read_text()):
-            self.assertIn(path, files)
-        self.assertIn("addons/gabor_noise/LICENSE", files)
-        icon = (root / "icon.png").read_bytes()
-        self.assertEqual((icon[:8], struct.unpack(">II", icon[16:24])), (b"\x89PNG\r\n\x1a\n", (128, 128)))
+class Unreal(Node):
+    included = {"gabor_noise.ush": ["translations/gabor_noise.hlsl"]}
 
 
-class Blender(Package):
-    def test_manifest_is_accepted_by_blender(self):
-        files = self.unpack()
-        self.assertEqual(files, {"LICENSE", "__init__.py", "blender_manifest.toml"})
-        manifest = tomllib.loads((self.folder / "blender_manifest.toml").read_text())
-        self.assertEqual(manifest["version"], VERSION)
-        self.assertEqual((manifest["schema_version"], manifest["type"]), ("1.0.0", "add-on"))
-        self.assertRegex(manifest["id"], r"^[a-z]\w*$")
-        self.assertLessEqual(len(manifest["tagline"]), 64)
-        self.assertNotRegex(manifest["tagline"], r"[.!?]$")
-        for name in ("name", "maintainer", "blender_version_min", "license"):
-            self.assertTrue(manifest[name], name)
-        compile((self.folder / "__init__.py").read_text(), "__init__.py", "exec")
+NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Shadertoy, Slang, Three, Unity, Unreal]
+
+
+class Folders(unittest.TestCase):
+    def test_each_node_has_a_package(self):
+        self.assertEqual({each.name or each.__name__.lower() for each in NODES},
+                         {path.name for path in (SHADERS / "nodes").iterdir() if path.is_dir()})
 
 
 class Vcpkg(Package):
@@ -328,51 +458,97 @@ include("${FOLDER}/gabor-noise/portfile.cmake")
         run(user / "b" / "user")
 
 
-class OpenUpm(unittest.TestCase):
-    def copy_with(self, remote):
-        """Runs tools/package openupm in a repository with this remote."""
+class Benchmark(Package):
+    def test_page_has_all_shaders(self):
+        page, = self.archives
+        self.assertEqual(page.suffix, ".html")
+        text = page.read_text()
+        self.assertNotRegex(text, r"<(?:script|link|img)[^>]* src=")
+        shaders = dict(re.findall(r'<script type="text/plain" id="(.*)">\n((?:.*\n)*?)</script>\n', text))
+        self.assertEqual(set(re.findall(r"\w+", " ".join(re.findall(r'(?m)^    \[".*?", \[(.*?)\], "', text)))), {name.partition(".")[0] for name in shaders})
+        for name, shader in shaders.items():
+            folder = "host/lab/passes/bench" if "yardsticks" in name else "shaders" if name.endswith(".glsl") else "shaders/translations"
+            self.assertEqual(shader, (ROOT / folder / name).read_text(), name)
+
+
+class Repository(unittest.TestCase):
+    def npm_with(self, remote):
+        """Returns package.json of npm's package in a repository with this remote."""
         folder = tempfile.TemporaryDirectory(prefix="gabor-")
         self.addCleanup(folder.cleanup)
         root = pathlib.Path(folder.name)
-        for file in ("CMakeLists.txt", "tools/package", "shaders/nodes/unity/package.json"):
+        for file in ("CMakeLists.txt", "package.json", "tools/package", "tools/version.py"):
             (root / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / file, root / file)
+        (root / "shaders/nodes").mkdir(parents=True)
         run("git", "init", "-q", root)
         if remote:
             run("git", "-C", root, "remote", "add", "origin", remote)
-        made = subprocess.run([sys.executable, root / "tools/package", "openupm"], capture_output=True, text=True)
-        return made, root / "build/packages/com.gabor-noise.nodes.yml"
+        run(sys.executable, "-B", root / "tools/package", "npm")
+        return json.loads((root / "build/packages/staged/npm/package.json").read_text())
 
-    def test_names_the_repository(self):
+    def test_an_address_on_the_web_is_named(self):
         for remote in ("https://example.org/somebody/gabor.git", "git@example.org:somebody/gabor.git"):
-            made, listing = self.copy_with(remote)
-            self.assertEqual(made.returncode, 0, made.stderr)
-            self.assertIn("repoUrl: https://example.org/somebody/gabor\n", listing.read_text())
-            self.assertIn("name: com.gabor-noise.nodes\n", listing.read_text())
+            self.assertEqual(self.npm_with(remote)["repository"]["url"], "git+https://example.org/somebody/gabor.git")
 
-    def test_needs_an_address(self):
+    def test_other_remotes_are_not(self):
         for remote in (None, "/a/folder"):
-            made, listing = self.copy_with(remote)
-            self.assertEqual(made.returncode, 1)
-            self.assertRegex(made.stderr, "^package: OpenUPM needs the repository's address: .*\n$")
-            self.assertFalse(listing.exists())
+            self.assertNotIn("repository", self.npm_with(remote))
 
 
 class Release(unittest.TestCase):
-    def test_refuses_another_version(self):
-        for version, reason in ("9.9.9", f"CMakeLists.txt has version {VERSION}, not 9.9.9"), ("two", "three numbers such as"):
-            made = subprocess.run([sys.executable, ROOT / "tools/release", version], capture_output=True, text=True)
-            self.assertEqual(made.returncode, 2)
-            self.assertIn(reason, made.stderr)
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="gabor-")
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        for name in tracked(ROOT):
+            if re.match(r"(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
+                        r"host/lab/passes/bench/|host/render/material_rows)", name):
+                (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(ROOT / name, self.root / name)
+        run("git", "init", "-q", self.root)
 
+    def release(self, *arguments):
+        return subprocess.run([sys.executable, "-B", self.root / "tools/release", *arguments], capture_output=True, text=True)
 
-PACKAGES = {each.__name__.lower(): each for each in (Npm, Pypi, Unity, Godot, Blender, Vcpkg, OpenUpm, Release)}
+    def assert_refused(self, reason, *arguments):
+        refused = self.release(*arguments)
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn(reason, refused.stderr)
+
+    def test_refuses_an_unfinished_tree(self):
+        changes, citation = self.root / "CHANGELOG.md", self.root / "CITATION.cff"
+        changes.write_text(f"# Changelog\n\n## {VERSION} (unreleased)\n")
+        self.assert_refused(f"CHANGELOG.md begins with {VERSION} (unreleased), not {VERSION}")
+        changes.write_text(f"# Changelog\n\n## {VERSION}\n")
+        self.assert_refused("uncommitted changes")
+        citation.write_text(re.sub("(?m)^version: .*", "version: 0.1.0", citation.read_text()))
+        self.assert_refused("CITATION.cff names another version")
+        self.assert_refused("three numbers such as", "--set", "two")
+
+    def test_sets_the_version_everywhere(self):
+        if not shutil.which("naga"):
+            self.skipTest("needs naga")
+        made = self.release("--set", "9.8.7")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        changed = {name for name in tracked(self.root) if (self.root / name).read_bytes() != (ROOT / name).read_bytes()}
+        naming = {str(path.relative_to(ROOT)) for path in [*DROP_INS, *(ROOT / "tests/golden").glob("*.txt")]
+                  if re.search(r"GABOR_NOISE_VERSION|\Aversion ", path.read_text())}
+        self.assertLessEqual({"CMakeLists.txt", "CITATION.cff", "docs/demo/index.html", *naming}, changed)
+        for name in changed:
+            old, new = ((root / name).read_text().splitlines() for root in (ROOT, self.root))
+            differences = [line for before, line in zip(old, new, strict=True) if before != line]
+            self.assertEqual([line for line in differences if not re.search(r"9\.8\.7|90807|^// Digest", line)], [], name)
+
+# The classes of each test that CTest runs.
+PACKAGES = {"nodes": [*NODES, Folders], "npm": [Npm, Repository], "pypi": [Pypi], "vcpkg": [Vcpkg], "benchmark": [Benchmark],
+            "release": [Release]}
 
 
 def main():
     names = [name for name in sys.argv[1:] if name != "-v"] or list(PACKAGES)
     os.environ["PIP_NO_INPUT"] = "1"
-    suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromTestCase(PACKAGES[name]) for name in names)
+    suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromTestCase(each) for name in names for each in PACKAGES[name])
     result = unittest.TextTestRunner(verbosity=1 + ("-v" in sys.argv)).run(suite)
     if not result.wasSuccessful():
         return 1

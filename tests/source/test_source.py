@@ -1,6 +1,5 @@
 """Checks the source text: its format, its comments, and that it names one version everywhere."""
 
-import json
 import pathlib
 import re
 import shutil
@@ -63,7 +62,7 @@ class Version(unittest.TestCase):
         version = re.search(r"project\(gabor-noise VERSION (\d+\.\d+\.\d+)", text("CMakeLists.txt"))[1]
         major, minor, patch = map(int, version.split("."))
         number = str(10000 * major + 100 * minor + patch)
-        found = {"package.json": json.loads(text("package.json"))["version"],
+        found = {"CITATION.cff": re.search(r"^version: (.*)", text("CITATION.cff"), re.MULTILINE)[1],
                  "CHANGELOG.md": re.search(r"^## (\S+)(?: \(unreleased\))?$", text("CHANGELOG.md"), re.MULTILINE)[1]}
         self.assertEqual(found, dict.fromkeys(found, version))
 

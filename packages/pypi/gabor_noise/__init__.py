@@ -118,7 +118,7 @@ def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *,
     period: as in `noise`.
     """
     shape, flat, waves = _points(x, y, also=(wave_x, wave_y))
-    return _with_channels(_native.stripes(*flat, *waves, *_periods(period), float(uniformity), seed & 0xFFFFFFFF), shape)
+    return _with_channels(_native.stripes(*flat, *waves, *_periods(period), float(sharpness), seed & 0xFFFFFFFF), shape)
 
 
 def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, seed: int = 0, period: float | None = None,

@@ -1,6 +1,6 @@
 // Writes a grey picture of the noise as a relief, lit from the upper left. To run it:
-// c++ -std=c++11 -O3 relief.cpp && ./a.out > relief.pgm
-#include "../../translations/gabor_noise.hpp"
+// c++ -std=c++11 -O3 -I ../../translations relief.cpp && ./a.out > relief.pgm
+#include "gabor_noise.hpp"
 
 #include <cstdio>
 

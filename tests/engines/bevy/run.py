@@ -1,4 +1,4 @@
-"""Imports functions from the modules in shaders/nodes/bevy, composes them with naga_oil as Bevy does, and runs them on
+"""Imports functions from the modules in the package for Bevy, composes them with naga_oil as Bevy does, and runs them on
 Vulkan: run.py VALUES.raw"""
 
 import json
@@ -11,13 +11,12 @@ import tempfile
 
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
 from functions import CALLS, on_vulkan  # noqa: E402
+from packaged import packaged  # noqa: E402
 
-MODULES = [ROOT / "shaders" / "nodes" / "bevy" / f"{name}.wgsl"  # each after those that it imports
-           for name in ("noise", "spectrum", "noise_3d", "materials", "erosion", "direction")]
+MODULES = "noise", "spectrum", "noise_3d", "materials", "erosion", "direction"  # each after those that it imports
 SCENE = """#import gabor_noise::noise::{gabor_kernel, gabor_noise, gabor_noise_animated, gabor_noise_complex, gabor_noise_four,
     gabor_noise_gradient, gabor_noise_tiled, gabor_stripes}
 #import gabor_noise::noise_3d::gabor_noise_3d_gradient
@@ -36,13 +35,14 @@ FUNCTIONS = {name: re.sub(r"vec(\d)\(", r"vec\1f(", call) for name, call in CALL
 def drawn(value, folder):
     source, spirv, values = (folder / name for name in ("scene.wgsl", "scene.spv", "values.raw"))
     source.write_text(SCENE.replace("VALUE", value))
-    subprocess.run([os.environ["GABOR_COMPOSE"], spirv, source, *MODULES], check=True)
+    subprocess.run([os.environ["GABOR_COMPOSE"], spirv, source, *(folder / f"{module}.wgsl" for module in MODULES)], check=True)
     subprocess.run(["spirv-opt", "-O", spirv, "-o", spirv], check=True)  # lavapipe compiles naga's loops slowly
     return on_vulkan(spirv, values)
 
 
 with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
-    drivers, pictures = zip(*(drawn(value, pathlib.Path(folder)) for value in FUNCTIONS.values()))
+    modules = packaged("bevy", folder)
+    drivers, pictures = zip(*(drawn(value, modules) for value in FUNCTIONS.values()))
 pathlib.Path(sys.argv[1]).write_bytes(np.concatenate(pictures).tobytes())
 version = re.search(r'naga_oil = \{ version = "([^"]*)', (HERE / "Cargo.toml").read_text())[1]
 print(json.dumps({"engine": "Bevy's naga_oil", "version": version, "dialect": "modules of WGSL", "driver": drivers[0],

@@ -8,6 +8,9 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent))
+from packaged import packaged  # noqa: E402
+
 SHADERS = HERE.parents[2] / "shaders"
 root, kind, method, driver, values, drop_in, *macros = sys.argv[1:]
 root = pathlib.Path(root)
@@ -15,7 +18,7 @@ root = pathlib.Path(root)
 with tempfile.TemporaryDirectory(prefix="gabor-", dir=root / "tmp") as folder:
     project = pathlib.Path(folder)
     shutil.copytree(HERE, project, dirs_exist_ok=True)
-    shutil.copytree(SHADERS / "nodes" / "godot", project, dirs_exist_ok=True, ignore=shutil.ignore_patterns("README.md", "*.png"))
+    packaged("godot", project)
     defines = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
     for path in (SHADERS / "translations").glob("*.gdshaderinc"):
         shutil.copy(path, project)

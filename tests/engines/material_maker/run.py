@@ -4,14 +4,15 @@ import json
 import pathlib
 import re
 import sys
+import tempfile
 
 import numpy as np
 
 ENGINES = pathlib.Path(__file__).resolve().parents[1]
-sys.path.append(str(ENGINES / "moderngl"))
+sys.path += [str(ENGINES), str(ENGINES / "moderngl")]
 from draw import drawn  # noqa: E402
+from packaged import packaged  # noqa: E402
 
-NODE = ENGINES.parents[1] / "shaders" / "nodes" / "material_maker" / "gabor_noise.mmg"
 FRAGMENT = """
 out float value;
 void main()
@@ -21,7 +22,8 @@ void main()
 }
 """
 
-node = json.loads(NODE.read_text())
+with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+    node = json.loads((packaged("material_maker", folder) / "gabor_noise.mmg").read_text())
 model = node["shader_model"]
 given = node["parameters"] | {"orientation": np.degrees(np.float32(0.7854))}  # the scene's orientation, slightly different from 45 degrees
 missing = {parameter["name"] for parameter in model["parameters"]} ^ set(given)
