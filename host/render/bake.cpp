@@ -22,28 +22,95 @@ Block block_for(const noise::Recipe& recipe, DeviceKind device, Blocks blocks, d
     return {static_cast<int>(std::ceil(cell / std::ceil(cell / 12))), 32};
 }
 
-// `scale` is in values per kernel radius.
-passes::BakeWave make_wave(const Request& request, std::size_t index, const noise::Wave& wave, const Axis& x,
-                           const Axis& y, double scale) {
+// Values per kernel radius.
+double values_per_radius(const Request& request, const Viewport& viewport) {
+    return request.scale * viewport.camera.zoom / viewport.stride;
+}
+
+// The factor that gives a wave the variance 1. The variance of sparse noise is proportional to its impulses
+// per unit area.
+double normalization(const Request& request, const noise::Wave& wave) {
     const noise::Recipe recipe = drawing_recipe(request);
+    if (recipe.is_lattice())
+        return 1;
+    const Axis x = axis_along(request, request.width, wave.radius[0]);
+    const Axis y = axis_along(request, request.height, wave.radius[1]);
+    const double variance = noise::variance(recipe, wave.frequency * wave.radius[0], wave.angle,
+                                            request.time); // sparse kernels are round
+    return recipe.radius / std::sqrt(x.radius * y.radius * variance);
+}
+
+passes::BakeWave make_wave(const Request& request, const Viewport& viewport, const noise::Wave& wave,
+                           std::size_t lobe) {
     const std::array<double, 2> turns = wave.in_kernels();
-    // The variance of sparse noise is proportional to its impulses per unit area.
-    const double normalized =
-        recipe.is_lattice()
-            ? 1
-            : recipe.radius / std::sqrt(x.radius * y.radius *
-                                        noise::variance(recipe, wave.frequency * wave.radius[0], wave.angle,
-                                                        request.time));  // sparse kernels are round
     const double amplitude = request.colour ? 1 : std::sqrt(wave.share); // colours use weights instead
-    constexpr double tau = 2 * std::numbers::pi;
-    passes::BakeWave result{vec2_of(turns),
-                            direction(tau * (turns[0] / (scale * wave.radius[0]))),
-                            direction(tau * (turns[1] / (scale * wave.radius[1]))),
-                            static_cast<float>(amplitude * normalized),
-                            wave.seed,
-                            {}};
-    put_weights(result.weights, request, index);
-    return result;
+    const auto turn = [&](std::size_t axis) {
+        return direction(2 * std::numbers::pi *
+                         (turns[axis] / (values_per_radius(request, viewport) * wave.radius[axis])));
+    };
+    passes::BakeWave made{.wave = vec2_of(turns),
+                          .column_turn = turn(0),
+                          .row_turn = turn(1),
+                          .amplitude = static_cast<float>(amplitude * normalization(request, wave)),
+                          .seed = wave.seed,
+                          .weights = {}};
+    made.amplitude *= share_left(request, viewport, wave.frequency);
+    put_weights(made.weights, request, lobe);
+    return made;
+}
+
+// Cuts the columns (axis 0) or rows (1) of the region into runs, for kernels of a radius.
+std::vector<passes::Run> runs_along(const Request& request, const Viewport& viewport, std::size_t axis,
+                                    double radius, int longest) {
+    const Side side = side_of(request, viewport, axis);
+    const Axis cells = axis_along(request, side.picture, radius);
+    const noise::Recipe recipe = drawing_recipe(request);
+    // The lattice's windows stretch with its nodes to fit a period.
+    const double reach = recipe.is_lattice() ? double{recipe.radius} : cells.radius;
+    const auto [cell, place] = cell_at(side.edge(), cells.radius / radius);
+    std::vector<passes::Run> runs =
+        make_runs(side.first, side.count, cells.radius / (values_per_radius(request, viewport) * radius),
+                  reach, longest, place);
+    for (passes::Run& run : runs) // cells wrap around at 2^31
+        run.cell = static_cast<std::int32_t>(static_cast<std::uint32_t>(run.cell) +
+                                             static_cast<std::uint32_t>(cell));
+    return runs;
+}
+
+// The push constants for kernels of the given radii, except for the ranges in the tables.
+passes::BakePush push_for(const Request& request, const Viewport& viewport,
+                          const std::array<double, 2>& radius) {
+    const Axis x = axis_along(request, request.width, radius[0]);
+    const Axis y = axis_along(request, request.height, radius[1]);
+    const double scale = values_per_radius(request, viewport);
+    auto push = push_of<passes::BakePush>(
+        {0, 0, viewport.region.width, viewport.region.height}); // runs count from the region's corner
+    push.radius = vec2_of(x.radius, y.radius);
+    push.period = {x.period, y.period};
+    push.time = wrapped_time(request);
+    push.stretch = vec2_of(1 / radius[0], 1 / radius[1]);
+    push.pixel = vec2_of(1 / (scale * radius[0]), 1 / (scale * radius[1]));
+    if (const Slice* slice = std::get_if<Slice>(&request.view)) {
+        const double nodes = double{drawing_recipe(request).radius};
+        const double place = slice->depth / radius[0] * nodes;
+        push.first_slice = static_cast<int>(std::floor(place - nodes)) + 1;
+        push.slice_offset = static_cast<float>(place - push.first_slice - 1);
+    }
+    return push;
+}
+
+// Appends to a table, and returns the index of the first new entry.
+template <typename T>
+std::uint32_t append(std::vector<T>& table, const std::vector<T>& entries) {
+    table.insert(table.end(), entries.begin(), entries.end());
+    return static_cast<std::uint32_t>(table.size() - entries.size());
+}
+
+// Turns the components that the steps before have summed into colours.
+Step colour_step(const Plan& plan) {
+    Step step{"bake_colour", {}, plan.steps.front().push, plan.width, {passes::bake_group, 1}, {}};
+    step.constants[passes::channels_id] = vulkan::constant(static_cast<int>(plan.channels.size()));
+    return step;
 }
 
 } // namespace
@@ -82,59 +149,23 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
                const Constants& constants) {
     const noise::Recipe recipe = drawing_recipe(request);
     const std::vector<noise::Wave> waves = noise::waves(request.lobes, request.seed, in_space(request));
-    const double values_per_radius = request.scale * viewport.camera.zoom / viewport.stride;
-    const image::Rect& region = viewport.region;
     std::vector<passes::Run> columns;
     std::vector<passes::Run> rows;
     std::vector<passes::BakeWave> wave_table;
     for (const std::array<double, 2>& radius : noise::radii(waves)) {
-        const Axis x = axis_along(request, request.width, radius[0]);
-        const Axis y = axis_along(request, request.height, radius[1]);
-        const Block block = block_for(recipe, device, viewport.blocks, values_per_radius * radius[0]);
-        const auto runs = [&](const Axis& axis, double radius_along, const Coordinate& corner, int first,
-                              int count, int longest) {
-            // The lattice's windows stretch with its nodes to fit a period.
-            const double reach = recipe.is_lattice() ? double{recipe.radius} : axis.radius;
-            const auto [cell, place] = cell_at(corner, axis.radius / radius_along);
-            std::vector<passes::Run> made = make_runs(
-                first, count, axis.radius / (values_per_radius * radius_along), reach, longest, place);
-            for (passes::Run& run : made) // cells wrap around at 2^31
-                run.cell = static_cast<std::int32_t>(static_cast<std::uint32_t>(run.cell) +
-                                                     static_cast<std::uint32_t>(cell));
-            return made;
-        };
-        const std::vector<passes::Run> across =
-            runs(x, radius[0], corner_of(viewport.camera.x, viewport.width, request, viewport), region.x,
-                 region.width, block.columns);
-        const std::vector<passes::Run> down =
-            runs(y, radius[1], corner_of(viewport.camera.y, viewport.height, request, viewport), region.y,
-                 region.height, block.rows);
-        auto push = push_of<passes::BakePush>(
-            {0, 0, region.width, region.height}); // runs count pixels from the region's corner
-        push.radius = vec2_of(x.radius, y.radius);
-        push.period = {x.period, y.period};
-        push.time = wrapped_time(request);
-        push.stretch = vec2_of(1 / radius[0], 1 / radius[1]);
-        push.pixel = vec2_of(1 / (values_per_radius * radius[0]), 1 / (values_per_radius * radius[1]));
-        if (const Slice* slice = std::get_if<Slice>(&request.view)) {
-            const double nodes = double{recipe.radius};
-            const double place = slice->depth / radius[0] * nodes;
-            push.first_slice = static_cast<int>(std::floor(place - nodes)) + 1;
-            push.slice_offset = static_cast<float>(place - push.first_slice - 1);
-        }
+        const Block block =
+            block_for(recipe, device, viewport.blocks, values_per_radius(request, viewport) * radius[0]);
+        const auto across = runs_along(request, viewport, 0, radius[0], block.columns);
+        const auto down = runs_along(request, viewport, 1, radius[1], block.rows);
+        passes::BakePush push = push_for(request, viewport, radius);
+        push.first_column_run = append(columns, across);
+        push.column_runs = static_cast<std::uint32_t>(across.size());
+        push.first_run = append(rows, down);
         push.first_wave = static_cast<std::uint32_t>(wave_table.size());
         for (std::size_t i = 0; i < waves.size(); ++i)
-            if (waves[i].radius == radius) {
-                passes::BakeWave wave = make_wave(request, i, waves[i], x, y, values_per_radius);
-                wave.amplitude *= share_left(request, viewport, waves[i].frequency);
-                wave_table.push_back(wave);
-            }
+            if (waves[i].radius == radius)
+                wave_table.push_back(make_wave(request, viewport, waves[i], i)); // in colour, a wave per lobe
         push.wave_count = static_cast<std::uint32_t>(wave_table.size()) - push.first_wave;
-        push.first_column_run = static_cast<std::uint32_t>(columns.size());
-        push.column_runs = static_cast<std::uint32_t>(across.size());
-        push.first_run = static_cast<std::uint32_t>(rows.size());
-        columns.insert(columns.end(), across.begin(), across.end());
-        rows.insert(rows.end(), down.begin(), down.end());
 
         Step& step = plan.steps.emplace_back();
         step.shader = recipe_pass("bake", recipe);
@@ -149,14 +180,8 @@ void plan_bake(Plan& plan, const Request& request, const Viewport& viewport, Dev
         for (const passes::Run& run : down)
             step.runs.emplace_back(run.first, run.count);
     }
-    if (request.colour) {
-        Step& step = plan.steps.emplace_back();
-        step.shader = "bake_colour";
-        step.constants[passes::channels_id] = vulkan::constant(static_cast<int>(plan.channels.size()));
-        step.push = plan.steps.front().push;
-        step.across = region.width;
-        step.group = {passes::bake_group, 1};
-    }
+    if (request.colour)
+        plan.steps.push_back(colour_step(plan));
     plan.tables = {bytes_of(columns), bytes_of(rows), bytes_of(wave_table), bytes_of(colour_of(request))};
 }
 

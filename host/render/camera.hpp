@@ -13,6 +13,7 @@ struct Coordinate {
     double part = 0;
 
     Coordinate moved(double by) const;
+    double value() const { return static_cast<double>(whole) + part; }
     bool operator==(const Coordinate&) const = default;
 };
 

@@ -4,11 +4,11 @@
 #include "image/picture.hpp"
 #include "render/renderer.hpp"
 
-#include <array>
+#include "passes/channels.h"
+
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string_view>
 
 namespace gabor::render {
 
@@ -24,9 +24,7 @@ struct HeightMap {
     bool tileable = false;
 };
 
-/// The channels of an eroded map: height, slopes along x and y, ridge, and the height that erosion added.
-inline constexpr std::array<std::string_view, 5> erosion_channels{"height", "slope.x", "slope.y", "ridge",
-                                                                  "erosion"};
+using passes::erosion_channels;
 
 /// Plans the erosion of a region. A different `seed` gives different gullies.
 Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,

@@ -16,8 +16,6 @@ namespace gabor::render {
 
 namespace {
 
-constexpr std::size_t terrain_height = 3; // index in terrain_channels
-
 // Returns the number of channels in the PNG: 1 or 3.
 int displayed_channels(const Request& request) {
     return has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
@@ -28,7 +26,7 @@ int displayed_channels(const Request& request) {
 void to_display(const Request& request, std::span<const float> values, std::vector<float>& shown) {
     const std::size_t channels = render::channels(request).size();
     const auto kept = static_cast<std::size_t>(displayed_channels(request));
-    const std::size_t first = has_material(request) ? lit_channel : 0;
+    const std::size_t first = has_material(request) ? passes::material_lit : 0;
     shown.clear();
     for (std::size_t i = 0; i < values.size(); i += channels)
         for (std::size_t k = i + first; k < i + first + kept; ++k)
@@ -112,7 +110,7 @@ Times render_file(const vulkan::Device& device, const Request& request, const im
             exr->write_rows(values);
         }
         if (heights)
-            heights->write_rows(values, channels, terrain_height);
+            heights->write_rows(values, channels, passes::terrain_height);
         if (png && files.colours) {
             png->write_rows(files.colours(values));
         } else if (png) {

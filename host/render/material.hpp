@@ -2,6 +2,8 @@
 
 #include "render/request.hpp"
 
+#include "passes/channels.h"
+
 #include <array>
 #include <string_view>
 #include <vector>
@@ -17,14 +19,6 @@ constexpr std::array<std::string_view, 12> materials{"wood",  "fabric",  "leathe
 /// The parameters of the request's material, laid out like its struct in a std430 buffer.
 std::vector<float> material_parameters(const Request& request);
 
-/// Channels of a material's pixels: the members of GaborMaterial, the lit colour, and the slopes of the
-/// height along x and y, which bodies lack.
-constexpr std::array<std::string_view, 11> material_channels{
-    "R", "G", "B", "height", "roughness", "metalness", "lit.R", "lit.G", "lit.B", "slope.x", "slope.y"};
-constexpr std::size_t lit_channel = 6; ///< index of lit.R in material_channels and terrain_channels
-
-/// Channels of a terrain's pixels. Height and the colours have the same indices as for a material.
-constexpr std::array<std::string_view, 11> terrain_channels{
-    "R", "G", "B", "height", "slope.x", "slope.y", "lit.R", "lit.G", "lit.B", "ridge", "erosion"};
+using passes::material_channels, passes::terrain_channels;
 
 } // namespace gabor::render

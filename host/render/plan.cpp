@@ -32,15 +32,22 @@ std::uint32_t view_constant(const View& view) {
     return passes::view_flat;
 }
 
-Constants constants_of(const Request& request) {
+// The constants of a noise. `channels` are the picture's.
+Constants constants_of(const Request& request, std::span<const std::string> channels) {
     Constants constants{};
     std::ranges::copy(recipe_constants(drawing_recipe(request)), constants.begin());
     constants[passes::view_id] = view_constant(request.view);
     constants[passes::filter_id] = request.filter;
     constants[passes::painted_id] = !request.paint.empty();
-    constants[passes::quadrature_id] = request.quadrature;
-    constants[passes::gradient_id] = request.gradient;
-    constants[passes::phasor_id] = request.phasor;
+    constants[passes::channels_id] = static_cast<std::uint32_t>(channels.size());
+    for (const auto& [id, name] : std::initializer_list<std::pair<std::uint32_t, std::string_view>>{
+             {passes::quadrature_id, "quadrature"},
+             {passes::gradient_id, "gradient.x"},
+             {passes::phasor_id, "phase"},
+             {passes::normal_id, "normal.x"},
+             {passes::coverage_id, "A"},
+             {passes::removed_id, "removed"}})
+        constants[id] = vulkan::constant(channel_index(channels, name));
     constants[passes::values_id] = static_cast<std::uint32_t>(request.values);
     constants[passes::animated_id] = wrapped_time(request) != 0;
     constants[passes::coloured_id] = request.colour.has_value();
@@ -68,14 +75,10 @@ double pixel_length(const Request& request, int height) {
 // middle of the horizon.
 std::vector<passes::Line> lines(const Request& request, const Viewport& viewport, std::size_t axis) {
     const bool horizon = in_perspective(request);
-    const bool along_x = axis == 0;
-    const image::Rect& region = viewport.region;
-    const int view = along_x ? viewport.width : viewport.height;
-    const int first = along_x ? region.x : region.y;
-    const double scale = request.scale * viewport.camera.zoom;
-    const Coordinate& middle = along_x ? viewport.camera.x : viewport.camera.y;
-    const Coordinate start = horizon ? middle : corner_of(middle, view, request, viewport);
-    const double origin = along_x ? view / 2.0 : sky_rows(view); // pixels from the edge of the view
+    const Side side = side_of(request, viewport, axis);
+    const Coordinate start = horizon ? side.middle : side.edge();
+    const double origin =
+        axis == 0 ? side.view / 2.0 : sky_rows(side.view); // pixels from the edge of the view
     struct Table {
         std::int32_t cell;
         double place; // offset of the view's corner in its cell
@@ -83,16 +86,15 @@ std::vector<passes::Line> lines(const Request& request, const Viewport& viewport
     };
     std::vector<Table> tables;
     for (const auto& radii : noise::radii(noise::waves(request.lobes, request.seed))) {
-        const double radius = radii[axis];
-        const double cells = axis_along(request, along_x ? request.width : request.height, radius).radius;
-        const auto [cell, place] = cell_at(start, cells / radius);
-        tables.push_back({cell, place, cells / (scale * radius) * viewport.stride});
+        const double cells = axis_along(request, side.picture, radii[axis]).radius;
+        const auto [cell, place] = cell_at(start, cells / radii[axis]);
+        tables.push_back({cell, place, cells / (side.scale * radii[axis]) * side.stride});
     }
     std::vector<passes::Line> result;
-    for (int i = first; i < first + (along_x ? region.width : region.height); ++i)
+    for (int i = side.first; i < side.first + side.count; ++i)
         for (const Table& table : tables) {
             const double here =
-                horizon ? i + 0.5 - origin / viewport.stride : table.place + (i + 0.5) * table.step;
+                horizon ? i + 0.5 - origin / side.stride : table.place + (i + 0.5) * table.step;
             const double carried = horizon ? 0 : std::floor(here);
             result.push_back(
                 {static_cast<std::int32_t>(static_cast<std::uint32_t>(table.cell) +
@@ -145,49 +147,57 @@ std::vector<passes::PixelsWave> pixels_waves(const Request& request, const Viewp
 // The largest number of waves that passes/pixels.comp unrolls.
 constexpr std::size_t few_waves = 16;
 
+// Sets bits for the waves that need only the narrow or only the wide form of the filter.
+void choose_filters(Constants& constants, const std::vector<passes::PixelsWave>& waves, float pixel,
+                    float radius) {
+    constexpr float margin = 0.01f; // for rounding
+    for (std::size_t i = 0; i < waves.size(); ++i) {
+        const passes::PixelsWave& wave = waves[i];
+        const float deviation =
+            0.5f * pixel / radius * std::max(wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y);
+        const float wide_share = 100 * deviation - 9; // as in gabor_impl_wide_share of gabor_spectrum.glsl
+        constants[passes::narrow_waves_id] |= std::uint32_t{wide_share < -margin} << i;
+        constants[passes::wide_waves_id] |= std::uint32_t{wide_share > 1 + margin} << i;
+    }
+}
+
+// Stretches the paint over the picture, whose corner is the origin of the plane.
+void put_paint(passes::PixelsPush& push, const Request& request, const Viewport& viewport,
+               const Paint& paint) {
+    const auto scale = [&](const Side& side, int samples) {
+        return static_cast<float>(side.stride * samples / (side.picture * viewport.camera.zoom));
+    };
+    const auto corner = [](const Side& side) {
+        return static_cast<float>(side.edge().value() * side.scale / side.stride + side.first);
+    };
+    const Side x = side_of(request, viewport, 0);
+    const Side y = side_of(request, viewport, 1);
+    push.paint_size = {paint.width, paint.height};
+    push.paint_scale = {scale(x, paint.width), scale(y, paint.height)};
+    push.paint_corner = {corner(x) * push.paint_scale.x, corner(y) * push.paint_scale.y};
+}
+
 void plan_pixels(Plan& plan, const Request& request, const Viewport& viewport, const Paint& paint) {
-    const Camera& camera = viewport.camera;
-    const image::Rect& region = viewport.region;
     const auto stride = static_cast<float>(viewport.stride);
     const std::vector<passes::PixelsWave> waves = pixels_waves(request, viewport, paint);
-    auto push = push_of<passes::PixelsPush>({0, 0, region.width, region.height}); // tables cover the region
+    auto push = push_of<passes::PixelsPush>({0, 0, plan.width, plan.height}); // tables cover the region
     push.time = wrapped_time(request);
-    push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
+    push.pixel =
+        static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(viewport.camera.zoom);
     if (!in_perspective(request))
         push.pixel *= stride;
     push.focal_length = static_cast<float>(viewport.width) / stride; // in units of stride pixels
     push.waves = static_cast<int>(waves.size());
     push.tables = static_cast<int>(noise::radii(noise::waves(request.lobes, request.seed)).size());
-    // The paint covers the picture, whose corner is the origin of the plane.
-    const auto scale = [&](int samples, int side) {
-        return static_cast<float>(viewport.stride * static_cast<double>(samples) / (side * camera.zoom));
-    };
-    const auto first = [&](const Coordinate& middle, int pixels, int value) {
-        const Coordinate corner = corner_of(middle, pixels, request, viewport);
-        return static_cast<float>((static_cast<double>(corner.whole) + corner.part) * request.scale *
-                                      camera.zoom / viewport.stride +
-                                  value);
-    };
-    push.paint_size = {paint.width, paint.height};
-    push.paint_scale = {scale(paint.width, request.width), scale(paint.height, request.height)};
-    push.paint_corner = {first(camera.x, viewport.width, region.x) * push.paint_scale.x,
-                         first(camera.y, viewport.height, region.y) * push.paint_scale.y};
+    put_paint(push, request, viewport, paint);
     plan.tables = {bytes_of(lines(request, viewport, 0)), bytes_of(lines(request, viewport, 1)),
                    bytes_of(waves), bytes_of(paint.samples), bytes_of(colour_of(request))};
-    Constants constants = constants_of(request);
+    Constants constants = constants_of(request, plan.channels);
     if (waves.size() <= few_waves) {
         constants[passes::few_waves_id] = vulkan::constant(push.waves);
-        // Decides in advance which waves need only the narrow or only the wide form of the filter (see
-        // gabor_impl_wide_share), except in the viewer, where each scale would need its own pipeline.
-        const bool is_constant =
-            request.filter && !in_perspective(request) && viewport.blocks == Blocks::fitted;
-        for (std::size_t i = 0; i < waves.size() && is_constant; ++i) {
-            const passes::PixelsWave& wave = waves[i];
-            const float deviation = 0.5f * push.pixel / request.recipe.radius *
-                                    std::max(wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y);
-            constants[passes::narrow_waves_id] |= std::uint32_t{deviation < 0.0899f} << i;
-            constants[passes::wide_waves_id] |= std::uint32_t{deviation > 0.1001f} << i;
-        }
+        // Not in the viewer, where each scale would need its own pipeline.
+        if (request.filter && !in_perspective(request) && viewport.blocks == Blocks::fitted)
+            choose_filters(constants, waves, push.pixel, request.recipe.radius);
     }
     plan.steps = {step_of(recipe_pass("pixels", request.recipe), constants, push, passes::pixels_group)};
 }
@@ -241,25 +251,25 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
     push.time = wrapped_time(request);
     push.waves = static_cast<int>(waves.size());
     if (const Slice* slice = std::get_if<Slice>(&request.view)) {
-        const Camera& camera = viewport.camera;
         // Rounds to whole values, so that the same points are sampled wherever the view is.
-        const auto first = [&](const Coordinate& middle, int pixels) {
-            const double at = (static_cast<double>(middle.whole) + middle.part) * request.scale * camera.zoom;
-            return static_cast<int>(std::clamp(std::round((at - pixels / 2.0) / viewport.stride), -1e9, 1e9));
+        const auto first = [&](std::size_t axis) {
+            const Side side = side_of(request, viewport, axis);
+            const double at = side.middle.value() * request.scale * viewport.camera.zoom;
+            return static_cast<int>(std::clamp(std::round((at - side.view / 2.0) / side.stride), -1e9, 1e9));
         };
-        push.first_column += first(camera.x, viewport.width);
-        push.first_row += first(camera.y, viewport.height);
-        push.pixel = static_cast<float>(viewport.stride / request.scale) / static_cast<float>(camera.zoom);
+        push.first_column += first(0);
+        push.first_row += first(1);
+        push.pixel =
+            static_cast<float>(viewport.stride / request.scale) / static_cast<float>(viewport.camera.zoom);
         push.depth = static_cast<float>(slice->depth);
     } else {
         push_body(push, request, viewport);
         push.share =
             1.0f / static_cast<float>(viewport.stride); // filters over one pixel, so noise stays visible
     }
-    Constants constants = constants_of(request);
+    Constants constants = constants_of(request, plan.channels);
     constants[passes::isotropic_id] = std::ranges::any_of(request.lobes, is_isotropic);
     constants[passes::directed_id] = !std::ranges::all_of(request.lobes, is_isotropic);
-    constants[passes::normals_id] = viewport.normals;
     plan.tables = {bytes_of(waves), bytes_of(colour_of(request))};
     plan.steps = {
         step_of(along_surface(request) ? "solid@surface" : "solid", constants, push, passes::solid_group)};
@@ -269,27 +279,25 @@ void plan_solid(Plan& plan, const Request& request, const Viewport& viewport) {
 
 // Plans a material. In flat views, the light stays fixed relative to the view.
 void plan_material(Plan& plan, const Request& request, const Viewport& viewport) {
-    const Camera& camera = viewport.camera;
     const bool flat = is_flat(request.view);
+    const double zoom = viewport.camera.zoom;
+    const Side x = side_of(request, viewport, 0);
+    const Side y = side_of(request, viewport, 1);
     auto push = push_of<passes::MaterialPush>(viewport.region);
     push.center = half(viewport);
     push.seed = request.seed;
     push.lamp = vec2_of(light_direction(request));
-    const auto size = [&](int picture, int view) {
-        return static_cast<float>((flat ? picture * camera.zoom : view) / viewport.stride);
+    const auto size = [&](const Side& side) {
+        return (flat ? side.picture * zoom : side.view) / side.stride;
     };
-    push.size = {size(request.width, viewport.width), size(request.height, viewport.height)};
-    const auto corner = [&](const Coordinate& middle, int pixels) {
-        const Coordinate at = flat ? corner_of(middle, pixels, request, viewport) : middle;
-        return static_cast<float>(static_cast<double>(at.whole) + at.part);
-    };
-    push.corner = {corner(camera.x, viewport.width), corner(camera.y, viewport.height)};
+    push.size = vec2_of(size(x), size(y));
+    const auto corner = [&](const Side& side) { return (flat ? side.edge() : side.middle).value(); };
+    push.corner = vec2_of(corner(x), corner(y));
     if (in_perspective(request)) {
         push.sky = static_cast<float>(sky_rows(viewport.height) / viewport.stride);
-        push.pixel =
-            static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(camera.zoom);
+        push.pixel = static_cast<float>(pixel_length(request, viewport.height)) / static_cast<float>(zoom);
     } else if (flat) {
-        push.pixel = static_cast<float>(viewport.stride * (1 / (request.scale * camera.zoom)));
+        push.pixel = static_cast<float>(viewport.stride * (1 / x.scale));
     } else {
         push_body(push, request, viewport);
     }
@@ -310,21 +318,18 @@ constexpr double focal_length = 0.8; // relative to the longer side of the pictu
 
 void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) {
     const Terrain& terrain = std::get<Terrain>(request.view);
-    const Camera& camera = viewport.camera;
     auto push = push_of<passes::TerrainPush>(viewport.region);
     push.seed = request.seed;
     push.sun = vec2_of(light_direction(request));
     push.unit = static_cast<float>(terrain_unit(request));
     push.reach = static_cast<float>(erosion_reach(terrain.erosion));
     // In perspective, the camera looks at the middle of what the terrain view shows.
-    const Camera looked_at = terrain.perspective ? default_camera(from_above(request)) : camera;
-    const auto place = [&](const Coordinate& middle, int pixels) {
-        return terrain.perspective ? middle : corner_of(middle, pixels, request, viewport);
-    };
-    const Coordinate x = place(looked_at.x, viewport.width), y = place(looked_at.y, viewport.height);
+    const Camera looked_at = default_camera(from_above(request));
+    const Coordinate x = terrain.perspective ? looked_at.x : side_of(request, viewport, 0).edge();
+    const Coordinate y = terrain.perspective ? looked_at.y : side_of(request, viewport, 1).edge();
     push.cell = {cell_at(x, 1).first, cell_at(y, 1).first};
     push.corner = vec2_of(x.part, y.part);
-    push.pixel = static_cast<float>(viewport.stride / (request.scale * camera.zoom));
+    push.pixel = static_cast<float>(viewport.stride / (request.scale * viewport.camera.zoom));
     if (terrain.tileable)
         push.period = vec2_of(request.width / request.scale, request.height / request.scale);
     if (terrain.perspective) {
@@ -371,6 +376,11 @@ Bytes erosion_table(const Erosion& e) {
                                       e.branching},
                            table.values.begin(), [](double value) { return static_cast<float>(value); });
     return bytes_of(table);
+}
+
+int channel_index(std::span<const std::string> channels, std::string_view name) {
+    const auto found = std::ranges::find(channels, name);
+    return found == channels.end() ? -1 : static_cast<int>(found - channels.begin());
 }
 
 float wrapped_time(const Request& request) {
@@ -442,7 +452,7 @@ Plan plan(const Request& request, const Viewport& viewport, const Paint& paint, 
     else if (has_material(request))
         plan_material(plan, request, viewport);
     else if (uses_blocks(request, viewport))
-        plan_bake(plan, request, viewport, device, constants_of(request));
+        plan_bake(plan, request, viewport, device, constants_of(request, plan.channels));
     else if (in_space(request))
         plan_solid(plan, request, viewport);
     else

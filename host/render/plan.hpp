@@ -27,6 +27,9 @@ std::array<std::uint32_t, passes::window_id + 3> recipe_constants(const noise::R
 /// The variant of a pass for a recipe: PASS, or PASS@TAPS for the lattice.
 std::string recipe_pass(std::string_view pass, const noise::Recipe& recipe);
 
+/// The index of a channel, or -1 if there is none of this name.
+int channel_index(std::span<const std::string> channels, std::string_view name);
+
 /// The request's time as a fraction of the period, in [0, 1).
 float wrapped_time(const Request& request);
 

@@ -37,10 +37,26 @@ Push push_of(const image::Rect& region) {
     return push;
 }
 
-/// The corner of the view along an axis: exactly 0 for the picture that gabor render draws.
-inline Coordinate corner_of(const Coordinate& middle, int pixels, const Request& request,
-                            const Viewport& viewport) {
-    return middle.moved(-pixels / 2.0 / (request.scale * viewport.camera.zoom));
+/// What the plans of a picture need along an axis.
+struct Side {
+    int picture;       ///< pixels of the request's picture
+    int view;          ///< pixels of the view
+    int first;         ///< the region's first value
+    int count;         ///< values in the region
+    double scale;      ///< pixels per kernel radius
+    double stride;     ///< pixels per value
+    Coordinate middle; ///< of the view
+
+    /// The edge of the view: exactly 0 for the picture that gabor render draws.
+    Coordinate edge() const { return middle.moved(-view / 2.0 / scale); }
+};
+
+/// The side of a picture along x (0) or y (1).
+inline Side side_of(const Request& request, const Viewport& viewport, std::size_t axis) {
+    const auto& [camera, width, height, region, stride, blocks, normals] = viewport;
+    const double scale = request.scale * camera.zoom;
+    return axis == 0 ? Side{request.width, width, region.x, region.width, scale, double(stride), camera.x}
+                     : Side{request.height, height, region.y, region.height, scale, double(stride), camera.y};
 }
 
 /// Returns the share of a wave's amplitude that remains after antialiasing a value that stands for several

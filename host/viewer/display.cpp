@@ -45,12 +45,8 @@ std::string_view companion(Output output) {
 
 DisplayConstants display_constants(const Document& document, std::span<const std::string> channels,
                                    bool coarse, bool tiles, bool unlit) {
-    const auto find = [&](std::string_view name) {
-        const auto found = std::ranges::find(channels, name);
-        return found == channels.end() ? -1 : static_cast<std::int32_t>(found - channels.begin());
-    };
     const bool material = render::has_material(document.request);
-    const std::int32_t beside = find(material ? "slope.x" : companion(document.output));
+    const int beside = render::channel_index(channels, material ? "slope.x" : companion(document.output));
     // Without a filter, all of the variance is left.
     const bool there = beside >= 0 || document.output == Output::variance;
     const bool colour = channels.front() == "R";
@@ -61,8 +57,8 @@ DisplayConstants display_constants(const Document& document, std::span<const std
             document.colours,
             static_cast<std::int32_t>(channels.size()),
             std::max(beside, 0),
-            find("normal.x"),
-            find("A"),
+            render::channel_index(channels, "normal.x"),
+            render::channel_index(channels, "A"),
             coarse,
             tiles,
             document.profile,

@@ -23,6 +23,7 @@
 // To use this pass in an engine, cut columns and rows into runs and set the push constants as host/render/bake.cpp does.
 
 #include "passes/bake_interface.h"
+#include "noise_channels.glsl"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_spectrum.glsl"
@@ -31,12 +32,9 @@
 layout(constant_id = visited_id) const int visited = 3; // cells along an axis, ceil(2 R) + 1
 layout(constant_id = block_columns_id) const int block_columns = 8;
 layout(constant_id = fixed_rows_id) const int fixed_rows = 0; // number of rows if their loop is unrolled, else 0
-layout(constant_id = quadrature_id) const bool with_quadrature = false; // whether to write the quadrature too
-layout(constant_id = gradient_id) const bool with_gradient = false;   // whether to write the derivatives along x and y too
 layout(constant_id = animated_id) const bool animated = false;        // whether time is not 0, for the lattice
 layout(constant_id = sum_id) const bool sum = false;             // whether there is more than one noise
 layout(constant_id = few_waves_id) const int few_waves = 0; // 1 if this dispatch adds only one noise
-layout(constant_id = coloured_id) const bool coloured = false; // whether to write a colour's components instead of the noise
 layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; divisions make this slow on CPUs
 layout(constant_id = view_id) const uint view = view_flat;
 const bool slice = view == view_slice; // whether to draw a slice of solid noise, with GABOR_TAPS 3
@@ -46,8 +44,9 @@ const int terms = GABOR_TAPS; // rows of nodes
 const int terms = visited * visited * recipe_impulses; // impulses
 #endif
 
-const int gradient_at = (coloured ? 3 : 1) + (with_quadrature ? 1 : 0);
-const int channels = gradient_at + (with_gradient ? 2 : 0) + (slice ? 1 : 0);
+const bool with_gradient = gradient_at >= 0;
+vec2 cell_side = 1.0 / radius;
+ivec2 wrap = tiled ? period : ivec2(0);
 
 layout(local_size_x = bake_group) in;
 
@@ -56,8 +55,34 @@ layout(std430, set = 0, binding = 2) readonly buffer Rows { Run rows[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Waves { BakeWave waves[]; };
 layout(std430, set = 0, binding = 0) buffer Picture { float picture[]; };
 
+// The state of a block, with c from 0 to terms - 1 and k from 0 to block_columns - 1.
+vec2 bracket[terms * block_columns];       // the formula's bracket [c, k] of impulses or rows of nodes c in column k
+vec2 bracket_slope[terms * block_columns]; // the same with q' instead of q
+vec2 envelope[block_columns];              // all factors of the formula but the last, in each column of the row
+vec2 slope_x[block_columns];               // the same for the part of the derivatives that comes from the windows
+vec2 slope_y[block_columns];
+
 vec2 rotated(vec2 z, vec2 by) {
     return vec2(z.x * by.x - z.y * by.y, z.x * by.y + z.y * by.x);
+}
+
+void clear_row() {
+    [[unroll]] for (int k = 0; k < block_columns; ++k) {
+        envelope[k] = vec2(0.0);
+        slope_x[k] = vec2(0.0);
+        slope_y[k] = vec2(0.0);
+    }
+}
+
+// Adds term c to each column of the row, where q is q(y - y_c) and q'(y - y_c).
+void add_term(int c, vec2 q) {
+    [[unroll]] for (int k = 0; k < block_columns; ++k) {
+        envelope[k] += q.x * bracket[c * block_columns + k];
+        if (with_gradient) {
+            slope_x[k] += q.x * bracket_slope[c * block_columns + k];
+            slope_y[k] += q.y * bracket[c * block_columns + k];
+        }
+    }
 }
 
 #ifdef GABOR_TAPS
@@ -98,6 +123,85 @@ vec2 node_amplitude(uint column, uint row, Depth depth) {
     return gabor_impl_amplitude_at(column * row, animated, time);
 }
 
+// The waves of the nodes of row c at the block's first pixel.
+void set_nodes(out vec2 node[GABOR_TAPS], int c, Run across, Run down, BakeWave wave, uint salt, Depth depth) {
+    uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, wrap.y), salt ^ GABOR_IMPL_ROWS);
+    [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
+        uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, wrap.x), salt);
+        float turns = dot(wave.wave, (vec2(across.local, down.local) - vec2(i, c)) * cell_side);
+        vec2 a = node_amplitude(column_word, row_word, depth);
+        node[i] = wave.amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * rotated(a, gabor_impl_wave(turns));
+    }
+}
+
+void set_brackets(Run across, Run down, BakeWave wave) {
+    vec4 windows[block_columns];
+    vec4 slopes[block_columns];
+    vec2 turned[block_columns]; // e^(2 pi i F.x (x - x_0)), x_0 the first column
+    [[unroll]] for (int k = 0; k < block_columns; ++k) {
+        gabor_impl_windows(across.local + float(k) * pixel.x * radius.x - 1.0, windows[k], slopes[k]);
+        slopes[k] *= radius.x / GABOR_RADIUS;
+        turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], wave.column_turn);
+    }
+    uint salt = gabor_impl_salt(wave.seed);
+    Depth depth = depth_of(salt);
+    [[unroll]] for (int c = 0; c < terms; ++c) {
+        vec2 node[GABOR_TAPS];
+        set_nodes(node, c, across, down, wave, salt, depth);
+        [[unroll]] for (int k = 0; k < block_columns; ++k) {
+            vec2 sum = vec2(0.0);
+            vec2 slope = vec2(0.0);
+            [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
+                sum += windows[k][i] * node[i];
+                slope += slopes[k][i] * node[i];
+            }
+            bracket[c * block_columns + k] = rotated(sum, turned[k]);
+            if (with_gradient)
+                bracket_slope[c * block_columns + k] = rotated(slope, turned[k]);
+        }
+    }
+}
+
+void sum_row(float row, Run down) {
+    vec4 windows;
+    vec4 slopes;
+    gabor_impl_windows(down.local + row * pixel.y * radius.y - 1.0, windows, slopes);
+    clear_row();
+    [[unroll]] for (int c = 0; c < terms; ++c)
+        add_term(c, vec2(windows[c], slopes[c] * (radius.y / GABOR_RADIUS)));
+}
+
+#else
+
+float distance_y[terms]; // distance of each impulse from the block's first row
+
+void set_brackets(Run across, Run down, BakeWave wave) {
+    uint seed_word = gabor_impl_seed_word(wave.seed);
+    [[unroll]] for (int c = 0; c < terms; ++c) {
+        ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
+        uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, wrap.y), seed_word);
+        uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, wrap.x), row_word, c % recipe_impulses);
+        GaborImpulse impulse = gabor_impl_impulse(word);
+        vec2 d = (vec2(across.local, down.local) - (impulse.position_plus_one + (vec2(offset) - 2.0))) * cell_side;
+        float turns = dot(wave.wave, d) + impulse.phase + impulse.phase_rate * time;
+        vec2 z = wave.amplitude * impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
+        distance_y[c] = d.y;
+        [[unroll]] for (int k = 0; k < block_columns; ++k) {
+            vec2 q = gabor_impl_window(d.x + float(k) * pixel.x);
+            bracket[c * block_columns + k] = z * q.x;
+            if (with_gradient)
+                bracket_slope[c * block_columns + k] = z * q.y;
+            z = rotated(z, wave.column_turn);
+        }
+    }
+}
+
+void sum_row(float row, Run down) {
+    clear_row();
+    [[unroll]] for (int c = 0; c < terms; ++c)
+        add_term(c, gabor_impl_window(distance_y[c] + row * pixel.y));
+}
+
 #endif
 
 // Writes a channel of the first noise; adds the channels of further noises.
@@ -107,136 +211,45 @@ void put(int at, float value, uint index) {
     picture[at] = value;
 }
 
-void fill(Run across, Run down, uint index) {
-    vec2 wave = waves[index].wave;
-    vec2 column_turn = waves[index].column_turn;
-    vec2 row_turn = waves[index].row_turn;
-    float amplitude = waves[index].amplitude;
-    uint seed = waves[index].seed;
-    vec2 weights_0 = waves[index].weights[0];
-    vec2 weights_1 = waves[index].weights[1];
-    vec2 weights_2 = waves[index].weights[2];
-    vec2 cell_side = 1.0 / radius;
-    ivec2 wrap = tiled ? period : ivec2(0);
-    vec2 local = vec2(across.local, down.local);
+void put_pixel(int at, vec2 value, vec2 slopes, BakeWave wave, uint index) {
+    if (coloured) {
+        [[unroll]] for (int i = 0; i < 3; ++i)
+            put(at + i, dot(wave.weights[i], value), index);
+    } else {
+        put(at, value.y, index);
+    }
+    if (quadrature_at >= 0)
+        put(at + quadrature_at, value.x, index);
+    if (with_gradient) {
+        slopes = stretch * (slopes + 6.2831853 * wave.wave * value.x);
+        put(at + gradient_at, slopes.x, index);
+        put(at + gradient_at + 1, slopes.y, index);
+    }
+    if (slice)
+        picture[at + coverage_at] = 1.0;
+}
 
-    // The bracket of the formula at the top, for each column.
-    vec2 bracket[terms * block_columns];
-    vec2 bracket_slope[terms * block_columns]; // with q' instead of q
-
-#ifdef GABOR_TAPS
-    vec4 across_windows[block_columns];
-    vec4 across_slopes[block_columns];
-    vec2 turned[block_columns]; // e^(2 pi i F.x (x - x_0)), x_0 the first column
+// `carrier`: the last factor of the formula. `start`: the index of the block's first pixel in this row.
+void put_row(Run across, int start, vec2 carrier, BakeWave wave, uint index) {
     [[unroll]] for (int k = 0; k < block_columns; ++k) {
-        gabor_impl_windows(local.x + float(k) * pixel.x * radius.x - 1.0, across_windows[k], across_slopes[k]);
-        across_slopes[k] *= radius.x / GABOR_RADIUS;
-        turned[k] = k == 0 ? vec2(1.0, 0.0) : rotated(turned[k - 1], column_turn);
+        if (k >= across.count || across.first + k < 0 || across.first + k >= width)
+            continue;
+        vec2 slopes = vec2(rotated(slope_x[k], carrier).y, rotated(slope_y[k], carrier).y);
+        put_pixel((start + k) * channels, rotated(envelope[k], carrier), slopes, wave, index);
     }
-    uint salt = gabor_impl_salt(seed);
-    Depth depth = depth_of(salt);
-    [[unroll]] for (int c = 0; c < terms; ++c) {
-        uint row_word = gabor_impl_line_word(gabor_impl_wrap(down.cell + 1 + c, wrap.y), salt ^ GABOR_IMPL_ROWS);
-        vec2 node[GABOR_TAPS];
-        [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
-            uint column_word = gabor_impl_line_word(gabor_impl_wrap(across.cell + 1 + i, wrap.x), salt);
-            float turns = dot(wave, (local - vec2(i, c)) * cell_side);
-            vec2 a = node_amplitude(column_word, row_word, depth);
-            node[i] = amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY) * rotated(a, gabor_impl_wave(turns));
-        }
-        [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            vec2 sum = vec2(0.0);
-            vec2 slope = vec2(0.0);
-            [[unroll]] for (int i = 0; i < GABOR_TAPS; ++i) {
-                sum += across_windows[k][i] * node[i];
-                slope += across_slopes[k][i] * node[i];
-            }
-            bracket[c * block_columns + k] = rotated(sum, turned[k]);
-            if (with_gradient)
-                bracket_slope[c * block_columns + k] = rotated(slope, turned[k]);
-        }
-    }
-#else
-    float distance_y[terms]; // distance of each impulse from the first row
-    uint seed_word = gabor_impl_seed_word(seed);
-    [[unroll]] for (int c = 0; c < terms; ++c) {
-        ivec2 offset = ivec2(c / recipe_impulses % visited, c / (recipe_impulses * visited));
-        uint row_word = gabor_impl_row_word(gabor_impl_wrap(down.cell + offset.y, wrap.y), seed_word);
-        uint word = gabor_impl_impulse_word(gabor_impl_wrap(across.cell + offset.x, wrap.x), row_word, c % recipe_impulses);
-        GaborImpulse impulse = gabor_impl_impulse(word);
-        vec2 d = (local - (impulse.position_plus_one + (vec2(offset) - 2.0))) * cell_side;
-        float turns = dot(wave, d) + impulse.phase + impulse.phase_rate * time;
-        vec2 z = amplitude * impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
-        distance_y[c] = d.y;
-        [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            vec2 window = gabor_impl_window(d.x + float(k) * pixel.x);
-            bracket[c * block_columns + k] = z * window.x;
-            if (with_gradient)
-                bracket_slope[c * block_columns + k] = z * window.y;
-            z = rotated(z, column_turn);
-        }
-    }
-#endif
+}
 
+void fill(Run across, Run down, uint index) {
+    BakeWave wave = waves[index];
+    set_brackets(across, down, wave);
     vec2 carrier = vec2(1.0, 0.0);
     int row = down.first - first_row;
     int row_count = fixed_rows > 0 ? fixed_rows : down.count;
     [[unroll]] for (int r = 0; r < row_count; ++r) {
-        // All factors of the formula but the last, for the noise and for the part of its derivatives that comes from the windows.
-        vec2 envelope[block_columns];
-        vec2 slope_x[block_columns];
-        vec2 slope_y[block_columns];
-        [[unroll]] for (int k = 0; k < block_columns; ++k) {
-            envelope[k] = vec2(0.0);
-            slope_x[k] = vec2(0.0);
-            slope_y[k] = vec2(0.0);
-        }
-#ifdef GABOR_TAPS
-        vec4 down_windows;
-        vec4 down_slopes;
-        gabor_impl_windows(local.y + float(r) * pixel.y * radius.y - 1.0, down_windows, down_slopes);
-#endif
-        [[unroll]] for (int c = 0; c < terms; ++c) {
-#ifdef GABOR_TAPS
-            vec2 q = vec2(down_windows[c], down_slopes[c] * (radius.y / GABOR_RADIUS));
-#else
-            vec2 q = gabor_impl_window(distance_y[c] + float(r) * pixel.y);
-#endif
-            [[unroll]] for (int k = 0; k < block_columns; ++k) {
-                envelope[k] += q.x * bracket[c * block_columns + k];
-                if (with_gradient) {
-                    slope_x[k] += q.x * bracket_slope[c * block_columns + k];
-                    slope_y[k] += q.y * bracket[c * block_columns + k];
-                }
-            }
-        }
-        if (row >= 0 && row < height) {
-            int start = before + row * width + across.first;
-            [[unroll]] for (int k = 0; k < block_columns; ++k) {
-                if (k >= across.count || across.first + k < 0 || across.first + k >= width)
-                    continue;
-                vec2 value = rotated(envelope[k], carrier);
-                int at = (start + k) * channels;
-                if (coloured) {
-                    put(at, dot(weights_0, value), index);
-                    put(at + 1, dot(weights_1, value), index);
-                    put(at + 2, dot(weights_2, value), index);
-                } else {
-                    put(at, value.y, index);
-                }
-                if (with_quadrature)
-                    put(at + 1, value.x, index);
-                if (with_gradient) {
-                    vec2 slopes = vec2(rotated(slope_x[k], carrier).y, rotated(slope_y[k], carrier).y)
-                                + 6.2831853 * wave * value.x;
-                    put(at + gradient_at, stretch.x * slopes.x, index);
-                    put(at + gradient_at + 1, stretch.y * slopes.y, index);
-                }
-                if (slice)
-                    picture[at + channels - 1] = 1.0; // coverage
-            }
-        }
-        carrier = rotated(carrier, row_turn);
+        sum_row(float(r), down);
+        if (row >= 0 && row < height)
+            put_row(across, before + row * width + across.first, carrier, wave, index);
+        carrier = rotated(carrier, wave.row_turn);
         ++row;
     }
 }

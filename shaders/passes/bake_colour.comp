@@ -6,8 +6,7 @@
 #include "passes/bake_interface.h"
 const int colour_binding = 4;
 #include "colour.glsl"
-
-layout(constant_id = channels_id) const int channels = 3; // floats per pixel
+#include "noise_channels.glsl"
 
 layout(local_size_x = bake_group) in;
 

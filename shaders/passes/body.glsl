@@ -1,30 +1,12 @@
 // A sphere or torus as a camera sees it. The including file defines the constants `view` and `rays`, and the push constants
 // center, pixel, yaw and pitch of passes/solid_interface.h.
 //
-// The unit of length is the radius of the sphere. The camera looks at the centre from a distance of 4. The torus lies inside
-// the sphere.
+// The unit of length is the radius of the sphere. The torus lies inside the sphere.
 
-const float eye_distance = 4.0;
+#include "camera.glsl"
+
 const float torus_large = 0.68; // radius of the circle around the z axis
 const float torus_small = 0.3;  // radius of the tube
-
-// The camera's axes, of length 1.
-struct Axes {
-    vec3 right;
-    vec3 up;
-    vec3 toward_eye;
-};
-
-Axes camera_axes() {
-    vec3 right = vec3(yaw.x, yaw.y, 0.0);
-    vec3 toward_eye = vec3(yaw.y * pitch.x, -yaw.x * pitch.x, pitch.y);
-    return Axes(right, vec3(-yaw.y * pitch.y, yaw.x * pitch.y, pitch.x), toward_eye);
-}
-
-// A vector's components to the right, down, and towards the eye.
-vec3 in_picture(vec3 v, Axes axes) {
-    return vec3(dot(v, axes.right), -dot(v, axes.up), dot(v, axes.toward_eye));
-}
 
 struct Hit {
     bool found;

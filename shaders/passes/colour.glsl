@@ -5,21 +5,6 @@
 
 layout(std430, set = 0, binding = colour_binding) readonly buffer Colour { PixelsColour colour; };
 
-// The sum of noises in each component, and the variance that a filter removed from it.
-struct Components {
-    vec3 value;
-    vec3 removed;
-};
-
-// Adds a noise and its quadrature; `removed` is the share of its variance that a filter removed.
-void add_to(inout Components sum, vec2 weights[3], vec2 value, float removed) {
-    vec2 a = weights[0];
-    vec2 b = weights[1];
-    vec2 c = weights[2];
-    sum.value += vec3(dot(a, value), dot(b, value), dot(c, value));
-    sum.removed += removed * vec3(dot(a, a), dot(b, b), dot(c, c));
-}
-
 // A polynomial gives each component its own distribution. If a filter removed the variance v, the component is the mean of
 // the polynomial at z + r, where the removed part r is normal with variance v.
 vec3 colour_of(vec3 z, vec3 v) {

@@ -4,13 +4,14 @@
 // Erodes a heightmap. Slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps. The weights
 // are binomial, (1, 4, 6, 4, 1) / 16, across the direction of a slope, and (-1, -2, 0, 2, 1) / 8 along it.
 
+#include "passes/channels.h"
 #include "passes/erode_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_erosion.glsl"
 
 layout(local_size_x = erode_group, local_size_y = erode_group) in;
 
-const int channels = 5; // height, slope along x and y, ridge, height minus the map's height
+const int channels = erosion_added + 1;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Eroded { float eroded[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Erosion { GaborErosion erosion; };
@@ -47,9 +48,9 @@ void main() {
     GaborTerrain base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
     GaborTerrain terrain = gabor_eroded_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), base, erosion, seed);
     int at = channels * (before + here.y * width + here.x);
-    eroded[at] = terrain.height;
-    eroded[at + 1] = terrain.slope.x;
-    eroded[at + 2] = terrain.slope.y;
-    eroded[at + 3] = terrain.ridge;
-    eroded[at + 4] = terrain.height - base.height;
+    eroded[at + erosion_height] = terrain.height;
+    eroded[at + erosion_slope] = terrain.slope.x;
+    eroded[at + erosion_slope + 1] = terrain.slope.y;
+    eroded[at + erosion_ridge] = terrain.ridge;
+    eroded[at + erosion_added] = terrain.height - base.height;
 }

@@ -136,12 +136,14 @@ RayHit seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     return hit;
 }
 
-// A camera that looks at the origin from distance 1: its position and its rays. `yaw` and `pitch` are (cosine, sine) of its
-// angles. `place` is the offset from the middle of the picture, in units of the focal length, with y growing downwards.
-vec3 camera_at(vec2 yaw, vec2 pitch) {
-    return vec3(pitch.x * yaw.x, pitch.y, pitch.x * yaw.y);
-}
-vec3 camera_ray(vec2 yaw, vec2 pitch, vec2 place) {
+// The ground that a camera sees in a pixel. It looks at the point `target` of the plane y = 0 from the distance `away`; `yaw` and `pitch`
+// are (cosine, sine) of its angles. `place` is the offset from the middle of the picture in pixels, with y growing downwards, and
+// `wide` the side of a pixel at distance 1.
+RayHit seen_by_camera(Ground ground, vec2 target, float away, vec2 yaw, vec2 pitch, vec2 place, float wide) {
+    vec3 toward_eye = vec3(pitch.x * yaw.x, pitch.y, pitch.x * yaw.y);
+    vec3 right = vec3(yaw.y, 0.0, -yaw.x);
     vec3 up = vec3(-pitch.y * yaw.x, pitch.x, -pitch.y * yaw.y);
-    return normalize(place.x * vec3(yaw.y, 0.0, -yaw.x) - place.y * up - camera_at(yaw, pitch));
+    vec2 at = wide * place;
+    vec3 ray = normalize(at.x * right - at.y * up - toward_eye);
+    return seen_along(ground, vec3(target.x, 0.0, target.y) + away * toward_eye, ray, wide, away);
 }

@@ -43,6 +43,11 @@ vec3 lamp_above(vec2 place, vec2 lamp) {
     return normalize(vec3(2.5 * lamp - place, 2.5 * sqrt(max(1.0 - dot(lamp, lamp), 0.0))));
 }
 
+// The direction of the sky, along the picture's axes: above a body in the picture, and above a plane towards the eye.
+vec3 sky_above(bool body) {
+    return body ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+}
+
 const vec3 backdrop = vec3(0.016, 0.017, 0.019); // the colour behind a body
 
 // The colour of the sky. `up` is 0 at the horizon and 1 at the picture's edge.
@@ -102,8 +107,7 @@ vec3 lit(Surface material, vec3 normal, vec3 eye, vec3 lamp, vec3 up) {
            + facing * facets * shadow * fresnel * lamp_light;
 }
 
-// Encodes light for a screen.
-vec3 srgb(vec3 light) {
-    light = clamp(light, 0.0, 1.0);
-    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
+// The normal of a surface with a relief of this slope, in space.
+vec3 bumped_normal(vec3 normal, vec3 slope) {
+    return normalize(normal - (slope - dot(slope, normal) * normal));
 }

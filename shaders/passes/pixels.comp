@@ -4,21 +4,18 @@
 // Draws a picture pixel by pixel: any sum of noises, in any view of the plane, optionally painted, filtered or in colour.
 
 #include "passes/pixels_interface.h"
-const int colour_binding = 5;
-#include "colour.glsl"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_spectrum.glsl"
 #endif
+const int colour_binding = 5;
+#include "values.glsl"
+#include "plane.glsl"
 
 layout(constant_id = filter_id) const bool filtered = false; // whether to filter, with GABOR_TAPS 3
 layout(constant_id = view_id) const uint view = view_flat;
 const bool horizon = view == view_horizon; // a plane in perspective
 layout(constant_id = painted_id) const bool painted = false;
-layout(constant_id = quadrature_id) const bool with_quadrature = false;
-layout(constant_id = gradient_id) const bool with_gradient = false;
-layout(constant_id = phasor_id) const bool with_phasor = false;
-layout(constant_id = values_id) const int values = 1; // number of independent noises
 layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; divisions make this slow on CPUs
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0, for the lattice
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves if their loop is unrolled, else 0
@@ -26,9 +23,6 @@ layout(constant_id = few_waves_id) const int few_waves = 0; // the number of wav
 // wave whose filter needs only its wide form.
 layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
 layout(constant_id = wide_waves_id) const uint wide_waves = 0u;
-layout(constant_id = coloured_id) const bool coloured = false; // whether to write red, green and blue instead of the noise
-const int channels = (coloured ? 3 : values) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
-                   + (filtered ? 1 : 0);
 
 layout(local_size_x = pixels_group, local_size_y = pixels_group) in;
 
@@ -36,7 +30,6 @@ layout(std430, set = 0, binding = 1) readonly buffer Columns { Line columns[]; }
 layout(std430, set = 0, binding = 2) readonly buffer Rows { Line rows[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Waves { PixelsWave wave_table[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Paint { vec2 paint[]; }; // frequency and orientation
-layout(std430, set = 0, binding = 0) writeonly buffer Picture { float picture[]; };
 
 // Changes a sample's orientation by whole turns, so that it is within half a turn of another's.
 vec2 nearest_turn(vec2 sampled, vec2 other) {
@@ -56,30 +49,14 @@ vec2 painted_at(vec2 pixel) {
     return mix(mix(corner, right, between.x), mix(below, opposite, between.x), between.y);
 }
 
-struct Values {
-    vec4 values;
-    vec2 complex;
-    vec2 slope;
-    float removed;
-    Components components; // components of a colour
-};
-
-const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(vec3(0.0), vec3(0.0)));
-
-// A pixel's position, and the steps to its neighbours along the picture's axes.
-struct Footprint {
-    ivec2 pixel;
-    vec2 from_camera; // position relative to the camera, in perspective
-    vec2 dx;
-    vec2 dy;
-};
-
-Values wave_at(PixelsWave wave, int index, Footprint here) {
-    Line column = columns[here.pixel.x * tables + wave.table];
-    Line row = rows[here.pixel.y * tables + wave.table];
-    vec2 local = horizon ? here.from_camera * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
+// Adds a wave at a pixel that shows `here`; in perspective, relative to the camera.
+void add_wave_at(inout Values sum, int index, ivec2 pixel_at, Footprint here) {
+    PixelsWave wave = wave_table[index];
+    Line column = columns[pixel_at.x * tables + wave.table];
+    Line row = rows[pixel_at.y * tables + wave.table];
+    vec2 local = horizon ? here.p * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
     ivec2 cell = ivec2(column.cell, row.cell);
-    vec2 paint_here = painted ? painted_at(vec2(here.pixel)) : vec2(1.0, 0.0);
+    vec2 paint_here = painted ? painted_at(vec2(pixel_at)) : vec2(1.0, 0.0);
     GaborKernel kernel = gabor_kernel(paint_here.x * wave.frequency, paint_here.y + wave.orientation);
     ivec2 period = tiled ? wave.period : ivec2(0);
 #ifdef GABOR_TAPS
@@ -95,9 +72,9 @@ Values wave_at(PixelsWave wave, int index, Footprint here) {
     bool wide = few_waves > 0 && (wide_waves >> index & 1u) == 1u;
     float wide_share = narrow ? 0.0 : wide ? 1.0 : gabor_impl_wide_share(footprint);
 #endif
-    Values result = nothing;
     for (int i = 0; i < values; ++i) {
         GaborField field;
+        float removed = 0.0;
 #ifdef GABOR_TAPS
         uint seed = i == 0 ? wave.seed : gabor_lobe_seed(wave.seed, -i);
 #else
@@ -105,63 +82,24 @@ Values wave_at(PixelsWave wave, int index, Footprint here) {
 #endif
 #if GABOR_TAPS == 3
         if (filtered)
-            field = gabor_impl_filtered(place, kernel, footprint, wide_share, seed, result.removed);
+            field = gabor_impl_filtered(place, kernel, footprint, wide_share, seed, removed);
         else
 #endif
             field = gabor_field(place, kernel, seed);
-        result.values[i] = field.value.y;
-        if (i == 0) {
-            result.complex = field.value;
-            result.slope = vec2(field.slope_x.y, field.slope_y.y);
-        }
+        add_wave(sum, i, noise_of(field, removed), wave.amplitude, vec3(wave.radius, 1.0), wave.weights);
     }
-    return result;
 }
 
-void add_wave(inout Values sum, int i, Footprint here) {
-    PixelsWave wave = wave_table[i];
-    Values one = wave_at(wave, i, here);
-    sum.values += wave.amplitude * one.values;
-    sum.complex += wave.amplitude * one.complex;
-    sum.slope += wave.amplitude / wave.radius * one.slope;
-    sum.removed += wave.amplitude * wave.amplitude * one.removed;
-    if (coloured)
-        add_to(sum.components, wave.weights, one.complex, one.removed);
-}
-
-Values values_at(Footprint here) {
-    Values sum = nothing;
+Values values_at(ivec2 pixel_at, Footprint here) {
+    Values sum = no_values;
     if (few_waves == 0) {
         for (int i = 0; i < waves; ++i)
-            add_wave(sum, i, here);
+            add_wave_at(sum, i, pixel_at, here);
     }
     // No loop: drivers do not unroll loops that contain loops.
-#define ADD(i) if (few_waves > i) add_wave(sum, i, here);
+#define ADD(i) if (few_waves > i) add_wave_at(sum, i, pixel_at, here);
     ADD(0) ADD(1) ADD(2) ADD(3) ADD(4) ADD(5) ADD(6) ADD(7) ADD(8) ADD(9) ADD(10) ADD(11) ADD(12) ADD(13) ADD(14) ADD(15)
     return sum;
-}
-
-void write_pixel(int at, Values here, vec3 colour) {
-    if (coloured) {
-        for (int i = 0; i < 3; ++i)
-            picture[at++] = colour[i];
-    } else {
-        for (int i = 0; i < values; ++i)
-            picture[at++] = here.values[i];
-    }
-    if (with_quadrature)
-        picture[at++] = here.complex.x;
-    if (with_gradient) {
-        picture[at++] = here.slope.x;
-        picture[at++] = here.slope.y;
-    }
-    if (with_phasor) {
-        vec2 phasor = gabor_phasor(here.complex);
-        picture[at++] = phasor.x;
-        picture[at++] = phasor.y;
-    }
-    if (filtered)
-        picture[at++] = here.removed;
 }
 
 // Without an early return, lavapipe loads shared values once instead of once per invocation.
@@ -171,21 +109,23 @@ void main() {
     pixel_at = min(pixel_at, ivec2(width, height) - 1);
     int at = (before + pixel_at.y * width + pixel_at.x) * channels;
     pixel_at.y += first_row;
-    Footprint here = Footprint(pixel_at, vec2(0.0), vec2(pixel, 0.0), vec2(0.0, pixel));
+    Footprint here = footprint_from_above(vec2(0.0), pixel);
     bool in_sky = false;
     if (horizon) {
         vec2 seen = vec2(columns[pixel_at.x * tables].local, rows[pixel_at.y * tables].local);
         in_sky = seen.y <= 0.0;
-        // The camera looks horizontally: depth = camera height * focal length / rows below the horizon.
-        float near = pixel / (in_sky ? 1.0 : seen.y);
-        here.from_camera = near * vec2(seen.x, -focal_length);
-        here.dx = vec2(near, 0.0);
-        here.dy = near / (in_sky ? 1.0 : seen.y) * vec2(-seen.x, focal_length);
+        here = footprint_below_horizon(in_sky ? vec2(seen.x, 1.0) : seen, pixel, focal_length);
     }
-    Values sum = values_at(here);
-    if (in_sky)
-        sum = Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0, Components(vec3(0.0), vec3(1.0)));
+    Values sum = values_at(pixel_at, here);
+    if (in_sky) {
+        sum = no_values;
+        sum.noise.removed = 1.0;
+        sum.components.removed = vec3(1.0);
+    }
     vec3 colour = coloured ? colour_of(sum.components.value, sum.components.removed) : vec3(0.0);
-    if (inside)
-        write_pixel(at, sum, colour);
+    if (!inside)
+        return;
+    write_values(at, sum, sum.noise.slope.xy, colour);
+    if (removed_at >= 0)
+        picture[at + removed_at] = sum.noise.removed;
 }

@@ -1,4 +1,5 @@
-// Puts a material on a surface in space. Include it after the definition of material_at(p, dx, dy), a material in the plane.
+// Puts a material on a surface in space, and lights it. Include it after plane.glsl, camera.glsl, light.glsl and the definition of
+// material_at(p, dx, dy), a material in the plane. The pass and copied code include it.
 
 // The material at a point on the surface, and the slope of its relief, in space.
 struct Relief {
@@ -55,6 +56,43 @@ Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
     return Relief(m, slope);
 }
 
-vec3 bumped_normal(vec3 normal, vec3 slope) {
-    return normalize(normal - (slope - dot(slope, normal) * normal));
+// A piece of the surface as it is seen, along the axes of the picture.
+struct Sample {
+    GaborMaterial material;
+    vec3 slope;
+    vec3 normal; // with the relief
+    vec3 eye;    // direction to the eye
+    vec2 place;  // as in lamp_above
+};
+
+Sample sample_of(Footprint here, vec3 eye, vec2 place) {
+    vec3 up = vec3(0.0, 0.0, 1.0);
+    Relief relief = relief_at(vec3(here.p, 0.0), vec3(here.dx, 0.0), vec3(here.dy, 0.0), up, false);
+    return Sample(relief.material, relief.slope, bumped_normal(up, relief.slope), eye, place);
+}
+
+// `center`: the pixel in the middle of the picture. `corner`: p at the picture's corner.
+Sample sample_from_above(vec2 pixel_at, vec2 center, vec2 corner, float pixel) {
+    vec2 place = (pixel_at - center) / (2.0 * max(center.x, center.y));
+    return sample_of(footprint_from_above(corner + pixel * pixel_at, pixel), eye_above(place), place);
+}
+
+// The parameters are as for footprint_below_horizon; the camera is above p = `corner`.
+Sample sample_below_horizon(vec2 at, vec2 corner, float height, float focal_length) {
+    Footprint here = footprint_below_horizon(at, height, focal_length);
+    here.p += corner;
+    return sample_of(here, eye_above_horizon(at, focal_length), vec2(0.0));
+}
+
+// `to_eye`: the vector from p to the eye, of any length.
+Sample sample_of_body(vec3 p, vec3 dx, vec3 dy, vec3 normal, vec3 to_eye, Axes axes) {
+    Relief relief = relief_at(p, dx, dy, normal, true);
+    return Sample(relief.material, in_picture(relief.slope, axes), in_picture(bumped_normal(normal, relief.slope), axes),
+                  normalize(in_picture(to_eye, axes)), vec2(0.0));
+}
+
+// The light of the sample to the eye: see lit() in light.glsl. `lamp` is as in lamp_above, `body` as in sky_above.
+vec3 lit_sample(Sample here, vec2 lamp, bool body) {
+    GaborMaterial m = here.material;
+    return lit(Surface(m.colour, m.roughness, m.metalness), here.normal, here.eye, lamp_above(here.place, lamp), sky_above(body));
 }

@@ -3,13 +3,14 @@
 
 // Draws eroded hills from above or in perspective: colour, height, slope, light, ridge, and the height that erosion added.
 
+#include "passes/channels.h"
 #include "passes/terrain_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_erosion.glsl"
 #include "landscape.glsl"
 
 layout(constant_id = view_id) const uint view = view_terrain;
-const int channels = 11;
+const int channels = terrain_erosion + 1;
 
 layout(local_size_x = terrain_group, local_size_y = terrain_group) in;
 
@@ -28,18 +29,15 @@ void main() {
     if (view == view_terrain) {
         hit = seen_from_above(ground, corner + pixel * place, pixel);
     } else {
-        vec3 eye = vec3(corner.x, 0.0, corner.y) + distance * camera_at(yaw, pitch);
-        hit = seen_along(ground, eye, camera_ray(yaw, pitch, pixel * (place - center)), pixel, distance);
+        hit = seen_by_camera(ground, corner, distance, yaw, pitch, place - center, pixel);
     }
-    picture[at++] = hit.colour.r;
-    picture[at++] = hit.colour.g;
-    picture[at++] = hit.colour.b;
-    picture[at++] = unit * hit.ground.height;
-    picture[at++] = hit.ground.slope.x;
-    picture[at++] = hit.ground.slope.y;
-    picture[at++] = hit.light.r;
-    picture[at++] = hit.light.g;
-    picture[at++] = hit.light.b;
-    picture[at++] = hit.ground.ridge;
-    picture[at] = unit * hit.added;
+    for (int i = 0; i < 3; ++i) {
+        picture[at + terrain_colour + i] = hit.colour[i];
+        picture[at + terrain_lit + i] = hit.light[i];
+    }
+    picture[at + terrain_height] = unit * hit.ground.height;
+    picture[at + terrain_slope] = hit.ground.slope.x;
+    picture[at + terrain_slope + 1] = hit.ground.slope.y;
+    picture[at + terrain_ridge] = hit.ground.ridge;
+    picture[at + terrain_erosion] = unit * hit.added;
 }

@@ -78,3 +78,8 @@ vec3 viewer_normal(vec3 normal, float green) {
 vec3 viewer_gradient(vec2 gradient, float deviation, float contrast, float green) {
     return viewer_normal(normalize(vec3(-gradient, 2.0 * deviation / contrast)), green);
 }
+
+// The grey of a material's height.
+vec3 viewer_height(float height, float contrast) {
+    return vec3(0.5 + height / (0.1 * contrast));
+}

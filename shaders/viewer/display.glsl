@@ -18,7 +18,10 @@ layout(constant_id = 8) const int profile = 0;      // profile of stripes
 layout(constant_id = 9) const bool unlit = false;   // whether to show normals instead of light
 layout(constant_id = 10) const int environment = 0; // what surrounds a lit surface
 
+#include "passes/channels.h"
 #include "passes/light.glsl"
+#include "passes/srgb.glsl"
+#include "viewer/surface.glsl"
 
 // The value of a channel at a pixel.
 float value_at(vec2 pixel, int channel);
@@ -44,19 +47,12 @@ vec3 mapped(float share) {
 // Lights a surface of the given colour. `slope` is along x and y of the view and, for a body, towards the eye. A body has its
 // own normal, stored after the gradient.
 vec3 lit_surface(vec2 pixel, vec3 colour, vec3 slope) {
-    vec3 normal = vec3(0.0, 0.0, 1.0);
-    if (normal_at >= 0) {
-        normal = normalize(three_at(pixel, normal_at));
-        slope -= dot(slope, normal) * normal;
-    }
-    normal = normalize(normal - slope * (0.5 * contrast / deviation));
+    vec3 normal = normal_at >= 0 ? normalize(three_at(pixel, normal_at)) : vec3(0.0, 0.0, 1.0);
+    normal = bumped_normal(normal, slope * (0.5 * contrast / deviation));
     if (unlit)
         return viewer_normal(normal, green);
     vec2 whole = tiles ? 2.0 * size : size;
-    vec2 place = (pixel - 0.5 * whole) / max(whole.x, whole.y);
-    vec3 linear = pow(colour, vec3(2.2));
-    vec3 up = normal_at >= 0 ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0);
-    return srgb(lit(Surface(linear, 0.45, 0.0), normal, eye_above(place), lamp_above(place, lamp), up));
+    return viewer_lit(colour, normal, (pixel - 0.5 * whole) / max(whole.x, whole.y), lamp, normal_at >= 0);
 }
 
 float stripes(vec2 pixel) {
@@ -72,20 +68,20 @@ vec3 lit_stripes(vec2 pixel) {
 }
 
 vec3 material(vec2 pixel) {
-    const int height = 3;
+    const int height = material_height;
     if (output_shown == 9)
-        return srgb(three_at(pixel, 6));
+        return srgb(three_at(pixel, material_lit));
     if (output_shown == 10)
-        return srgb(three_at(pixel, 0));
+        return srgb(three_at(pixel, material_colour));
     if (output_shown == 11)
-        return vec3(0.5 + value_at(pixel, height) / (0.1 * contrast));
+        return viewer_height(value_at(pixel, height), contrast);
     if (output_shown == 12) { // from the slopes or, on a body, from the heights
         vec2 slope = companion > 0 ? vec2(value_at(pixel, companion), value_at(pixel, companion + 1))
                                    : (value_at(pixel, height) - vec2(value_at(pixel - vec2(stride, 0.0), height),
                                                                      value_at(pixel - vec2(0.0, stride), height))) / spacing;
         return viewer_normal(normalize(vec3(-slope, 1.0)), green);
     }
-    return vec3(value_at(pixel, output_shown == 13 ? 4 : 5));
+    return vec3(value_at(pixel, output_shown == 13 ? material_roughness : material_metalness));
 }
 
 vec3 shown(vec2 pixel) {

@@ -38,6 +38,7 @@ INSTALLED = {
     "share/gabor-noise/shaders/passes/colour.h",
     "share/gabor-noise/shaders/passes/constants.h",
     "share/gabor-noise/shaders/passes/interface.h",
+    "share/gabor-noise/shaders/passes/noise_channels.glsl",
     "share/gabor-noise/shaders/passes/recipe.glsl",
     *(f"share/gabor-noise/shaders/translations/gabor_{name}.{dialect}"
       for name in ("direction", "erosion", "materials", "noise", "noise_3d", "sparse", "spectrum")

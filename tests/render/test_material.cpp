@@ -34,8 +34,8 @@ using render::Request;
 
 namespace {
 
-constexpr std::size_t channels = 6; // the channels of GaborMaterial
-constexpr std::size_t height_channel = 3;
+constexpr std::size_t channels = passes::material_lit; // the channels of GaborMaterial
+constexpr std::size_t height_channel = passes::material_height;
 
 // A material that takes its parameters as an array of numbers, in the order of its struct.
 struct Material {

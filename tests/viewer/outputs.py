@@ -12,8 +12,9 @@ from viewer import SHADERS
 WIDTH, HEIGHT = 480, 320
 OUTPUTS = ("value", "gradient", "phase", "intensity", "variance", "stripes", "lit", "lit stripes")
 VALUE, GRADIENT, PHASE, INTENSITY, VARIANCE, STRIPES, LIT, LIT_STRIPES = range(8)
-NAMES = {VALUE: "noise", GRADIENT: "gradient", PHASE: "complex", INTENSITY: "complex", VARIANCE: "removed", LIT: "relief",
-         STRIPES: "complex", LIT_STRIPES: "complex"}
+# What an output shows of the copied code's Noise, n.
+PARTS = {VALUE: "vec4(n.complex.y)", GRADIENT: "vec4(n.slope, 0.0)", VARIANCE: "vec4(n.removed)", LIT: "vec4(n.slope, n.complex.y)",
+         **{output: "vec4(n.complex, 0.0, 0.0)" for output in (PHASE, INTENSITY, STRIPES, LIT_STRIPES)}}
 COLOURS = ("grey", "viridis", "cool to warm", "ember", "sea", "own")
 RAMP = [[0.1, "#203060"], [0.4, "#a04020"], [0.45, "#ffffff"], [1, "#c0ff40"]]
 LOBES = [{"frequency": 3, "orientation": 20, "radius": 1.5}, {"frequency": 5, "orientation": 100, "power": 0.5}]
@@ -103,11 +104,6 @@ class OutputsTest(EventsTest):
         self.context.vertex_array(program, corners, "corner").render(vertices=3)
         return [np.frombuffer(target.read(components=size, dtype="f4", attachment=i), "f4").reshape(HEIGHT, WIDTH, size)
                 for i, size in enumerate((4, 3))]
-
-
-def padded(call, components):
-    """Returns a GLSL vec4 whose first components are the call's result."""
-    return f"vec4({', '.join([call] + ['0.0'] * (4 - components))})"
 
 
 def quantity(channels, output):

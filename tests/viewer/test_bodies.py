@@ -8,8 +8,7 @@ import unittest
 import numpy as np
 
 from events import EventsTest  # noqa: I001 (first: it adds tests/cli to sys.path)
-from outputs import (COLOURED, GRADIENT, HEIGHT, INTENSITY, LANDSCAPE, LIT, LOBES, NAMES, PHASE, TERRAIN, VALUE, WIDTH, OutputsTest,
-                     padded)
+from outputs import (COLOURED, GRADIENT, HEIGHT, INTENSITY, LANDSCAPE, LIT, LOBES, PARTS, PHASE, TERRAIN, VALUE, WIDTH, OutputsTest)
 from png import read_colour_png
 from viewer import SHADERS
 
@@ -92,9 +91,8 @@ class Bodies(OutputsTest):
         points, normals, _ = places(parameters)
         if "colour" in parameters:
             return self.draw_colours(snippet, COLOUR_OF_BODY, places=points, normals=normals)
-        value = padded(f"{NAMES[output]}_of_body(p, n)", {GRADIENT: 3, LIT: 4}.get(output, 2))
-        main = (f"vec3 p = texelFetch(places, ivec2(at), 0).xyz, n = texelFetch(normals, ivec2(at), 0).xyz;"
-                f"pixels = {value}; colour = colour_of_body(p, n);")
+        main = (f"vec3 p = texelFetch(places, ivec2(at), 0).xyz, normal = texelFetch(normals, ivec2(at), 0).xyz;"
+                f"Noise n = noise_of_body(p, normal); pixels = {PARTS[output]}; colour = colour_of_body(p, normal);")
         pixels, colours = self.run_code(snippet, main, places=points, normals=normals)
         if output in (GRADIENT, LIT): # gradients are in the plane of the picture
             right, up = axes(parameters)[:2]

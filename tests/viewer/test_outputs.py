@@ -2,8 +2,7 @@
 
 import unittest
 
-from outputs import (COLOURED, GRADIENT, INTENSITY, LIT, LIT_STRIPES, LOBES, NAMES, PHASE, STRIPES, VALUE, VARIANCE,
-                     OutputsTest, padded)
+from outputs import (COLOURED, GRADIENT, INTENSITY, LIT, LIT_STRIPES, LOBES, PARTS, PHASE, STRIPES, VALUE, VARIANCE, OutputsTest)
 
 NOISES = {
     "lattice-2": {"recipe": "lattice-2", "frequency": 3, "orientation": 20},
@@ -52,11 +51,10 @@ class Planes(OutputsTest):
     def draw(self, parameters, snippet, output):
         if "colour" in parameters:
             return self.draw_colours(snippet, "colour_of_view(at)")
-        single = output in (VALUE, VARIANCE)
-        components = 1 if single else 4 if output == LIT else 2
-        value = padded(f"{NAMES[output]}_of_view(at)", components)
-        pixels, colours = self.run_code(snippet, f"pixels = {value}; colour = colour_of_view(at);")
-        found = (0,) if single else (0, 1, 3) if output == LIT else (0, 1) # in the plane, a relief has no slope along z
+        pixels, colours = self.run_code(
+            snippet, f"Noise n = noise_of_view(at); pixels = {PARTS[output]}; colour = colour_of_view(at);")
+        # In the plane, there is no slope along z.
+        found = (0,) if output in (VALUE, VARIANCE) else (0, 1, 3) if output == LIT else (0, 1)
         return pixels[..., found].squeeze(), colours
 
 

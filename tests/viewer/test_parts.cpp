@@ -83,10 +83,10 @@ TEST_CASE("the copied GLSL of a tile stretches the filter with its nodes along e
         {.width = 100, .height = 90, .scale = 16, .view = render::Plane{.tileable = true}, .filter = true});
     const std::string glsl = snippet(document, {100, 90});
     float x = 0, y = 0, other_x = 0, other_y = 0;
-    const std::size_t at = glsl.find("gabor_footprint(dx * vec2(");
+    const std::size_t at = glsl.find("gabor_footprint(here.dx * vec2(");
     REQUIRE(at != std::string::npos);
-    REQUIRE(std::sscanf(glsl.c_str() + at, "gabor_footprint(dx * vec2(%f, %f), dy * vec2(%f, %f))", &x, &y,
-                        &other_x, &other_y) == 4);
+    REQUIRE(std::sscanf(glsl.c_str() + at, "gabor_footprint(here.dx * vec2(%f, %f), here.dy * vec2(%f, %f))",
+                        &x, &y, &other_x, &other_y) == 4);
     CHECK(x == Approx(9 * 16 / 150.0));
     CHECK(y == Approx(8 * 16 / 135.0));
     CHECK(other_x == x);

@@ -1,0 +1,40 @@
+// Sums of noises. The passes and copied code include it after the drop-ins.
+
+// A noise or a sum of noises: its quadrature and itself, its derivatives, and the variance that a filter removed.
+struct Noise {
+    vec2 complex;
+    vec3 slope;
+    float removed;
+};
+
+Noise noise_of(GaborField field, float removed) {
+    return Noise(field.value, vec3(field.slope_x.y, field.slope_y.y, 0.0), removed);
+}
+
+#ifdef GABOR_NOISE_3D_GLSL
+Noise noise_of(GaborField3d field) {
+    return Noise(vec2(field.quadrature, field.noise), field.gradient, field.removed);
+}
+#endif
+
+// Adds a noise of variance 1. `radius`: the radii of its kernels.
+void add_noise(inout Noise sum, Noise one, float amplitude, vec3 radius) {
+    sum.complex += amplitude * one.complex;
+    sum.slope += amplitude / radius * one.slope;
+    sum.removed += amplitude * amplitude * one.removed;
+}
+
+// The components of a colour: the sum of noises in each, and the variance that a filter removed from it.
+struct Components {
+    vec3 value;
+    vec3 removed;
+};
+
+// Adds a noise to each component. `weights`: those of its quadrature and itself in each component.
+void add_weighted(inout Components sum, Noise one, vec2 weights[3]) {
+    vec2 a = weights[0];
+    vec2 b = weights[1];
+    vec2 c = weights[2];
+    sum.value += vec3(dot(a, one.complex), dot(b, one.complex), dot(c, one.complex));
+    sum.removed += one.removed * vec3(dot(a, a), dot(b, b), dot(c, c));
+}
