@@ -19,12 +19,25 @@ namespace gabor::render {
 
 namespace {
 
-const std::vector<std::string> map_channels{"R",         "G",        "B",        "height",   "roughness",
-                                            "metalness", "normal.x", "normal.y", "normal.z", "occlusion"};
-constexpr std::size_t height_channel = 3;
-constexpr std::size_t roughness_channel = 4;
-constexpr std::size_t normal_channel = 6;
-constexpr std::size_t occlusion_channel = 9;
+constexpr std::size_t height_channel = passes::material_height;
+constexpr std::size_t roughness_channel = passes::material_roughness;
+constexpr std::size_t normal_channel = passes::material_lit;
+constexpr std::size_t occlusion_channel = normal_channel + 3;
+
+// The channels of a material up to its light, then the normal and the occlusion.
+const std::vector<std::string> map_channels = [] {
+    std::vector<std::string> names(material_channels.begin(), material_channels.begin() + normal_channel);
+    names.insert(names.end(), {"normal.x", "normal.y", "normal.z", "occlusion"});
+    return names;
+}();
+
+image::Rect whole_of(const Request& request) {
+    return {0, 0, request.width, request.height};
+}
+
+bool is_tile(const Request& request) {
+    return has_terrain(request) ? std::get<Terrain>(request.view).tileable : is_tiled(request);
+}
 
 // All channels of all pixels, row by row.
 struct Maps {
@@ -48,8 +61,20 @@ struct Maps {
         return double{at(within(x, width), within(y, height))[height_channel]};
     }
 
+    std::size_t row_values() const { return static_cast<std::size_t>(width) * map_channels.size(); }
+
+    std::pair<float, float> heights() const {
+        float low = values[height_channel];
+        float high = low;
+        for (std::size_t i = height_channel; i < values.size(); i += map_channels.size()) {
+            low = std::min(low, values[i]);
+            high = std::max(high, values[i]);
+        }
+        return {low, high};
+    }
+
     // Sets the share of the sky's light that reaches the pixel: the mean of cos^2 of the horizon's elevation.
-    void add_occlusion(int x, int y) {
+    void set_occlusion(int x, int y) {
         constexpr std::array<std::array<int, 2>, 8> directions{
             {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
         const double here = height_at(x, y);
@@ -103,31 +128,38 @@ std::vector<float> maps_from(std::span<const float> averaged) {
     return maps;
 }
 
-// Writes the levels after the first.
-void write_levels(image::ExrWriter& writer, std::span<const float> maps, int width, int height) {
-    std::vector<float> level = averaged_from(maps);
-    while (width > 1 || height > 1) {
-        level = halved(level, width, height, map_channels.size());
-        width = std::max(width / 2, 1);
-        height = std::max(height / 2, 1);
-        writer.write_rows(maps_from(level));
-    }
-}
-
 // Appends the maps of a rendered pixel, except for its occlusion.
-void add_maps(std::span<const float> pixel, bool terrain, std::vector<float>& maps) {
-    constexpr std::size_t height = 3;
-    constexpr std::size_t terrain_slope = 4;
+void append_maps(std::span<const float> pixel, bool terrain, std::vector<float>& maps) {
     constexpr float rough_ground = 1;
-    const std::size_t slope = terrain ? terrain_slope : pixel.size() - 2;
-    maps.insert(maps.end(), pixel.begin(), pixel.begin() + height + 1);
+    const std::size_t slope = terrain ? passes::terrain_slope : passes::material_slope;
+    maps.insert(maps.end(), pixel.begin(), pixel.begin() + height_channel + 1);
     maps.push_back(terrain ? rough_ground : pixel[roughness_channel]);
-    maps.push_back(terrain ? 0 : pixel[roughness_channel + 1]);
+    maps.push_back(terrain ? 0 : pixel[passes::material_metalness]);
     const double right = -double{pixel[slope]};
     const double up = double{pixel[slope + 1]};
     const double length = std::sqrt(right * right + up * up + 1);
     for (const double part : {right, up, 1.0})
         maps.push_back(static_cast<float>(part / length));
+    maps.push_back(0);
+}
+
+Maps draw_maps(const vulkan::Device& device, const Request& request, const image::Advance& advance) {
+    const bool terrain = has_terrain(request);
+    const double unit = terrain ? terrain_unit(request) : 1; // height units per kernel radius
+    Maps maps{request.width, request.height, is_tile(request), request.scale / unit, {}};
+    maps.values.reserve(maps.row_values() * static_cast<std::size_t>(request.height));
+    const std::size_t channels = render::channels(request).size();
+    render_region(device, request, whole_of(request), [&](std::span<const float> rows) {
+        advance(rows.size() / channels);
+        for (std::size_t i = 0; i < rows.size(); i += channels)
+            append_maps(rows.subspan(i, channels), terrain, maps.values);
+    });
+    for (int y = 0; y < request.height; ++y) {
+        advance(0);
+        for (int x = 0; x < request.width; ++x)
+            maps.set_occlusion(x, y);
+    }
+    return maps;
 }
 
 // One PNG of the set, with the channels that it stores.
@@ -138,22 +170,21 @@ struct Png {
     float (*shown)(float) = [](float value) { return value; };
 };
 
-float unit_to_colour(float part) {
-    return 0.5f + 0.5f * part;
-}
-
 constexpr std::string_view directx_normal = "normal_directx";
 
 std::vector<Png> pngs_of(const MapFormat& format) {
+    const auto unit_to_colour = [](float part) { return 0.5f + 0.5f * part; };
+    const std::vector<std::size_t> normal{normal_channel, normal_channel + 1, normal_channel + 2};
+    const std::size_t metalness = passes::material_metalness;
     std::vector<Png> pngs{{.name = "base_color", .channels = {0, 1, 2}, .shown = srgb},
-                          {.name = "normal", .channels = {6, 7, 8}, .shown = unit_to_colour},
-                          {.name = "height", .channels = {3}, .bits = 16},
-                          {.name = "roughness", .channels = {4}},
-                          {.name = "metalness", .channels = {5}},
-                          {.name = "occlusion", .channels = {9}},
-                          {.name = "orm", .channels = {9, 4, 5}}};
+                          {.name = "normal", .channels = normal, .shown = unit_to_colour},
+                          {.name = "height", .channels = {height_channel}, .bits = 16},
+                          {.name = "roughness", .channels = {roughness_channel}},
+                          {.name = "metalness", .channels = {metalness}},
+                          {.name = "occlusion", .channels = {occlusion_channel}},
+                          {.name = "orm", .channels = {occlusion_channel, roughness_channel, metalness}}};
     if (format.directx)
-        pngs.push_back({.name = directx_normal, .channels = {6, 7, 8}, .shown = unit_to_colour});
+        pngs.push_back({.name = directx_normal, .channels = normal, .shown = unit_to_colour});
     return pngs;
 }
 
@@ -165,83 +196,84 @@ constexpr const char* exr_name = "maps.exr";
 constexpr const char* materialx_name = "material.mtlx";
 constexpr const char* gltf_name = "material.gltf";
 
+image::ExrHeader header_of(const vulkan::Device& device, const Request& request, const MapFormat& format) {
+    image::ExrHeader header = exr_header(request, whole_of(request), software(device));
+    header.channels = map_channels;
+    if (format.texture)
+        header.texture = image::ExrHeader::Texture{format.half, is_tile(request)};
+    return header;
+}
+
+// Writes the rows of all channels to the EXR, and of each PNG's channels to it. Heights are from `low` to
+// `high`.
+void write_rows(const Maps& maps, image::ExrWriter& exr, const std::vector<Png>& pngs,
+                std::vector<image::PngWriter>& writers, float low, float high,
+                const image::Advance& advance) {
+    const auto shown = [&](const Png& png, std::size_t channel, float value) {
+        if (channel == height_channel)
+            value = high > low ? (value - low) / (high - low) : 0.5f;
+        if (channel == normal_channel + 1 && png.name == directx_normal)
+            value = -value;
+        return png.shown(value);
+    };
+    std::vector<float> colours;
+    for (std::size_t at = 0; at < maps.values.size(); at += maps.row_values()) {
+        advance(0);
+        const std::span<const float> row(&maps.values[at], maps.row_values());
+        exr.write_rows(row);
+        for (std::size_t k = 0; k < pngs.size(); ++k) {
+            colours.clear();
+            for (std::size_t i = 0; i < row.size(); i += map_channels.size())
+                for (const std::size_t channel : pngs[k].channels)
+                    colours.push_back(shown(pngs[k], channel, row[i + channel]));
+            writers[k].write_rows(colours);
+        }
+    }
+}
+
+// Writes the levels after the first.
+void write_levels(image::ExrWriter& writer, const Maps& maps) {
+    int width = maps.width;
+    int height = maps.height;
+    std::vector<float> level = averaged_from(maps.values);
+    while (width > 1 || height > 1) {
+        level = halved(level, width, height, map_channels.size());
+        width = std::max(width / 2, 1);
+        height = std::max(height / 2, 1);
+        writer.write_rows(maps_from(level));
+    }
+}
+
 void write_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
                 const MapFormat& format, const image::Advance& advance) {
-    const bool terrain = has_terrain(request);
-    const bool tileable =
-        terrain ? std::get<Terrain>(request.view).tileable : std::get<Plane>(request.view).tileable;
-    const std::size_t row = static_cast<std::size_t>(request.width) * map_channels.size();
     const std::vector<Png> pngs = pngs_of(format);
     std::vector<image::PngWriter> writers; // opened before the work begins, to fail early
     for (const Png& png : pngs)
         writers.emplace_back(png_path(folder, png), request.width, request.height,
                              static_cast<int>(png.channels.size()), png.bits);
-    const image::Rect whole{0, 0, request.width, request.height};
-    image::ExrHeader header = exr_header(request, whole, software(device));
-    header.channels = map_channels;
-    if (format.texture)
-        header.texture = image::ExrHeader::Texture{format.half, tileable};
-    image::ExrWriter exr(folder / exr_name, header);
+    image::ExrWriter exr(folder / exr_name, header_of(device, request, format));
     image::OutputFile materialx(folder / materialx_name);
-    image::OutputFile scene(folder / gltf_name);
+    image::OutputFile gltf(folder / gltf_name);
 
-    const double unit = terrain ? terrain_unit(request) : 1; // height units per kernel radius
-    Maps maps{request.width, request.height, tileable, request.scale / unit, {}};
-    maps.values.reserve(row * static_cast<std::size_t>(request.height));
-    render_region(device, request, whole, [&](std::span<const float> rows) {
-        const std::size_t channels = terrain ? terrain_channels.size() : material_channels.size();
-        advance(rows.size() / channels);
-        for (std::size_t i = 0; i < rows.size(); i += channels) {
-            add_maps(rows.subspan(i, channels), terrain, maps.values);
-            maps.values.push_back(0); // occlusion
-        }
-    });
-    float low = maps.values[height_channel];
-    float high = low;
-    for (std::size_t i = height_channel; i < maps.values.size(); i += map_channels.size()) {
-        low = std::min(low, maps.values[i]);
-        high = std::max(high, maps.values[i]);
-    }
-    std::vector<float> shown;
-    for (int y = 0; y < request.height; ++y) {
-        advance(0);
-        for (int x = 0; x < request.width; ++x)
-            maps.add_occlusion(x, y);
-        const std::span<const float> values(maps.at(0, y), row);
-        exr.write_rows(values);
-        for (std::size_t k = 0; k < pngs.size(); ++k) {
-            shown.clear();
-            for (std::size_t i = 0; i < row; i += map_channels.size())
-                for (const std::size_t channel : pngs[k].channels) {
-                    float value = values[i + channel];
-                    if (channel == height_channel)
-                        value = high > low ? (value - low) / (high - low) : 0.5f;
-                    if (channel == normal_channel + 1 && pngs[k].name == directx_normal)
-                        value = -value;
-                    shown.push_back(pngs[k].shown(value));
-                }
-            writers[k].write_rows(shown);
-        }
-    }
+    const Maps maps = draw_maps(device, request, advance);
+    const auto [low, high] = maps.heights();
+    write_rows(maps, exr, pngs, writers, low, high, advance);
     if (format.texture)
-        write_levels(exr, maps.values, request.width, request.height);
-    const auto write = [&](image::OutputFile& file, std::string_view text) {
-        const double longer = std::max(request.width, request.height);
-        const std::string filled = fmt::format(
-            fmt::runtime(text), fmt::arg("name", terrain ? "terrain" : std::string_view(request.material)),
+        write_levels(exr, maps);
+    const auto filled = [&](std::string_view text, double unit) {
+        return fmt::format(
+            fmt::runtime(text),
+            fmt::arg("name", has_terrain(request) ? "terrain" : std::string_view(request.material)),
             fmt::arg("version", GABOR_VERSION), fmt::arg("low", low), fmt::arg("high", high),
-            fmt::arg("width",
-                     text == materialx_template ? request.width / request.scale : request.width / longer),
-            fmt::arg("height", request.height / longer));
-        file.write(filled);
+            fmt::arg("width", request.width / unit), fmt::arg("height", request.height / unit));
     };
-    write(materialx, materialx_template);
-    write(scene, gltf_template);
+    materialx.write(filled(materialx_template, request.scale));
+    gltf.write(filled(gltf_template, std::max(request.width, request.height)));
     for (image::PngWriter& writer : writers)
         writer.commit();
     exr.commit();
     materialx.commit();
-    scene.commit();
+    gltf.commit();
 }
 
 } // namespace
