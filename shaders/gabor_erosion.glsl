@@ -113,7 +113,7 @@ uvec4 gabor_impl_four_line_words(int index, int period, uint salt) {
 }
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-void gabor_impl_add_hills(inout GaborField sum, uvec4 words, vec4 x, vec4 slope_x, float y, float slope_y) {
+void gabor_impl_add_hill_row(inout GaborField sum, uvec4 words, vec4 x, vec4 slope_x, float y, float slope_y) {
     vec4 a = vec4(ivec4(words)), b = vec4(ivec4(words << 16u));
     vec2 row = vec2(dot(x, a), dot(x, b));
     sum.value += y * row;
@@ -136,10 +136,10 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
     uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
     GaborField hills = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
-    gabor_impl_add_hills(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
-    gabor_impl_add_hills(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
-    gabor_impl_add_hills(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
-    gabor_impl_add_hills(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
+    gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_hill_row(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
     vec4 s = clamp(vec4(dx, dy), -1.0e9, 1.0e9);
     float area = s.x * s.w - s.y * s.z;
     float kept = inversesqrt(1.0 + 0.34768212 * dot(s, s) + 0.12088286 * area * area);

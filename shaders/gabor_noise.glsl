@@ -214,7 +214,7 @@ vec2 gabor_impl_product(vec2 a, vec2 b) {
 }
 
 // Adds z times a pair of complex numbers to two sums.
-void gabor_impl_add(inout vec4 sums, vec4 pair, vec2 z) {
+void gabor_impl_add_products(inout vec4 sums, vec4 pair, vec2 z) {
     sums = sums + z.x * pair + z.y * vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
@@ -327,24 +327,27 @@ vec2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-void gabor_impl_add_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
+void gabor_impl_add_node_row(inout vec4 sum, inout vec4 slope, GaborAxis x, GaborAxis y, int j, bool animated,
+                             float time) {
     vec4 row = vec4(0.0);
-    gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
-    gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
-    if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
-    if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
     if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always true, but keeps CPU compilers from spilling registers
-        gabor_impl_add(sum, row, y.node[j].xy);
-        gabor_impl_add(slope, row, y.node[j].zw);
+        gabor_impl_add_products(sum, row, y.node[j].xy);
+        gabor_impl_add_products(slope, row, y.node[j].zw);
     }
 }
 
 void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out vec4 sum, out vec4 slope) {
     sum = slope = vec4(0.0);
-    gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
-    gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
-    if (GABOR_TAPS > 2) gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
-    if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, time);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, time);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, time);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is

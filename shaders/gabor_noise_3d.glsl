@@ -132,13 +132,13 @@ vec3 gabor_impl_unit(vec3 v) {
 // Adds slice k of nodes. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the
 // window; `slopes` receives the same part of its derivatives along y and z. The filter adds mixed derivatives, weighted
 // by its covariances yz, zx, xy.
-void gabor_impl_add_slice(inout vec4 sum, inout vec4 slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
-                          int k, vec3 mixed) {
+void gabor_impl_add_node_slice(inout vec4 sum, inout vec4 slopes, GaborPlace3d place, GaborAxis x, GaborAxis y,
+                               GaborAxis z, int k, vec3 mixed) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     vec4 slice, slope;
     gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
-    gabor_impl_add(sum, slice, z.node[k].xy);
+    gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += vec4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
     if (place.filtered)
         sum += vec4(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[k].zw)
@@ -164,9 +164,9 @@ GaborField3d gabor_impl_sum_3d(GaborPlace3d place, vec3 wave, GaborMatrix pixel,
         turn *= exp(-19.739209 * max(dot(wave, blurred), 0.0));
     }
     vec4 sum = vec4(0.0), slopes = vec4(0.0);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
     sum = vec4(gabor_impl_product(sum.xy, turn), gabor_impl_product(sum.zw, turn));
     slopes = vec4(gabor_impl_product(slopes.xy, turn), gabor_impl_product(slopes.zw, turn));
     return GaborField3d(sum.y, vec3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
@@ -174,7 +174,7 @@ GaborField3d gabor_impl_sum_3d(GaborPlace3d place, vec3 wave, GaborMatrix pixel,
 }
 
 // Adds a field times an amplitude. A kernel radius is `stretch` times the field's unit of length.
-void gabor_impl_accumulate_3d(inout GaborField3d sum, GaborField3d field, float amplitude, vec3 stretch) {
+void gabor_impl_add_field_3d(inout GaborField3d sum, GaborField3d field, float amplitude, vec3 stretch) {
     sum.noise += amplitude * field.noise;
     sum.gradient += amplitude * stretch * field.gradient;
     sum.quadrature += amplitude * field.quadrature;
@@ -242,21 +242,21 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction,
     if (transmitted == 0.0)
         return sum;
     if (wide < 1.0)
-        gabor_impl_accumulate_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
     if (wide > 0.0) {
         vec4 noise, quadrature;
         gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
                                   wide > 0.0, salt, noise, quadrature);
-        gabor_impl_accumulate_3d(sum, GaborField3d(noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0),
-                                 wide * amplitude, stretch);
+        gabor_impl_add_field_3d(sum, GaborField3d(noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0),
+                                wide * amplitude, stretch);
     }
     return sum;
 }
 
 // Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
-void gabor_impl_add_term(inout GaborField3d sum, GaborField3d term, float x) {
+void gabor_impl_add_share_3d(inout GaborField3d sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
-    gabor_impl_accumulate_3d(sum, term, sqrt(power), vec3(1.0));
+    gabor_impl_add_field_3d(sum, term, sqrt(power), vec3(1.0));
     sum.removed += power * term.removed;
 }
 
@@ -269,8 +269,10 @@ GaborField3d gabor_field_surface(GaborPlace3d place, vec3 normal, float frequenc
     float flat_length = dot(direction, direction);
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     for (int i = flat_length > 0.0625 ? 0 : 1; i < (flat_length < 0.25 ? 2 : 1); ++i)
-        gabor_impl_add_term(sum, gabor_field_3d(place, frequency, i == 0 ? direction : other, gabor_lobe_seed(seed, i)),
-                            i == 0 ? smoothstep(0.0625, 0.25, flat_length) : smoothstep(-0.25, -0.0625, -flat_length));
+        gabor_impl_add_share_3d(sum,
+                                gabor_field_3d(place, frequency, i == 0 ? direction : other, gabor_lobe_seed(seed, i)),
+                                i == 0 ? smoothstep(0.0625, 0.25, flat_length)
+                                       : smoothstep(-0.25, -0.0625, -flat_length));
     return sum;
 }
 
@@ -287,8 +289,8 @@ GaborField3d gabor_field_surface(GaborPlace3d place, vec3 normal, float frequenc
 // Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
 // node to the point. The filter (see gabor_spectrum.glsl) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-void gabor_impl_add_wave(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, vec4 wave, GaborPlace3d place,
-                         GaborMatrix pixel, uint word) {
+void gabor_impl_add_node_wave_3d(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, vec4 wave, GaborPlace3d place,
+                                 GaborMatrix pixel, uint word) {
     vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
     vec3 middle = vec3(x.y, y.y, z.y), cosine = vec3(x.z, y.z, z.z), sine = vec3(x.w, y.w, z.w);
     vec3 h = middle + cosine, slope = sine * (h.yzx * h.zxy), turned = vec3(0.0);
@@ -325,8 +327,8 @@ struct GaborTangents {
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
 // along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
 // surface. In space, the first vector also tilts along z, and the other two turn around it within a quarter circle.
-void gabor_impl_add_node(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, GaborPlace3d place, GaborMatrix pixel,
-                         vec3 scale, GaborTangents tangents, uint column, uvec4 row) {
+void gabor_impl_add_node_waves_3d(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, GaborPlace3d place, GaborMatrix pixel,
+                                  vec3 scale, GaborTangents tangents, uint column, uvec4 row) {
     uint word = column * row.w;
     vec2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
     vec3 first = turn.x * tangents.along + turn.y * tangents.across;
@@ -342,9 +344,9 @@ void gabor_impl_add_node(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, GaborPl
         w = spin.x * lifted - spin.y * across;
     }
     vec4 unit = vec4(scale, 1.0);
-    gabor_impl_add_wave(sum, x, y, z, unit * u, place, pixel, column * row.x);
-    gabor_impl_add_wave(sum, x, y, z, unit * v, place, pixel, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave(sum, x, y, z, unit * w, place, pixel, column * row.z);
+    gabor_impl_add_node_wave_3d(sum, x, y, z, unit * u, place, pixel, column * row.x);
+    gabor_impl_add_node_wave_3d(sum, x, y, z, unit * v, place, pixel, column * row.y);
+    if (!tangents.only) gabor_impl_add_node_wave_3d(sum, x, y, z, unit * w, place, pixel, column * row.z);
 }
 
 // (d, middle, cosine, sine) of a node on an axis: the point's offset d from the node; the parts of the window,
@@ -384,9 +386,9 @@ GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, vec
         uint word = (j == 0 ? y.word[0] : j == 1 ? y.word[1] : y.word[2])
                   * (i < 3 ? z.word[0] : i < 6 ? z.word[1] : z.word[2]);
         uvec4 row = gabor_impl_row(word);
-        gabor_impl_add_node(sum, x.node[0], y_j, z_k, place, pixel, scale, tangents, x.word[0], row);
-        gabor_impl_add_node(sum, x.node[1], y_j, z_k, place, pixel, scale, tangents, x.word[1], row);
-        gabor_impl_add_node(sum, x.node[2], y_j, z_k, place, pixel, scale, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[0], y_j, z_k, place, pixel, scale, tangents, x.word[0], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[1], y_j, z_k, place, pixel, scale, tangents, x.word[1], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[2], y_j, z_k, place, pixel, scale, tangents, x.word[2], row);
     }
     return sum;
 }
@@ -430,8 +432,8 @@ GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTang
     }
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 1.0 - transmitted);
     if (transmitted > 0.0)
-        gabor_impl_accumulate_3d(sum, gabor_impl_sum_isotropic(place, pixel, frequency / stretch, tangents,
-                                                               gabor_impl_salt(seed)), amplitude, stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_sum_isotropic(place, pixel, frequency / stretch, tangents,
+                                                              gabor_impl_salt(seed)), amplitude, stretch);
     return sum;
 }
 
@@ -449,7 +451,7 @@ GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, vec3 normal, floa
         vec3 along = gabor_impl_unit(cross(i == 0 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), normal));
         GaborField3d term = gabor_impl_isotropic(place, frequency, GaborTangents(true, along, cross(normal, along)),
                                                  gabor_lobe_seed(seed, i));
-        gabor_impl_add_term(sum, term, i == 0 ? smoothstep(0.25, 0.5, aside) : smoothstep(-0.5, -0.25, -aside));
+        gabor_impl_add_share_3d(sum, term, i == 0 ? smoothstep(0.25, 0.5, aside) : smoothstep(-0.5, -0.25, -aside));
     }
     return sum;
 }

@@ -217,7 +217,7 @@ struct GaborFootprint {
 // Private implementation
 // ====================================================================================================================
 
-void gabor_impl_accumulate(inout GaborField sum, GaborField field, float amplitude) {
+void gabor_impl_add_field(inout GaborField sum, GaborField field, float amplitude) {
     sum.value += amplitude * field.value;
     sum.slope_x += amplitude * field.slope_x;
     sum.slope_y += amplitude * field.slope_y;
@@ -252,7 +252,7 @@ GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, uint seed) {
         GaborField field = gabor_field(stretched, gabor_impl_lobe_kernel(lobe), gabor_lobe_seed(seed, i));
         field.slope_x /= lobe.radius.x;
         field.slope_y /= lobe.radius.y;
-        gabor_impl_accumulate(sum, field, sqrt(lobe.power));
+        gabor_impl_add_field(sum, field, sqrt(lobe.power));
         power += lobe.power;
     }
     float scale = power > 0.0 ? inversesqrt(power) : 0.0;
@@ -309,7 +309,7 @@ GaborField gabor_field_spread(GaborPlace place, float frequency, float orientati
             GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
             GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0 * shell.z + direction.z)));
             float amplitude = sqrt(shell.y * direction.y);
-            gabor_impl_accumulate(sum, field, amplitude);
+            gabor_impl_add_field(sum, field, amplitude);
         }
     }
     return sum;
@@ -537,25 +537,26 @@ GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, vec2 phase) {
 }
 
 // Returns the sum plus a complex number times the factors.
-GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
+GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
     return GaborFactors(sum.real + (real * factors.real - imaginary * factors.imaginary),
                         sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
 }
 
 // Adds a node to the sums of a row.
-void gabor_impl_add_filtered(inout GaborFactors row, GaborFilteredLine column, uint row_word, bool animated, float time) {
+void gabor_impl_add_filtered_node(inout GaborFactors row, GaborFilteredLine column, uint row_word, bool animated,
+                                  float time) {
     vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
-    row = gabor_impl_added(row, column.window, a.x, a.y);
+    row = gabor_impl_plus_product(row, column.window, a.x, a.y);
 }
 
 // The sums of a row over its columns.
 GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, bool animated, float time) {
     GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0));
-    gabor_impl_add_filtered(row, columns.column_0, row_word, animated, time);
-    gabor_impl_add_filtered(row, columns.column_1, row_word, animated, time);
-    gabor_impl_add_filtered(row, columns.column_2, row_word, animated, time);
-    gabor_impl_add_filtered(row, columns.column_3, row_word, animated, time);
-    if (columns.five) gabor_impl_add_filtered(row, columns.column_4, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_0, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_1, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_2, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_3, row_word, animated, time);
+    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, animated, time);
     return row;
 }
 
@@ -630,9 +631,9 @@ GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel, GaborFootpr
     if (any(notEqual(footprint.resolved, footprint.covariance)))
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     if (wide < 1.0)
-        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude);
+        gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude);
     if (wide > 0.0)
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0, salt), wide * amplitude);
+        gabor_impl_add_field(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0, salt), wide * amplitude);
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
     return sum;
@@ -726,9 +727,9 @@ void gabor_impl_filtered_space(ivec3 cell, vec3 local, ivec3 period, bool animat
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), animated,
                                                        time);
-            y_0 = gabor_impl_added(y_0, sum, row.window.real.x, row.window.imaginary.x);
-            y_1 = gabor_impl_added(y_1, sum, row.window.real.y, row.window.imaginary.y);
-            y_2 = gabor_impl_added(y_2, sum, row.window.real.z, row.window.imaginary.z);
+            y_0 = gabor_impl_plus_product(y_0, sum, row.window.real.x, row.window.imaginary.x);
+            y_1 = gabor_impl_plus_product(y_1, sum, row.window.real.y, row.window.imaginary.y);
+            y_2 = gabor_impl_plus_product(y_2, sum, row.window.real.z, row.window.imaginary.z);
         } while (++j < rows);
         value += gabor_impl_contracted_3d(y_0, y_1, y_2, slice.window, w);
         next_x += gabor_impl_contracted_3d(gabor_impl_next(y_0), gabor_impl_next(y_1), gabor_impl_next(y_2),
@@ -788,7 +789,7 @@ struct GaborFilter {
 
 // Adds a node's wave. `a` is its amplitude times the wave at the point. The filter multiplies it by exp(-2 pi^2 F.S F)
 // and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
-void gabor_impl_add_wave_2d(inout GaborField sum, GaborWindows node, GaborFilter pixel, vec2 a, vec2 wave) {
+void gabor_impl_add_node_wave(inout GaborField sum, GaborWindows node, GaborFilter pixel, vec2 a, vec2 wave) {
     vec2 value = node.value.x * node.value.y * a;
     vec2 slope_x = node.slope.x * node.value.y * a, slope_y = node.value.x * node.slope.y * a;
 #if GABOR_TAPS == 3
@@ -815,8 +816,8 @@ void gabor_impl_add_wave_2d(inout GaborField sum, GaborWindows node, GaborFilter
 }
 
 // Adds a node's three waves, at `d` node spacings from it. The third phase is the difference of the other two.
-void gabor_impl_add_star(inout GaborField sum, GaborPlace place, GaborWindows node, GaborFilter pixel, vec2 d,
-                         float frequency, uvec4 words) {
+void gabor_impl_add_node_waves(inout GaborField sum, GaborPlace place, GaborWindows node, GaborFilter pixel, vec2 d,
+                               float frequency, uvec4 words) {
     if (pixel.used) { // windows fade out within half a standard deviation of their ends
         vec2 fade = clamp((1.0 - abs(d) / GABOR_RADIUS) / clamp(0.5 * sqrt(pixel.covariance.xy), 0.001, 0.05), 0.0, 1.0);
         fade *= fade * (3.0 - 2.0 * fade);
@@ -832,9 +833,9 @@ void gabor_impl_add_star(inout GaborField sum, GaborPlace place, GaborWindows no
     first = gabor_impl_product(gabor_impl_amplitude_at(words.x, place.animated, place.time), first);
     second = gabor_impl_product(gabor_impl_amplitude_at(words.y, place.animated, place.time), second);
     third = gabor_impl_product(gabor_impl_amplitude_at(words.z, place.animated, place.time), third);
-    gabor_impl_add_wave_2d(sum, node, pixel, first, frequency * u);
-    gabor_impl_add_wave_2d(sum, node, pixel, second, frequency * v);
-    gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
+    gabor_impl_add_node_wave(sum, node, pixel, first, frequency * u);
+    gabor_impl_add_node_wave(sum, node, pixel, second, frequency * v);
+    gabor_impl_add_node_wave(sum, node, pixel, third, frequency * (v - u));
 }
 
 // The sum over all nodes, without the factor GABOR_IMPL_STAR. Unrolling the loops by hand made them four times slower
@@ -854,7 +855,7 @@ GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float frequency, GaborF
             node.value = vec2(x.node[i].x, y.node[j].x);
             node.slope = stretch * vec2(x.node[i].z, y.node[j].z);
             vec2 d = vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            gabor_impl_add_star(sum, place, node, pixel, d, frequency, x.word[i] * row);
+            gabor_impl_add_node_waves(sum, place, node, pixel, d, frequency, x.word[i] * row);
         }
     }
     return sum;

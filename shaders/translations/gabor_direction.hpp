@@ -81,7 +81,7 @@ GABOR_INLINE gabor_vec2 gabor_node_position(GaborPlace place, int index) {
 }
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
-GABOR_INLINE void gabor_impl_add_directed(GaborField& sum, gabor_vec2 amplitude, gabor_vec2 wave, gabor_vec2 d, gabor_vec2 x, gabor_vec2 y) {
+GABOR_INLINE void gabor_impl_add_directed_wave(GaborField& sum, gabor_vec2 amplitude, gabor_vec2 wave, gabor_vec2 d, gabor_vec2 x, gabor_vec2 y) {
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f);
     gabor_vec2 value = gabor_impl_product(amplitude, gabor_impl_wave(gabor_cpp_dot(wave, d)));
     gabor_vec2 turned = 6.2831853f * x.x * y.x * gabor_vec2(-value.y, value.x);
@@ -101,9 +101,9 @@ GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, st
         for (int i = 0; i < 3; ++i) {
             gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.time);
             gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
-            gabor_impl_add_directed(sum, amplitude, waves.wave[3 * j + i], d,
-                                    gabor_vec2(x.node[i].x, stretch.x * x.node[i].z),
-                                    gabor_vec2(y.node[j].x, stretch.y * y.node[j].z));
+            gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
+                                         gabor_vec2(x.node[i].x, stretch.x * x.node[i].z),
+                                         gabor_vec2(y.node[j].x, stretch.y * y.node[j].z));
         }
     }
     float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);

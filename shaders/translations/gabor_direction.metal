@@ -84,7 +84,7 @@ inline float2 gabor_node_position(GaborPlace place, int index) {
 }
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
-inline void gabor_impl_add_directed(thread GaborField& sum, float2 amplitude, float2 wave, float2 d, float2 x, float2 y) {
+inline void gabor_impl_add_directed_wave(thread GaborField& sum, float2 amplitude, float2 wave, float2 d, float2 x, float2 y) {
     wave = clamp(wave, -1.0e6, 1.0e6);
     float2 value = gabor_impl_product(amplitude, gabor_impl_wave(dot(wave, d)));
     float2 turned = 6.2831853 * x.x * y.x * float2(-value.y, value.x);
@@ -104,9 +104,9 @@ inline GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint see
         for (int i = 0; i < 3; ++i) {
             float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.time);
             float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
-            gabor_impl_add_directed(sum, amplitude, waves.wave[3 * j + i], d,
-                                    float2(x.node[i].x, stretch.x * x.node[i].z),
-                                    float2(y.node[j].x, stretch.y * y.node[j].z));
+            gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
+                                         float2(x.node[i].x, stretch.x * x.node[i].z),
+                                         float2(y.node[j].x, stretch.y * y.node[j].z));
         }
     }
     float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);

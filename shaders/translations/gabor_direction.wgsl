@@ -2,7 +2,7 @@
 // pixel: for WGSL.
 //
 // Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: 5211f4551bfb6e66
+// Digest of the GLSL and of this file: 9628de71f67a0ad6
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -105,7 +105,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
                     let _e127 = stretch_1;
                     let _e129 = j_1;
                     let _e132 = y_5.node[_e129];
-                    gabor_impl_add_directed((&sum_5), _e98, _e106, _e107, vec2<f32>(_e111.x, (_e113.x * _e118.z)), vec2<f32>(_e125.x, (_e127.y * _e132.z)));
+                    gabor_impl_add_directed_wave((&sum_5), _e98, _e106, _e107, vec2<f32>(_e111.x, (_e113.x * _e118.z)), vec2<f32>(_e125.x, (_e127.y * _e132.z)));
                 }
                 continuing {
                     let _e63 = i;
@@ -148,7 +148,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
 // the product of both windows.
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
-fn gabor_impl_add_directed(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
+fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
     var wave_11: vec2<f32>;
     var value_5: vec2<f32>;
     var turned_1: vec2<f32>;

@@ -114,7 +114,7 @@ GABOR_INLINE gabor_uvec4 gabor_impl_four_line_words(int index, int period, std::
 }
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-GABOR_INLINE void gabor_impl_add_hills(GaborField& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, float y, float slope_y) {
+GABOR_INLINE void gabor_impl_add_hill_row(GaborField& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, float y, float slope_y) {
     gabor_vec4 a = gabor_vec4(gabor_ivec4(words)), b = gabor_vec4(gabor_ivec4(words << 16u));
     gabor_vec2 row = gabor_vec2(gabor_cpp_dot(x, a), gabor_cpp_dot(x, b));
     sum.value += y * row;
@@ -137,10 +137,10 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
     gabor_uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     gabor_uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
     GaborField hills = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
-    gabor_impl_add_hills(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
-    gabor_impl_add_hills(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
-    gabor_impl_add_hills(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
-    gabor_impl_add_hills(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
+    gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_hill_row(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
     gabor_vec4 s = gabor_cpp_clamp(gabor_vec4(dx, dy), -1.0e9f, 1.0e9f);
     float area = s.x * s.w - s.y * s.z;
     float kept = gabor_cpp_inversesqrt(1.0f + 0.34768212f * gabor_cpp_dot(s, s) + 0.12088286f * area * area);

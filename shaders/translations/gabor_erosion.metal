@@ -117,7 +117,7 @@ inline uint4 gabor_impl_four_line_words(int index, int period, uint salt) {
 }
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-inline void gabor_impl_add_hills(thread GaborField& sum, uint4 words, float4 x, float4 slope_x, float y, float slope_y) {
+inline void gabor_impl_add_hill_row(thread GaborField& sum, uint4 words, float4 x, float4 slope_x, float y, float slope_y) {
     float4 a = float4(int4(words)), b = float4(int4(words << 16u));
     float2 row = float2(dot(x, a), dot(x, b));
     sum.value += y * row;
@@ -140,10 +140,10 @@ inline GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2
     uint4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     uint4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
     GaborField hills = GaborField{float2(0.0), float2(0.0), float2(0.0)};
-    gabor_impl_add_hills(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
-    gabor_impl_add_hills(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
-    gabor_impl_add_hills(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
-    gabor_impl_add_hills(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
+    gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    gabor_impl_add_hill_row(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
     float4 s = clamp(float4(dx, dy), -1.0e9, 1.0e9);
     float area = s.x * s.w - s.y * s.z;
     float kept = rsqrt(1.0 + 0.34768212 * dot(s, s) + 0.12088286 * area * area);

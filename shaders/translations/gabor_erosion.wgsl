@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for WGSL.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: c523ff2809441981
+// Digest of the GLSL and of this file: abc2c7cfa248dace
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -137,28 +137,28 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     let _e79 = slope_x_1;
     let _e80 = y_5;
     let _e82 = slope_y_1;
-    gabor_impl_add_hills((&hills), (_e74 * _e75.x), _e78, _e79, _e80.x, _e82.x);
+    gabor_impl_add_hill_row((&hills), (_e74 * _e75.x), _e78, _e79, _e80.x, _e82.x);
     let _e86 = columns;
     let _e87 = rows;
     let _e90 = x_5;
     let _e91 = slope_x_1;
     let _e92 = y_5;
     let _e94 = slope_y_1;
-    gabor_impl_add_hills((&hills), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
+    gabor_impl_add_hill_row((&hills), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
     let _e98 = columns;
     let _e99 = rows;
     let _e102 = x_5;
     let _e103 = slope_x_1;
     let _e104 = y_5;
     let _e106 = slope_y_1;
-    gabor_impl_add_hills((&hills), (_e98 * _e99.z), _e102, _e103, _e104.z, _e106.z);
+    gabor_impl_add_hill_row((&hills), (_e98 * _e99.z), _e102, _e103, _e104.z, _e106.z);
     let _e110 = columns;
     let _e111 = rows;
     let _e114 = x_5;
     let _e115 = slope_x_1;
     let _e116 = y_5;
     let _e118 = slope_y_1;
-    gabor_impl_add_hills((&hills), (_e110 * _e111.w), _e114, _e115, _e116.w, _e118.w);
+    gabor_impl_add_hill_row((&hills), (_e110 * _e111.w), _e114, _e115, _e116.w, _e118.w);
     s_2 = clamp(vec4<f32>(dx.x, dx.y, dy.x, dy.y), vec4(-1000000000f), vec4(1000000000f));
     let _e133 = s_2;
     let _e135 = s_2;
@@ -440,7 +440,7 @@ fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
 }
 
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-fn gabor_impl_add_hills(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
+fn gabor_impl_add_hill_row(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
     var a_2: vec4<f32>;
     var b_2: vec4<f32>;
     var row_1: vec2<f32>;

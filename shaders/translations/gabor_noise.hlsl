@@ -236,7 +236,7 @@ float2 gabor_impl_product(float2 a, float2 b) {
 }
 
 // Adds z times a pair of complex numbers to two sums.
-void gabor_impl_add(inout float4 sums, float4 pair, float2 z) {
+void gabor_impl_add_products(inout float4 sums, float4 pair, float2 z) {
     sums = sums + z.x * pair + z.y * float4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
@@ -349,24 +349,27 @@ float2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-void gabor_impl_add_row(inout float4 sum, inout float4 slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
+void gabor_impl_add_node_row(inout float4 sum, inout float4 slope, GaborAxis x, GaborAxis y, int j, bool animated,
+                             float time) {
     float4 row = (float4)(0.0);
-    gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
-    gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
-    if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
-    if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
     if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always true, but keeps CPU compilers from spilling registers
-        gabor_impl_add(sum, row, y.node[j].xy);
-        gabor_impl_add(slope, row, y.node[j].zw);
+        gabor_impl_add_products(sum, row, y.node[j].xy);
+        gabor_impl_add_products(slope, row, y.node[j].zw);
     }
 }
 
 void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, out float4 sum, out float4 slope) {
     sum = slope = (float4)(0.0);
-    gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
-    gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
-    if (GABOR_TAPS > 2) gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
-    if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, time);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, time);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, time);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is

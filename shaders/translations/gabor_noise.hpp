@@ -657,7 +657,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_product(gabor_vec2 a, gabor_vec2 b) {
 }
 
 // Adds z times a pair of complex numbers to two sums.
-GABOR_INLINE void gabor_impl_add(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z) {
+GABOR_INLINE void gabor_impl_add_products(gabor_vec4& sums, gabor_vec4 pair, gabor_vec2 z) {
     sums = sums + z.x * pair + z.y * gabor_vec4(-pair.y, pair.x, -pair.w, pair.z);
 }
 
@@ -770,24 +770,27 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animate
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-GABOR_INLINE void gabor_impl_add_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, bool animated, float time) {
+GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, bool animated,
+                             float time) {
     gabor_vec4 row = gabor_vec4(0.0f);
-    gabor_impl_add(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
-    gabor_impl_add(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
-    if (GABOR_TAPS > 2) gabor_impl_add(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
-    if (GABOR_TAPS > 3) gabor_impl_add(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
+    if (GABOR_TAPS > 2)
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+    if (GABOR_TAPS > 3)
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
     {
-        gabor_impl_add(sum, row, y.node[j].xy());
-        gabor_impl_add(slope, row, y.node[j].zw());
+        gabor_impl_add_products(sum, row, y.node[j].xy());
+        gabor_impl_add_products(slope, row, y.node[j].zw());
     }
 }
 
 GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, gabor_vec4& sum, gabor_vec4& slope) {
     sum = slope = gabor_vec4(0.0f);
-    gabor_impl_add_row(sum, slope, x, y, 0, animated, time);
-    gabor_impl_add_row(sum, slope, x, y, 1, animated, time);
-    if (GABOR_TAPS > 2) gabor_impl_add_row(sum, slope, x, y, 2, animated, time);
-    if (GABOR_TAPS > 3) gabor_impl_add_row(sum, slope, x, y, 3, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, time);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, time);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, time);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is

@@ -1,7 +1,7 @@
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 9ffb2bea1dfc5f87
+// Digest of the GLSL and of this file: 652561ece2d23be5
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -437,7 +437,7 @@ fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
 }
 
 // Adds z times a pair of complex numbers to two sums.
-fn gabor_impl_add(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>) {
+fn gabor_impl_add_products(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: vec2<f32>) {
     let _e3 = (*sums);
     (*sums) = ((_e3 + (z.x * pair)) + (z.y * vec4<f32>(-(pair.y), pair.x, -(pair.w), pair.z)));
     return;
@@ -678,27 +678,27 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-fn gabor_impl_add_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
+fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
     var row: vec4<f32> = vec4(0f);
 
     let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
-    gabor_impl_add((&row), x.node[0], _e20);
+    gabor_impl_add_products((&row), x.node[0], _e20);
     let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
-    gabor_impl_add((&row), x.node[1], _e32);
+    gabor_impl_add_products((&row), x.node[1], _e32);
     if true {
         let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
-        gabor_impl_add((&row), x.node[2], _e47);
+        gabor_impl_add_products((&row), x.node[2], _e47);
     }
     if false {
         let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
-        gabor_impl_add((&row), x.node[3], _e62);
+        gabor_impl_add_products((&row), x.node[3], _e62);
     }
     if ((true && (j != 1i)) || (x.offset < 8f)) {
         {
             let _e75 = row;
-            gabor_impl_add(sum, _e75, y.node[j].xy);
+            gabor_impl_add_products(sum, _e75, y.node[j].xy);
             let _e81 = row;
-            gabor_impl_add(slope, _e81, y.node[j].zw);
+            gabor_impl_add_products(slope, _e81, y.node[j].zw);
             return;
         }
     } else {
@@ -710,13 +710,13 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: pt
     let _e7 = vec4(0f);
     (*slope) = _e7;
     (*sum) = _e7;
-    gabor_impl_add_row(sum, slope, x, y, 0i, animated, time);
-    gabor_impl_add_row(sum, slope, x, y, 1i, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0i, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 1i, animated, time);
     if true {
-        gabor_impl_add_row(sum, slope, x, y, 2i, animated, time);
+        gabor_impl_add_node_row(sum, slope, x, y, 2i, animated, time);
     }
     if false {
-        gabor_impl_add_row(sum, slope, x, y, 3i, animated, time);
+        gabor_impl_add_node_row(sum, slope, x, y, 3i, animated, time);
         return;
     } else {
         return;

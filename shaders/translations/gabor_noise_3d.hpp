@@ -133,13 +133,13 @@ GABOR_INLINE gabor_vec3 gabor_impl_unit(gabor_vec3 v) {
 // Adds slice k of nodes. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the
 // window; `slopes` receives the same part of its derivatives along y and z. The filter adds mixed derivatives, weighted
 // by its covariances yz, zx, xy.
-GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
-                          int k, gabor_vec3 mixed) {
+GABOR_INLINE void gabor_impl_add_node_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y,
+                               GaborAxis z, int k, gabor_vec3 mixed) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     gabor_vec4 slice, slope;
     gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
-    gabor_impl_add(sum, slice, z.node[k].xy());
+    gabor_impl_add_products(sum, slice, z.node[k].xy());
     slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
     if (place.filtered)
         sum += gabor_vec4(gabor_impl_product(mixed.x * slope.xy() + mixed.y * slice.zw(), z.node[k].zw())
@@ -165,9 +165,9 @@ GABOR_INLINE GaborField3d gabor_impl_sum_3d(GaborPlace3d place, gabor_vec3 wave,
         turn *= gabor_cpp_exp(-19.739209f * gabor_cpp_max(gabor_cpp_dot(wave, blurred), 0.0f));
     }
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
     sum = gabor_vec4(gabor_impl_product(sum.xy(), turn), gabor_impl_product(sum.zw(), turn));
     slopes = gabor_vec4(gabor_impl_product(slopes.xy(), turn), gabor_impl_product(slopes.zw(), turn));
     return GaborField3d{sum.y, gabor_vec3(sum.w, slopes.y, slopes.w) + 6.2831853f * sum.x * wave,
@@ -175,7 +175,7 @@ GABOR_INLINE GaborField3d gabor_impl_sum_3d(GaborPlace3d place, gabor_vec3 wave,
 }
 
 // Adds a field times an amplitude. A kernel radius is `stretch` times the field's unit of length.
-GABOR_INLINE void gabor_impl_accumulate_3d(GaborField3d& sum, GaborField3d field, float amplitude, gabor_vec3 stretch) {
+GABOR_INLINE void gabor_impl_add_field_3d(GaborField3d& sum, GaborField3d field, float amplitude, gabor_vec3 stretch) {
     sum.noise += amplitude * field.noise;
     sum.gradient += amplitude * stretch * field.gradient;
     sum.quadrature += amplitude * field.quadrature;
@@ -243,21 +243,21 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, ga
     if (transmitted == 0.0f)
         return sum;
     if (wide < 1.0f)
-        gabor_impl_accumulate_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0f - wide) * amplitude, stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0f - wide) * amplitude, stretch);
     if (wide > 0.0f) {
         gabor_vec4 noise, quadrature;
         gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
                                   wide > 0.0f, salt, noise, quadrature);
-        gabor_impl_accumulate_3d(sum, GaborField3d{noise.x, noise.yzw(), quadrature.x, quadrature.yzw(), 0.0f},
-                                 wide * amplitude, stretch);
+        gabor_impl_add_field_3d(sum, GaborField3d{noise.x, noise.yzw(), quadrature.x, quadrature.yzw(), 0.0f},
+                                wide * amplitude, stretch);
     }
     return sum;
 }
 
 // Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
-GABOR_INLINE void gabor_impl_add_term(GaborField3d& sum, GaborField3d term, float x) {
+GABOR_INLINE void gabor_impl_add_share_3d(GaborField3d& sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
-    gabor_impl_accumulate_3d(sum, term, gabor_cpp_sqrt(power), gabor_vec3(1.0f));
+    gabor_impl_add_field_3d(sum, term, gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     sum.removed += power * term.removed;
 }
 
@@ -270,8 +270,10 @@ GABOR_INLINE GaborField3d gabor_field_surface(GaborPlace3d place, gabor_vec3 nor
     float flat_length = gabor_cpp_dot(direction, direction);
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = flat_length > 0.0625f ? 0 : 1; i < (flat_length < 0.25f ? 2 : 1); ++i)
-        gabor_impl_add_term(sum, gabor_field_3d(place, frequency, i == 0 ? direction : other, gabor_lobe_seed(seed, i)),
-                            i == 0 ? gabor_cpp_smoothstep(0.0625f, 0.25f, flat_length) : gabor_cpp_smoothstep(-0.25f, -0.0625f, -flat_length));
+        gabor_impl_add_share_3d(sum,
+                                gabor_field_3d(place, frequency, i == 0 ? direction : other, gabor_lobe_seed(seed, i)),
+                                i == 0 ? gabor_cpp_smoothstep(0.0625f, 0.25f, flat_length)
+                                       : gabor_cpp_smoothstep(-0.25f, -0.0625f, -flat_length));
     return sum;
 }
 
@@ -288,8 +290,8 @@ GABOR_INLINE GaborField3d gabor_field_surface(GaborPlace3d place, gabor_vec3 nor
 // Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
 // node to the point. The filter (see gabor_spectrum.hpp) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-GABOR_INLINE void gabor_impl_add_wave(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, gabor_vec4 wave, GaborPlace3d place,
-                         GaborMatrix pixel, std::uint32_t word) {
+GABOR_INLINE void gabor_impl_add_node_wave_3d(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, gabor_vec4 wave, GaborPlace3d place,
+                                 GaborMatrix pixel, std::uint32_t word) {
     gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
     gabor_vec3 middle = gabor_vec3(x.y, y.y, z.y), cosine = gabor_vec3(x.z, y.z, z.z), sine = gabor_vec3(x.w, y.w, z.w);
     gabor_vec3 h = middle + cosine, slope = sine * (h.yzx() * h.zxy()), turned = gabor_vec3(0.0f);
@@ -326,8 +328,8 @@ struct GaborTangents {
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
 // along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
 // surface. In space, the first vector also tilts along z, and the other two turn around it within a quarter circle.
-GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, GaborPlace3d place, GaborMatrix pixel,
-                         gabor_vec3 scale, GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
+GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, GaborPlace3d place, GaborMatrix pixel,
+                                  gabor_vec3 scale, GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     std::uint32_t word = column * row.w;
     gabor_vec2 turn = gabor_impl_half_turn(1.1641532e-10f * float(int(word)));
     gabor_vec3 first = turn.x * tangents.along + turn.y * tangents.across;
@@ -343,9 +345,9 @@ GABOR_INLINE void gabor_impl_add_node(GaborField3d& sum, gabor_vec4 x, gabor_vec
         w = spin.x * lifted - spin.y * across;
     }
     gabor_vec4 unit = gabor_vec4(scale, 1.0f);
-    gabor_impl_add_wave(sum, x, y, z, unit * u, place, pixel, column * row.x);
-    gabor_impl_add_wave(sum, x, y, z, unit * v, place, pixel, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave(sum, x, y, z, unit * w, place, pixel, column * row.z);
+    gabor_impl_add_node_wave_3d(sum, x, y, z, unit * u, place, pixel, column * row.x);
+    gabor_impl_add_node_wave_3d(sum, x, y, z, unit * v, place, pixel, column * row.y);
+    if (!tangents.only) gabor_impl_add_node_wave_3d(sum, x, y, z, unit * w, place, pixel, column * row.z);
 }
 
 // (d, middle, cosine, sine) of a node on an axis: the point's offset d from the node; the parts of the window,
@@ -385,9 +387,9 @@ GABOR_INLINE GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatr
         std::uint32_t word = (j == 0 ? y.word[0] : j == 1 ? y.word[1] : y.word[2])
                   * (i < 3 ? z.word[0] : i < 6 ? z.word[1] : z.word[2]);
         gabor_uvec4 row = gabor_impl_row(word);
-        gabor_impl_add_node(sum, x.node[0], y_j, z_k, place, pixel, scale, tangents, x.word[0], row);
-        gabor_impl_add_node(sum, x.node[1], y_j, z_k, place, pixel, scale, tangents, x.word[1], row);
-        gabor_impl_add_node(sum, x.node[2], y_j, z_k, place, pixel, scale, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[0], y_j, z_k, place, pixel, scale, tangents, x.word[0], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[1], y_j, z_k, place, pixel, scale, tangents, x.word[1], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[2], y_j, z_k, place, pixel, scale, tangents, x.word[2], row);
     }
     return sum;
 }
@@ -431,8 +433,8 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequen
     }
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f - transmitted};
     if (transmitted > 0.0f)
-        gabor_impl_accumulate_3d(sum, gabor_impl_sum_isotropic(place, pixel, frequency / stretch, tangents,
-                                                               gabor_impl_salt(seed)), amplitude, stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_sum_isotropic(place, pixel, frequency / stretch, tangents,
+                                                              gabor_impl_salt(seed)), amplitude, stretch);
     return sum;
 }
 
@@ -450,7 +452,7 @@ GABOR_INLINE GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, gabo
         gabor_vec3 along = gabor_impl_unit(gabor_cpp_cross(i == 0 ? gabor_vec3(0.0f, 0.0f, 1.0f) : gabor_vec3(1.0f, 0.0f, 0.0f), normal));
         GaborField3d term = gabor_impl_isotropic(place, frequency, GaborTangents{true, along, gabor_cpp_cross(normal, along)},
                                                  gabor_lobe_seed(seed, i));
-        gabor_impl_add_term(sum, term, i == 0 ? gabor_cpp_smoothstep(0.25f, 0.5f, aside) : gabor_cpp_smoothstep(-0.5f, -0.25f, -aside));
+        gabor_impl_add_share_3d(sum, term, i == 0 ? gabor_cpp_smoothstep(0.25f, 0.5f, aside) : gabor_cpp_smoothstep(-0.5f, -0.25f, -aside));
     }
     return sum;
 }

@@ -136,13 +136,13 @@ inline float3 gabor_impl_unit(float3 v) {
 // Adds slice k of nodes. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the
 // window; `slopes` receives the same part of its derivatives along y and z. The filter adds mixed derivatives, weighted
 // by its covariances yz, zx, xy.
-inline void gabor_impl_add_slice(thread float4& sum, thread float4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y, GaborAxis z,
-                          int k, float3 mixed) {
+inline void gabor_impl_add_node_slice(thread float4& sum, thread float4& slopes, GaborPlace3d place, GaborAxis x, GaborAxis y,
+                               GaborAxis z, int k, float3 mixed) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     float4 slice, slope;
     gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
-    gabor_impl_add(sum, slice, z.node[k].xy);
+    gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
     if (place.filtered)
         sum += float4(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[k].zw)
@@ -168,9 +168,9 @@ inline GaborField3d gabor_impl_sum_3d(GaborPlace3d place, float3 wave, GaborMatr
         turn *= exp(-19.739209 * max(dot(wave, blurred), 0.0));
     }
     float4 sum = float4(0.0), slopes = float4(0.0);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
-    gabor_impl_add_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
+    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
     sum = float4(gabor_impl_product(sum.xy, turn), gabor_impl_product(sum.zw, turn));
     slopes = float4(gabor_impl_product(slopes.xy, turn), gabor_impl_product(slopes.zw, turn));
     return GaborField3d{sum.y, float3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
@@ -178,7 +178,7 @@ inline GaborField3d gabor_impl_sum_3d(GaborPlace3d place, float3 wave, GaborMatr
 }
 
 // Adds a field times an amplitude. A kernel radius is `stretch` times the field's unit of length.
-inline void gabor_impl_accumulate_3d(thread GaborField3d& sum, GaborField3d field, float amplitude, float3 stretch) {
+inline void gabor_impl_add_field_3d(thread GaborField3d& sum, GaborField3d field, float amplitude, float3 stretch) {
     sum.noise += amplitude * field.noise;
     sum.gradient += amplitude * stretch * field.gradient;
     sum.quadrature += amplitude * field.quadrature;
@@ -246,21 +246,21 @@ inline GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 d
     if (transmitted == 0.0)
         return sum;
     if (wide < 1.0)
-        gabor_impl_accumulate_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
     if (wide > 0.0) {
         float4 noise, quadrature;
         gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
                                   wide > 0.0, salt, noise, quadrature);
-        gabor_impl_accumulate_3d(sum, GaborField3d{noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0},
-                                 wide * amplitude, stretch);
+        gabor_impl_add_field_3d(sum, GaborField3d{noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0},
+                                wide * amplitude, stretch);
     }
     return sum;
 }
 
 // Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
-inline void gabor_impl_add_term(thread GaborField3d& sum, GaborField3d term, float x) {
+inline void gabor_impl_add_share_3d(thread GaborField3d& sum, GaborField3d term, float x) {
     float power = gabor_impl_takeover(x);
-    gabor_impl_accumulate_3d(sum, term, sqrt(power), float3(1.0));
+    gabor_impl_add_field_3d(sum, term, sqrt(power), float3(1.0));
     sum.removed += power * term.removed;
 }
 
@@ -273,8 +273,10 @@ inline GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float
     float flat_length = dot(direction, direction);
     GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     for (int i = flat_length > 0.0625 ? 0 : 1; i < (flat_length < 0.25 ? 2 : 1); ++i)
-        gabor_impl_add_term(sum, gabor_field_3d(place, frequency, i == 0 ? direction : other, gabor_lobe_seed(seed, i)),
-                            i == 0 ? smoothstep(0.0625, 0.25, flat_length) : smoothstep(-0.25, -0.0625, -flat_length));
+        gabor_impl_add_share_3d(sum,
+                                gabor_field_3d(place, frequency, i == 0 ? direction : other, gabor_lobe_seed(seed, i)),
+                                i == 0 ? smoothstep(0.0625, 0.25, flat_length)
+                                       : smoothstep(-0.25, -0.0625, -flat_length));
     return sum;
 }
 
@@ -291,8 +293,8 @@ inline GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float
 // Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
 // node to the point. The filter (see gabor_spectrum.metal) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-inline void gabor_impl_add_wave(thread GaborField3d& sum, float4 x, float4 y, float4 z, float4 wave, GaborPlace3d place,
-                         GaborMatrix pixel, uint word) {
+inline void gabor_impl_add_node_wave_3d(thread GaborField3d& sum, float4 x, float4 y, float4 z, float4 wave, GaborPlace3d place,
+                                 GaborMatrix pixel, uint word) {
     float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
     float3 middle = float3(x.y, y.y, z.y), cosine = float3(x.z, y.z, z.z), sine = float3(x.w, y.w, z.w);
     float3 h = middle + cosine, slope = sine * (h.yzx * h.zxy), turned = float3(0.0);
@@ -329,8 +331,8 @@ struct GaborTangents {
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
 // along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
 // surface. In space, the first vector also tilts along z, and the other two turn around it within a quarter circle.
-inline void gabor_impl_add_node(thread GaborField3d& sum, float4 x, float4 y, float4 z, GaborPlace3d place, GaborMatrix pixel,
-                         float3 scale, GaborTangents tangents, uint column, uint4 row) {
+inline void gabor_impl_add_node_waves_3d(thread GaborField3d& sum, float4 x, float4 y, float4 z, GaborPlace3d place, GaborMatrix pixel,
+                                  float3 scale, GaborTangents tangents, uint column, uint4 row) {
     uint word = column * row.w;
     float2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
     float3 first = turn.x * tangents.along + turn.y * tangents.across;
@@ -346,9 +348,9 @@ inline void gabor_impl_add_node(thread GaborField3d& sum, float4 x, float4 y, fl
         w = spin.x * lifted - spin.y * across;
     }
     float4 unit = float4(scale, 1.0);
-    gabor_impl_add_wave(sum, x, y, z, unit * u, place, pixel, column * row.x);
-    gabor_impl_add_wave(sum, x, y, z, unit * v, place, pixel, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave(sum, x, y, z, unit * w, place, pixel, column * row.z);
+    gabor_impl_add_node_wave_3d(sum, x, y, z, unit * u, place, pixel, column * row.x);
+    gabor_impl_add_node_wave_3d(sum, x, y, z, unit * v, place, pixel, column * row.y);
+    if (!tangents.only) gabor_impl_add_node_wave_3d(sum, x, y, z, unit * w, place, pixel, column * row.z);
 }
 
 // (d, middle, cosine, sine) of a node on an axis: the point's offset d from the node; the parts of the window,
@@ -388,9 +390,9 @@ inline GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pix
         uint word = (j == 0 ? y.word[0] : j == 1 ? y.word[1] : y.word[2])
                   * (i < 3 ? z.word[0] : i < 6 ? z.word[1] : z.word[2]);
         uint4 row = gabor_impl_row(word);
-        gabor_impl_add_node(sum, x.node[0], y_j, z_k, place, pixel, scale, tangents, x.word[0], row);
-        gabor_impl_add_node(sum, x.node[1], y_j, z_k, place, pixel, scale, tangents, x.word[1], row);
-        gabor_impl_add_node(sum, x.node[2], y_j, z_k, place, pixel, scale, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[0], y_j, z_k, place, pixel, scale, tangents, x.word[0], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[1], y_j, z_k, place, pixel, scale, tangents, x.word[1], row);
+        gabor_impl_add_node_waves_3d(sum, x.node[2], y_j, z_k, place, pixel, scale, tangents, x.word[2], row);
     }
     return sum;
 }
@@ -434,8 +436,8 @@ inline GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, Ga
     }
     GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 1.0 - transmitted};
     if (transmitted > 0.0)
-        gabor_impl_accumulate_3d(sum, gabor_impl_sum_isotropic(place, pixel, frequency / stretch, tangents,
-                                                               gabor_impl_salt(seed)), amplitude, stretch);
+        gabor_impl_add_field_3d(sum, gabor_impl_sum_isotropic(place, pixel, frequency / stretch, tangents,
+                                                              gabor_impl_salt(seed)), amplitude, stretch);
     return sum;
 }
 
@@ -453,7 +455,7 @@ inline GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 nor
         float3 along = gabor_impl_unit(cross(i == 0 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0), normal));
         GaborField3d term = gabor_impl_isotropic(place, frequency, GaborTangents{true, along, cross(normal, along)},
                                                  gabor_lobe_seed(seed, i));
-        gabor_impl_add_term(sum, term, i == 0 ? smoothstep(0.25, 0.5, aside) : smoothstep(-0.5, -0.25, -aside));
+        gabor_impl_add_share_3d(sum, term, i == 0 ? smoothstep(0.25, 0.5, aside) : smoothstep(-0.5, -0.25, -aside));
     }
     return sum;
 }

@@ -2,7 +2,7 @@
 // a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_noise_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: ff4801b826874bc1
+// Digest of the GLSL and of this file: df44653152a0417e
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
@@ -265,7 +265,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
         let _e101 = wide_1;
         let _e103 = amplitude_5;
         let _e105 = stretch_5;
-        gabor_impl_accumulate_3d((&sum_18), _e99, ((1f - _e101) * _e103), _e105);
+        gabor_impl_add_field_3d((&sum_18), _e99, ((1f - _e101) * _e103), _e105);
     }
     let _e107 = wide_1;
     if (_e107 > 0f) {
@@ -282,7 +282,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
             let _e138 = wide_1;
             let _e139 = amplitude_5;
             let _e141 = stretch_5;
-            gabor_impl_accumulate_3d((&sum_18), GaborField3d(_e128.x, _e130.yzw, _e132.x, _e134.yzw, 0f), (_e138 * _e139), _e141);
+            gabor_impl_add_field_3d((&sum_18), GaborField3d(_e128.x, _e130.yzw, _e132.x, _e134.yzw, 0f), (_e138 * _e139), _e141);
         }
     }
     let _e143 = sum_18;
@@ -378,7 +378,7 @@ fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, d
             local_39 = smoothstep(-0.25f, -0.0625f, -(_e99));
         }
         let _e103 = local_39;
-        gabor_impl_add_term((&sum_20), _e87, _e103);
+        gabor_impl_add_share_3d((&sum_20), _e87, _e103);
         continuing {
             let _e74 = i_7;
             i_7 = (_e74 + 1i);
@@ -455,7 +455,7 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequen
                 local_55 = smoothstep(-0.5f, -0.25f, -(_e83));
             }
             let _e87 = local_55;
-            gabor_impl_add_term((&sum_26), _e71, _e87);
+            gabor_impl_add_share_3d((&sum_26), _e71, _e87);
         }
         continuing {
             let _e40 = i_9;
@@ -486,7 +486,7 @@ fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
 // Adds slice k of nodes. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the
 // window; `slopes` receives the same part of its derivatives along y and z. The filter adds mixed derivatives, weighted
 // by its covariances yz, zx, xy.
-fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
+fn gabor_impl_add_node_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, place: GaborPlace3d, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>) {
     var y_10: GaborAxis;
     var j_5: i32 = 0i;
     var slice_3: vec4<f32>;
@@ -511,7 +511,7 @@ fn gabor_impl_add_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec
     let _e30 = y_10;
     gabor_impl_sum(x, _e30, place.animated, place.time, (&slice_3), (&slope_9));
     let _e38 = slice_3;
-    gabor_impl_add(sum, _e38, z.node[k].xy);
+    gabor_impl_add_products(sum, _e38, z.node[k].xy);
     let _e43 = (*slopes);
     let _e44 = slope_9;
     let _e49 = gabor_impl_product(_e44.xy, z.node[k].xy);
@@ -591,15 +591,15 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     let _e130 = x_15;
     let _e131 = y_11;
     let _e132 = z_4;
-    gabor_impl_add_slice((&sum_16), (&slopes_1), place, _e130, _e131, _e132, 0i, pixel.mixed);
+    gabor_impl_add_node_slice((&sum_16), (&slopes_1), place, _e130, _e131, _e132, 0i, pixel.mixed);
     let _e139 = x_15;
     let _e140 = y_11;
     let _e141 = z_4;
-    gabor_impl_add_slice((&sum_16), (&slopes_1), place, _e139, _e140, _e141, 1i, pixel.mixed);
+    gabor_impl_add_node_slice((&sum_16), (&slopes_1), place, _e139, _e140, _e141, 1i, pixel.mixed);
     let _e148 = x_15;
     let _e149 = y_11;
     let _e150 = z_4;
-    gabor_impl_add_slice((&sum_16), (&slopes_1), place, _e148, _e149, _e150, 2i, pixel.mixed);
+    gabor_impl_add_node_slice((&sum_16), (&slopes_1), place, _e148, _e149, _e150, 2i, pixel.mixed);
     let _e155 = sum_16;
     let _e157 = turn_10;
     let _e158 = gabor_impl_product(_e155.xy, _e157);
@@ -628,7 +628,7 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
 }
 
 // Adds a field times an amplitude. A kernel radius is `stretch` times the field's unit of length.
-fn gabor_impl_accumulate_3d(sum: ptr<function, GaborField3d>, field: GaborField3d, amplitude: f32, stretch: vec3<f32>) {
+fn gabor_impl_add_field_3d(sum: ptr<function, GaborField3d>, field: GaborField3d, amplitude: f32, stretch: vec3<f32>) {
     let _e5 = (*sum);
     (*sum).noise = (_e5.noise + (amplitude * field.noise));
     let _e11 = (*sum);
@@ -728,13 +728,13 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
 }
 
 // Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
-fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
+fn gabor_impl_add_share_3d(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
     var power_5: f32;
 
     let _e3 = gabor_impl_takeover(x);
     power_5 = _e3;
     let _e6 = power_5;
-    gabor_impl_accumulate_3d(sum, term, sqrt(_e6), vec3(1f));
+    gabor_impl_add_field_3d(sum, term, sqrt(_e6), vec3(1f));
     let _e12 = (*sum);
     let _e14 = power_5;
     (*sum).removed = (_e12.removed + (_e14 * term.removed));
@@ -744,7 +744,7 @@ fn gabor_impl_add_term(sum: ptr<function, GaborField3d>, term: GaborField3d, x: 
 // Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
 // node to the point. The filter (see gabor_spectrum.wgsl) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-fn gabor_impl_add_wave(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, wave: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
+fn gabor_impl_add_node_wave_3d(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, wave: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, word: u32) {
     var a_7: vec2<f32>;
     var middle: vec3<f32>;
     var cosine_1: vec3<f32>;
@@ -887,7 +887,7 @@ struct GaborTangents {
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
 // along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
 // surface. In space, the first vector also tilts along z, and the other two turn around it within a quarter circle.
-fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
+fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var word_7: u32;
     var turn_12: vec2<f32>;
     var first_3: vec3<f32>;
@@ -961,14 +961,14 @@ fn gabor_impl_add_node(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f
     unit_4 = vec4<f32>(scale.x, scale.y, scale.z, 1f);
     let _e141 = unit_4;
     let _e142 = u_2;
-    gabor_impl_add_wave(sum, x, y, z, (_e141 * _e142), place, pixel, (column * row.x));
+    gabor_impl_add_node_wave_3d(sum, x, y, z, (_e141 * _e142), place, pixel, (column * row.x));
     let _e148 = unit_4;
     let _e149 = v_5;
-    gabor_impl_add_wave(sum, x, y, z, (_e148 * _e149), place, pixel, (column * row.y));
+    gabor_impl_add_node_wave_3d(sum, x, y, z, (_e148 * _e149), place, pixel, (column * row.y));
     if !(tangents.only) {
         let _e157 = unit_4;
         let _e158 = w_3;
-        gabor_impl_add_wave(sum, x, y, z, (_e157 * _e158), place, pixel, (column * row.z));
+        gabor_impl_add_node_wave_3d(sum, x, y, z, (_e157 * _e158), place, pixel, (column * row.z));
         return;
     } else {
         return;
@@ -1145,19 +1145,19 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
             let _e164 = z_k;
             let _e168 = x_19.word[0];
             let _e169 = row_8;
-            gabor_impl_add_node((&sum_23), _e162, _e163, _e164, place, pixel, scale, tangents, _e168, _e169);
+            gabor_impl_add_node_waves_3d((&sum_23), _e162, _e163, _e164, place, pixel, scale, tangents, _e168, _e169);
             let _e175 = x_19.node[1];
             let _e176 = y_j;
             let _e177 = z_k;
             let _e181 = x_19.word[1];
             let _e182 = row_8;
-            gabor_impl_add_node((&sum_23), _e175, _e176, _e177, place, pixel, scale, tangents, _e181, _e182);
+            gabor_impl_add_node_waves_3d((&sum_23), _e175, _e176, _e177, place, pixel, scale, tangents, _e181, _e182);
             let _e188 = x_19.node[2];
             let _e189 = y_j;
             let _e190 = z_k;
             let _e194 = x_19.word[2];
             let _e195 = row_8;
-            gabor_impl_add_node((&sum_23), _e188, _e189, _e190, place, pixel, scale, tangents, _e194, _e195);
+            gabor_impl_add_node_waves_3d((&sum_23), _e188, _e189, _e190, place, pixel, scale, tangents, _e194, _e195);
         }
         continuing {
             let _e56 = i_8;
@@ -1318,7 +1318,7 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
         let _e112 = gabor_impl_sum_isotropic(place, _e106, (vec3(_e107) / _e108), tangents, _e111);
         let _e113 = amplitude_6;
         let _e114 = stretch_6;
-        gabor_impl_accumulate_3d((&sum_25), _e112, _e113, _e114);
+        gabor_impl_add_field_3d((&sum_25), _e112, _e113, _e114);
     }
     let _e116 = sum_25;
     return _e116;

@@ -218,7 +218,7 @@ struct GaborFootprint {
 // Private implementation
 // ====================================================================================================================
 
-GABOR_INLINE void gabor_impl_accumulate(GaborField& sum, GaborField field, float amplitude) {
+GABOR_INLINE void gabor_impl_add_field(GaborField& sum, GaborField field, float amplitude) {
     sum.value += amplitude * field.value;
     sum.slope_x += amplitude * field.slope_x;
     sum.slope_y += amplitude * field.slope_y;
@@ -253,7 +253,7 @@ GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, st
         GaborField field = gabor_field(stretched, gabor_impl_lobe_kernel(lobe), gabor_lobe_seed(seed, i));
         field.slope_x /= lobe.radius.x;
         field.slope_y /= lobe.radius.y;
-        gabor_impl_accumulate(sum, field, gabor_cpp_sqrt(lobe.power));
+        gabor_impl_add_field(sum, field, gabor_cpp_sqrt(lobe.power));
         power += lobe.power;
     }
     float scale = power > 0.0f ? gabor_cpp_inversesqrt(power) : 0.0f;
@@ -310,7 +310,7 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
             GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
             GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0f * shell.z + direction.z)));
             float amplitude = gabor_cpp_sqrt(shell.y * direction.y);
-            gabor_impl_accumulate(sum, field, amplitude);
+            gabor_impl_add_field(sum, field, amplitude);
         }
     }
     return sum;
@@ -538,25 +538,26 @@ GABOR_INLINE GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, gabor
 }
 
 // Returns the sum plus a complex number times the factors.
-GABOR_INLINE GaborFactors gabor_impl_added(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
+GABOR_INLINE GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
     return GaborFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
                         sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
 }
 
 // Adds a node to the sums of a row.
-GABOR_INLINE void gabor_impl_add_filtered(GaborFactors& row, GaborFilteredLine column, std::uint32_t row_word, bool animated, float time) {
+GABOR_INLINE void gabor_impl_add_filtered_node(GaborFactors& row, GaborFilteredLine column, std::uint32_t row_word, bool animated,
+                                  float time) {
     gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
-    row = gabor_impl_added(row, column.window, a.x, a.y);
+    row = gabor_impl_plus_product(row, column.window, a.x, a.y);
 }
 
 // The sums of a row over its columns.
 GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, bool animated, float time) {
     GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
-    gabor_impl_add_filtered(row, columns.column_0, row_word, animated, time);
-    gabor_impl_add_filtered(row, columns.column_1, row_word, animated, time);
-    gabor_impl_add_filtered(row, columns.column_2, row_word, animated, time);
-    gabor_impl_add_filtered(row, columns.column_3, row_word, animated, time);
-    if (columns.five) gabor_impl_add_filtered(row, columns.column_4, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_0, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_1, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_2, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_3, row_word, animated, time);
+    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, animated, time);
     return row;
 }
 
@@ -631,9 +632,9 @@ GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel
     if (gabor_cpp_any((footprint.resolved != footprint.covariance)))
         amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
     if (wide < 1.0f)
-        gabor_impl_accumulate(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0f - wide) * amplitude);
+        gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0f - wide) * amplitude);
     if (wide > 0.0f)
-        gabor_impl_accumulate(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0f, salt), wide * amplitude);
+        gabor_impl_add_field(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0f, salt), wide * amplitude);
     sum.slope_x *= stretch.x;
     sum.slope_y *= stretch.y;
     return sum;
@@ -727,9 +728,9 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), animated,
                                                        time);
-            y_0 = gabor_impl_added(y_0, sum, row.window.real.x, row.window.imaginary.x);
-            y_1 = gabor_impl_added(y_1, sum, row.window.real.y, row.window.imaginary.y);
-            y_2 = gabor_impl_added(y_2, sum, row.window.real.z, row.window.imaginary.z);
+            y_0 = gabor_impl_plus_product(y_0, sum, row.window.real.x, row.window.imaginary.x);
+            y_1 = gabor_impl_plus_product(y_1, sum, row.window.real.y, row.window.imaginary.y);
+            y_2 = gabor_impl_plus_product(y_2, sum, row.window.real.z, row.window.imaginary.z);
         } while (++j < rows);
         value += gabor_impl_contracted_3d(y_0, y_1, y_2, slice.window, w);
         next_x += gabor_impl_contracted_3d(gabor_impl_next(y_0), gabor_impl_next(y_1), gabor_impl_next(y_2),
@@ -789,7 +790,7 @@ struct GaborFilter {
 
 // Adds a node's wave. `a` is its amplitude times the wave at the point. The filter multiplies it by exp(-2 pi^2 F.S F)
 // and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
-GABOR_INLINE void gabor_impl_add_wave_2d(GaborField& sum, GaborWindows node, GaborFilter pixel, gabor_vec2 a, gabor_vec2 wave) {
+GABOR_INLINE void gabor_impl_add_node_wave(GaborField& sum, GaborWindows node, GaborFilter pixel, gabor_vec2 a, gabor_vec2 wave) {
     gabor_vec2 value = node.value.x * node.value.y * a;
     gabor_vec2 slope_x = node.slope.x * node.value.y * a, slope_y = node.value.x * node.slope.y * a;
 #if GABOR_TAPS == 3
@@ -816,8 +817,8 @@ GABOR_INLINE void gabor_impl_add_wave_2d(GaborField& sum, GaborWindows node, Gab
 }
 
 // Adds a node's three waves, at `d` node spacings from it. The third phase is the difference of the other two.
-GABOR_INLINE void gabor_impl_add_star(GaborField& sum, GaborPlace place, GaborWindows node, GaborFilter pixel, gabor_vec2 d,
-                         float frequency, gabor_uvec4 words) {
+GABOR_INLINE void gabor_impl_add_node_waves(GaborField& sum, GaborPlace place, GaborWindows node, GaborFilter pixel, gabor_vec2 d,
+                               float frequency, gabor_uvec4 words) {
     if (pixel.used) { // windows fade out within half a standard deviation of their ends
         gabor_vec2 fade = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d) / GABOR_RADIUS) / gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(pixel.covariance.xy()), 0.001f, 0.05f), 0.0f, 1.0f);
         fade *= fade * (3.0f - 2.0f * fade);
@@ -833,9 +834,9 @@ GABOR_INLINE void gabor_impl_add_star(GaborField& sum, GaborPlace place, GaborWi
     first = gabor_impl_product(gabor_impl_amplitude_at(words.x, place.animated, place.time), first);
     second = gabor_impl_product(gabor_impl_amplitude_at(words.y, place.animated, place.time), second);
     third = gabor_impl_product(gabor_impl_amplitude_at(words.z, place.animated, place.time), third);
-    gabor_impl_add_wave_2d(sum, node, pixel, first, frequency * u);
-    gabor_impl_add_wave_2d(sum, node, pixel, second, frequency * v);
-    gabor_impl_add_wave_2d(sum, node, pixel, third, frequency * (v - u));
+    gabor_impl_add_node_wave(sum, node, pixel, first, frequency * u);
+    gabor_impl_add_node_wave(sum, node, pixel, second, frequency * v);
+    gabor_impl_add_node_wave(sum, node, pixel, third, frequency * (v - u));
 }
 
 // The sum over all nodes, without the factor GABOR_IMPL_STAR. Unrolling the loops by hand made them four times slower
@@ -855,7 +856,7 @@ GABOR_INLINE GaborField gabor_impl_sum_isotropic_2d(GaborPlace place, float freq
             node.value = gabor_vec2(x.node[i].x, y.node[j].x);
             node.slope = stretch * gabor_vec2(x.node[i].z, y.node[j].z);
             gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            gabor_impl_add_star(sum, place, node, pixel, d, frequency, x.word[i] * row);
+            gabor_impl_add_node_waves(sum, place, node, pixel, d, frequency, x.word[i] * row);
         }
     }
     return sum;

@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: 87e8a48d5dc730eb
+// Digest of the GLSL and of this file: 5a73cf787717371a
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -539,7 +539,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
             field_3.slope_y = (_e51.slope_y / vec2(_e53.radius.y));
             let _e59 = field_3;
             let _e60 = lobe_1;
-            gabor_impl_accumulate((&sum_5), _e59, sqrt(_e60.power));
+            gabor_impl_add_field((&sum_5), _e59, sqrt(_e60.power));
             let _e64 = power;
             let _e65 = lobe_1;
             power = (_e64 + _e65.power);
@@ -650,7 +650,7 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
                     amplitude_2 = sqrt((_e116.y * _e118.y));
                     let _e124 = field_4;
                     let _e125 = amplitude_2;
-                    gabor_impl_accumulate((&sum_6), _e124, _e125);
+                    gabor_impl_add_field((&sum_6), _e124, _e125);
                 }
                 continuing {
                     let _e89 = i_3;
@@ -861,7 +861,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: 
 // Private implementation
 // ====================================================================================================================
 
-fn gabor_impl_accumulate(sum: ptr<function, GaborField>, field: GaborField, amplitude: f32) {
+fn gabor_impl_add_field(sum: ptr<function, GaborField>, field: GaborField, amplitude: f32) {
     let _e4 = (*sum);
     (*sum).value = (_e4.value + (amplitude * field.value));
     let _e10 = (*sum);
@@ -1396,12 +1396,12 @@ fn gabor_impl_line_before(b: GaborFilteredAxis, phase: vec2<f32>) -> GaborFilter
 }
 
 // Returns the sum plus a complex number times the factors.
-fn gabor_impl_added(sum: GaborFactors, factors: GaborFactors, real: f32, imaginary: f32) -> GaborFactors {
+fn gabor_impl_plus_product(sum: GaborFactors, factors: GaborFactors, real: f32, imaginary: f32) -> GaborFactors {
     return GaborFactors((sum.real + ((real * factors.real) - (imaginary * factors.imaginary))), (sum.imaginary + ((real * factors.imaginary) + (imaginary * factors.real))));
 }
 
 // Adds a node to the sums of a row.
-fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, animated: bool, time: f32) {
+fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, animated: bool, time: f32) {
     var a_2: vec2<f32>;
 
     let _e7 = gabor_impl_amplitude_at((column.word * row_word), animated, time);
@@ -1409,7 +1409,7 @@ fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborFilter
     let _e9 = (*row);
     let _e11 = a_2;
     let _e13 = a_2;
-    let _e15 = gabor_impl_added(_e9, column.window, _e11.x, _e13.y);
+    let _e15 = gabor_impl_plus_product(_e9, column.window, _e11.x, _e13.y);
     (*row) = _e15;
     return;
 }
@@ -1418,12 +1418,12 @@ fn gabor_impl_add_filtered(row: ptr<function, GaborFactors>, column: GaborFilter
 fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, animated: bool, time: f32) -> GaborFactors {
     var row_2: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
 
-    gabor_impl_add_filtered((&row_2), columns.column_0_, row_word, animated, time);
-    gabor_impl_add_filtered((&row_2), columns.column_1_, row_word, animated, time);
-    gabor_impl_add_filtered((&row_2), columns.column_2_, row_word, animated, time);
-    gabor_impl_add_filtered((&row_2), columns.column_3_, row_word, animated, time);
+    gabor_impl_add_filtered_node((&row_2), columns.column_0_, row_word, animated, time);
+    gabor_impl_add_filtered_node((&row_2), columns.column_1_, row_word, animated, time);
+    gabor_impl_add_filtered_node((&row_2), columns.column_2_, row_word, animated, time);
+    gabor_impl_add_filtered_node((&row_2), columns.column_3_, row_word, animated, time);
     if columns.five {
-        gabor_impl_add_filtered((&row_2), columns.column_4_, row_word, animated, time);
+        gabor_impl_add_filtered_node((&row_2), columns.column_4_, row_word, animated, time);
     }
     let _e26 = row_2;
     return _e26;
@@ -1671,7 +1671,7 @@ fn gabor_impl_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborF
         let _e62 = salt_7;
         let _e63 = gabor_impl_filtered_narrow(place, _e60, _e61, _e62);
         let _e66 = amplitude_3;
-        gabor_impl_accumulate((&sum_9), _e63, ((1f - wide) * _e66));
+        gabor_impl_add_field((&sum_9), _e63, ((1f - wide) * _e66));
     }
     if (wide > 0f) {
         let _e72 = wave_15;
@@ -1679,7 +1679,7 @@ fn gabor_impl_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborF
         let _e76 = salt_7;
         let _e77 = gabor_impl_filtered_wide(place, _e72, _e73, (wide > 0f), _e76);
         let _e78 = amplitude_3;
-        gabor_impl_accumulate((&sum_9), _e77, (wide * _e78));
+        gabor_impl_add_field((&sum_9), _e77, (wide * _e78));
     }
     let _e82 = sum_9;
     let _e84 = stretch_1;
@@ -1890,19 +1890,19 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
                     let _e232 = sum_10;
                     let _e233 = row_5;
                     let _e237 = row_5;
-                    let _e241 = gabor_impl_added(_e231, _e232, _e233.window.real.x, _e237.window.imaginary.x);
+                    let _e241 = gabor_impl_plus_product(_e231, _e232, _e233.window.real.x, _e237.window.imaginary.x);
                     y_0_2 = _e241;
                     let _e242 = y_1_2;
                     let _e243 = sum_10;
                     let _e244 = row_5;
                     let _e248 = row_5;
-                    let _e252 = gabor_impl_added(_e242, _e243, _e244.window.real.y, _e248.window.imaginary.y);
+                    let _e252 = gabor_impl_plus_product(_e242, _e243, _e244.window.real.y, _e248.window.imaginary.y);
                     y_1_2 = _e252;
                     let _e253 = y_2_2;
                     let _e254 = sum_10;
                     let _e255 = row_5;
                     let _e259 = row_5;
-                    let _e263 = gabor_impl_added(_e253, _e254, _e255.window.real.z, _e259.window.imaginary.z);
+                    let _e263 = gabor_impl_plus_product(_e253, _e254, _e255.window.real.z, _e259.window.imaginary.z);
                     y_2_2 = _e263;
                 }
                 let _e264 = j_3;
@@ -2063,7 +2063,7 @@ struct GaborFilter {
 
 // Adds a node's wave. `a` is its amplitude times the wave at the point. The filter multiplies it by exp(-2 pi^2 F.S F)
 // and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see gabor_impl_filtered_node.
-fn gabor_impl_add_wave_2d(sum: ptr<function, GaborField>, node: GaborWindows, pixel: GaborFilter, a: vec2<f32>, wave: vec2<f32>) {
+fn gabor_impl_add_node_wave(sum: ptr<function, GaborField>, node: GaborWindows, pixel: GaborFilter, a: vec2<f32>, wave: vec2<f32>) {
     var a_6: vec2<f32>;
     var value_9: vec2<f32>;
     var slope_x: vec2<f32>;
@@ -2158,7 +2158,7 @@ fn gabor_impl_add_wave_2d(sum: ptr<function, GaborField>, node: GaborWindows, pi
 }
 
 // Adds a node's three waves, at `d` node spacings from it. The third phase is the difference of the other two.
-fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: GaborWindows, pixel: GaborFilter, d: vec2<f32>, frequency: f32, words: vec4<u32>) {
+fn gabor_impl_add_node_waves(sum: ptr<function, GaborField>, place: GaborPlace, node: GaborWindows, pixel: GaborFilter, d: vec2<f32>, frequency: f32, words: vec4<u32>) {
     var node_2: GaborWindows;
     var d_3: vec2<f32>;
     var fade_4: vec2<f32>;
@@ -2224,16 +2224,16 @@ fn gabor_impl_add_star(sum: ptr<function, GaborField>, place: GaborPlace, node: 
     let _e132 = node_2;
     let _e133 = first_2;
     let _e134 = u_1;
-    gabor_impl_add_wave_2d(sum, _e132, pixel, _e133, (frequency * _e134));
+    gabor_impl_add_node_wave(sum, _e132, pixel, _e133, (frequency * _e134));
     let _e138 = node_2;
     let _e139 = second_2;
     let _e140 = v_2;
-    gabor_impl_add_wave_2d(sum, _e138, pixel, _e139, (frequency * _e140));
+    gabor_impl_add_node_wave(sum, _e138, pixel, _e139, (frequency * _e140));
     let _e144 = node_2;
     let _e145 = third_2;
     let _e146 = v_2;
     let _e147 = u_1;
-    gabor_impl_add_wave_2d(sum, _e144, pixel, _e145, (frequency * (_e146 - _e147)));
+    gabor_impl_add_node_wave(sum, _e144, pixel, _e145, (frequency * (_e146 - _e147)));
     return;
 }
 
@@ -2303,7 +2303,7 @@ fn gabor_impl_sum_isotropic_2d(place: GaborPlace, frequency: f32, pixel: GaborFi
                     let _e124 = i_4;
                     let _e127 = x_8.word[_e124];
                     let _e128 = row_6;
-                    gabor_impl_add_star((&sum_13), place, _e121, pixel, _e122, _e123, (_e127 * _e128));
+                    gabor_impl_add_node_waves((&sum_13), place, _e121, pixel, _e122, _e123, (_e127 * _e128));
                 }
                 continuing {
                     let _e74 = i_4;
