@@ -3,6 +3,7 @@
 // The subcommands of gabor, and functions for adding and reading their options.
 
 #include "error.hpp"
+#include "render/heightmap.hpp"
 #include "render/parameters.hpp"
 
 #include <CLI/CLI.hpp>
@@ -10,14 +11,11 @@
 
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-namespace gabor::image {
-struct Rect;
-}
 
 namespace gabor::cli {
 
@@ -38,11 +36,22 @@ CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value
     return command.add_option(name, value, help)->type_name(type);
 }
 
-/// Adds an option for a range of heights, LOW,HIGH.
-CLI::Option* add_elevation_option(CLI::App& command, std::vector<double>& elevation, const std::string& help);
+/// Starts a group of options in the help text; an empty name hides them.
+void begin_group(CLI::App& command, const std::string& name);
+
+/// Adds an option for a range of heights; `help` says what 0 and 65535 stand for without it.
+void add_elevation_option(CLI::App& command, std::optional<std::string>& elevation, std::string_view help);
+
+/// Reads LOW,HIGH.
+render::Elevation parse_elevation(std::string_view text);
 
 /// Parameters from render::parameters(), each with its command-line option.
 using ParameterOptions = std::vector<std::pair<const render::Parameter*, const CLI::Option*>>;
+
+/// Adds the option of a parameter. The help text has its value in `defaults`, if it has one there, or its
+/// defaults in other requests.
+void add_parameter(CLI::App& command, ParameterOptions& options, const render::Parameter& parameter,
+                   const render::Request& defaults);
 
 /// Returns the values of the options that the user gave. Throws a RequestError that names an invalid option.
 render::Values given_values(const ParameterOptions& options);

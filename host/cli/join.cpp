@@ -45,8 +45,8 @@ void join(const JoinOptions& options) {
 
 void add_join_command(CLI::App& app) {
     auto options = std::make_shared<JoinOptions>();
-    CLI::App* command = app.add_subcommand(
-        "join", "Join regions of one picture into the file that a single render would write");
+    CLI::App* command =
+        app.add_subcommand("join", "Join regions of one picture, as a single render would write it");
     add_option(*command, "REGION", options->regions, "FILE",
                "EXR files of `gabor render --region`, in any order")
         ->required();

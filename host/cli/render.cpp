@@ -20,8 +20,6 @@ namespace gabor::cli {
 
 namespace {
 
-using Kind = render::Parameter::Kind;
-
 // The command-line options. Values that are not given come from --like or --preset, or are defaults.
 struct RenderOptions {
     std::optional<std::string> output;
@@ -37,8 +35,7 @@ struct RenderOptions {
     std::optional<std::string> level;
     std::string device;
     std::optional<std::string> heightmap;
-    std::vector<double> elevation;
-    bool terrain = false;
+    std::optional<std::string> elevation;
     bool texture = false;
     bool half = false;
     bool verbose = false;
@@ -82,13 +79,11 @@ Work make_work(const RenderOptions& options) {
         if (!options.size)
             region = like.region;
     }
-    if (options.terrain && !render::has_terrain(work.request))
-        render::set(work.request, "view", "terrain");
     const render::Values given = values_of(options);
-    render::set(work.request, given);
+    render::set(work.request, given, render::option_name);
     work.scaled = options.preset || options.like ||
                   std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
-    if (options.terrain && !work.scaled) // show two hills
+    if (render::has_terrain(work.request) && !work.scaled) // show two hills
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     work.request.filter |= options.texture || options.level; // mip levels are filtered
     render::check(work.request);
@@ -160,7 +155,7 @@ render::Files files_of(const RenderOptions& options) {
             if (&path != &other && path && other && same_file(*path, *other))
                 throw RequestError(fmt::format("{} and {} both name '{}': give two different files", name,
                                                other_name, *path));
-    if (!options.elevation.empty() && !options.heightmap)
+    if (options.elevation && !options.heightmap)
         throw RequestError("--elevation requires --heightmap");
 
     render::Files files{.exr = {}, .png = {}, .compression = options.compression};
@@ -180,8 +175,8 @@ render::Files files_of(const RenderOptions& options) {
     }
     if (options.heightmap)
         files.heightmap = *options.heightmap;
-    if (!options.elevation.empty())
-        files.elevation = render::Elevation{options.elevation[0], options.elevation[1]};
+    if (options.elevation)
+        files.elevation = parse_elevation(*options.elevation);
     if (options.texture && options.level)
         throw RequestError("--texture and --level cannot be combined: a level is written as a plain picture");
     if (options.texture && (files.png || files.heightmap))
@@ -191,7 +186,7 @@ render::Files files_of(const RenderOptions& options) {
 
 // Renders a set of maps. Unless a scale is given, the shorter side spans 4 units of a material, 8 of terrain.
 void render_map_set(const RenderOptions& options) {
-    if (options.output || options.png || options.heightmap || !options.elevation.empty() || options.region ||
+    if (options.output || options.png || options.heightmap || options.elevation || options.region ||
         options.frames || options.level)
         throw RequestError(
             "--maps writes a whole set of maps: it cannot be combined with -o, --png, --heightmap, "
@@ -265,120 +260,81 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
         print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));
 }
 
-// The type names that help texts show.
-const char* type_name(Kind kind) {
-    switch (kind) {
-    case Kind::flag:
-        return "";
-    case Kind::integer:
-    case Kind::number:
-        return "NUMBER";
-    case Kind::angle:
-        return "ANGLE";
-    case Kind::colour:
-        return "COLOUR";
-    case Kind::text:
-    case Kind::lobes:
-        return "FILE";
-    default:
-        return "NAME";
-    }
-}
-
-std::string help_of(const render::Parameter& parameter) {
-    const render::Request defaults;
-    const std::optional<render::Value> value = parameter.get(defaults);
-    const std::string of = parameter.applies_to.empty() ? "" : fmt::format(" (for {})", parameter.applies_to);
-    std::vector<std::string> recipes;
-    switch (parameter.kind) {
-    case Kind::flag:
-    case Kind::text:
-        return fmt::format("{}{}", parameter.help, of);
-    case Kind::lobes:
-        return fmt::format("{}: a JSON file with {}", parameter.help, render::accepted(parameter));
-    case Kind::recipe:
-        for (const noise::Recipe& recipe : noise::recipes())
-            recipes.push_back(fmt::format("{} ({})", recipe.name, recipe.summary));
-        return fmt::format("{}: {} [{}]", parameter.help, fmt::join(recipes, "; "), defaults.recipe.name);
-    default:
-        return fmt::format("{}{}: {}{}", parameter.help, of, render::accepted(parameter),
-                           value ? fmt::format(" [{}]", render::to_text(*value)) : "");
-    }
-}
-
-// Adds every parameter of the table except width and height, which --size sets.
-void add_parameters(CLI::App& command, RenderOptions& options) {
-    for (const render::Parameter& parameter : render::parameters()) {
-        if (parameter.name == "width" || parameter.name == "height")
-            continue;
-        const std::string name = render::option_name(parameter);
-        CLI::Option* option = parameter.kind == Kind::flag
-                                  ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
-                                        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-                                  : command.add_option(name)->type_name(type_name(parameter.kind));
-        option->description(help_of(parameter));
-        if (render::is_of_one_material(parameter)) // `gabor materials` lists them
-            option->group("");
-        options.parameters.emplace_back(&parameter, option);
-    }
-}
-
 } // namespace
 
 void add_render_command(CLI::App& app) {
     const Clock::time_point start = Clock::now();
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "Render the noise to an OpenEXR or a PNG file");
-    const render::Request defaults;
+    CLI::App* command = app.add_subcommand("render", "Render noise, a material or terrain to OpenEXR or PNG");
+    command->footer(R"(
+Examples:
+  gabor render --scale 32 --frequency 8 --orientation 30deg -o stripes.png
+  gabor render --material wood --wood.rings 20 --tileable --maps wood
+  gabor render --view terrain --preset canyon --png canyon.png --heightmap canyon.r16
 
-    add_option(
-        *command, "-o,--output", options->output, "FILE",
-        "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, in which black and "
-        "white are -2 and 2 standard deviations");
-    add_option(*command, "--png", options->png, "FILE", "Also write a PNG");
-    add_option(
-        *command, "--maps", options->maps, "FOLDER",
-        "Instead of -o: write the maps of a material or of terrain to this folder: PNGs of base colour, "
-        "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
-        "and material.gltf");
-    command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
-    add_option(*command, "--size", options->size, "WIDTHxHEIGHT",
-               fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
-                           render::parameter("width").range.high, defaults.width, defaults.height));
-    add_parameters(*command, *options);
-    add_option(*command, "--preset", options->preset, "NAME",
-               fmt::format("Take all other options from a preset: {}, or a file NAME.json from gabor fit",
-                           fmt::join(render::preset_names(), ", ")));
-    add_option(*command, "--like", options->like, "FILE",
-               "Take all other options from an earlier EXR or a JSON file");
-    add_option(*command, "--region", options->region, "X,Y,WIDTH,HEIGHT",
-               "Render only this part of the picture; its pixels equal those of a full render");
-    add_option(*command, "--frames", options->frames, "NUMBER",
-               fmt::format("Render one period of the animation in this many frames, from 1 to {}: "
-                           "NAME.0001.exr, NAME.0002.exr ...",
-                           render::most_frames));
-    add_option(*command, "--compression", options->compression, "NAME",
-               fmt::format("Compression of the EXR: {} [{}]", fmt::join(image::compression_names(), ", "),
-                           options->compression));
+`gabor materials NAME` lists the options of a material, and `gabor erode --help` those of a
+terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in --no-tileable.
+)");
+    const render::Request defaults;
+    const auto option = [&](const std::string& name, auto& value, const std::string& type,
+                            const std::string& help) { add_option(*command, name, value, type, help); };
+    const auto parameters = [&](const std::string& title, render::Parameter::Group group) {
+        begin_group(*command, title);
+        for (const render::Parameter& p : render::parameters())
+            if (p.group == group)
+                add_parameter(*command, options->parameters, p, defaults);
+    };
+
+    begin_group(*command, "Output");
+    option("-o,--output", options->output, "FILE",
+           "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, in which black and "
+           "white are -2 and 2 standard deviations");
+    option("--png", options->png, "FILE", "Also write a PNG");
+    option("--size", options->size, "WIDTHxHEIGHT",
+           fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
+                       render::parameter("width").range.high, defaults.width, defaults.height));
+    option("--region", options->region, "X,Y,WIDTH,HEIGHT",
+           "Render only this part of the picture; its pixels equal those of a full render [all of it]");
+    option("--preset", options->preset, "NAME",
+           fmt::format("Take all other options from a preset: {}, or a file NAME.json from gabor fit",
+                       fmt::join(render::preset_names(), ", ")));
+    option("--like", options->like, "FILE", "Take all other options from an earlier EXR or a JSON file");
+    option("--frames", options->frames, "NUMBER",
+           fmt::format("Render one period of the animation in this many frames, from 1 to {}: "
+                       "NAME.0001.exr, NAME.0002.exr ... [1]",
+                       render::most_frames));
+    option("--compression", options->compression, "NAME",
+           fmt::format("Compression of the EXR: {} [{}]", fmt::join(image::compression_names(), ", "),
+                       options->compression));
     add_device_option(*command, options->device);
+    command->add_flag("--verbose", options->verbose,
+                      "Print the time that each step took, and the memory used");
+
+    parameters("Noise", render::Parameter::Group::noise);
+    parameters("View and light", render::Parameter::Group::view);
+    parameters("View and light", render::Parameter::Group::light);
+    parameters("Terrain", render::Parameter::Group::terrain);
+    option("--heightmap", options->heightmap, "FILE",
+           "Also write 16-bit heights to a PNG or .r16, with their scale in a .json file beside it");
+    add_elevation_option(*command, options->elevation, "the full possible range");
+
+    begin_group(*command, "Textures");
+    option("--maps", options->maps, "FOLDER",
+           "Instead of -o: write the maps of a material or of terrain to this folder: PNGs of base colour, "
+           "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
+           "and material.gltf");
+    command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be powers "
         "of two. With --maps: write maps.exr as such a texture, with more roughness where its normals are "
         "averaged");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
-    add_option(*command, "--level", options->level, "NUMBER",
-               "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest");
-    command->add_flag("--terrain", options->terrain,
-                      "Draw eroded mountains: --view terrain, with two hills across unless --scale is given");
-    add_option(*command, "--heightmap", options->heightmap, "FILE",
-               "For terrain: also write 16-bit heights to a PNG or .r16, with their scale in a .json file "
-               "beside it");
-    add_elevation_option(
-        *command, options->elevation,
-        "LOW,HIGH: heights that 0 and 65535 stand for in --heightmap [the full possible range]");
-    command->add_flag("--verbose", options->verbose,
-                      "Print the time that each step took, and the memory used");
+    option("--level", options->level, "NUMBER",
+           "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest");
+
+    for (const auto group : {render::Parameter::Group::erosion, render::Parameter::Group::material})
+        parameters("", group); // `gabor erode` and `gabor materials` list them
     command->callback([options, start] { render_pictures(*options, start); });
 }
 

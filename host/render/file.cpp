@@ -20,7 +20,7 @@ constexpr std::size_t terrain_height = 3; // index in terrain_channels
 
 // Returns the number of channels in the PNG: 1 or 3.
 int displayed_channels(const Request& request) {
-    return has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
+    return has_material(request) || request.colour ? 3 : 1;
 }
 
 // Converts pixels to what a PNG shows, as values from 0 to 1: grey noise, colours from three noises or a
@@ -91,7 +91,7 @@ Times render_file(const vulkan::Device& device, const Request& request, const im
         if (!has_terrain(request) || !is_flat(request.view))
             throw RequestError("a heightmap requires the terrain view");
         const double unit = terrain_unit(request);
-        const double reach = unit * (hill_reach + erosion_reach(std::get<Terrain>(request.view).erosion));
+        const double reach = unit * (hill_reach + erosion_reach(request));
         heights.emplace(*files.heightmap, region, files.elevation.value_or(Elevation{-reach, reach}),
                         unit / request.scale);
     }

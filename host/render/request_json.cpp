@@ -150,15 +150,13 @@ bool is_of_lobe(const Parameter& p) {
 } // namespace
 
 std::string to_json(const Request& request) {
-    Request drawn = request;
-    drawn.recipe = drawing_recipe(request);
     ordered_json object;
     // A single lobe is written as separate values if its other values are defaults.
     const Lobe& lobe = request.lobes.front();
     const bool by_values =
         request.lobes.size() == 1 && lobe.power == 1 && lobe.radii() == std::array{1.0, 1.0};
     for (const Parameter& p : parameters())
-        if (const std::optional<Value> value = p.get(drawn); value && !(p.kind == Kind::lobes && by_values))
+        if (const std::optional<Value> value = p.get(request); value && !(p.kind == Kind::lobes && by_values))
             object[std::string(p.name)] = json_of(p, *value);
     if (request.colour)
         object["colour"] = json_of(*request.colour);
@@ -174,7 +172,8 @@ Request from_json(std::string_view text) {
     bool has_lobes = false;
     Request request;
     for (const auto& [name, entry] : object.items()) {
-        if (name == "sum" || name == "viewer") // sum: from versions before 1.1.0, viewer: from gabor-viewer
+        // gabor-viewer adds `viewer`. Earlier versions wrote the others, which have no effect.
+        if (name == "viewer" || name == "sum" || name == "quadrature" || name == "values")
             continue;
         if (name == "colour") {
             request.colour = colour_of(entry);

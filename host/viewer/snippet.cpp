@@ -13,6 +13,7 @@
 #include "viewer/display_interface.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -468,7 +469,7 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)
 )",
                                    type, function);
     for (const render::Parameter& p : render::parameters()) {
-        if (!render::is_of_one_material(p) || !render::is_set(request, p.name))
+        if (p.group != render::Parameter::Group::material || !render::is_set(request, p.name))
             continue;
         const render::Value value = *p.get(request);
         const auto* colour = std::get_if<std::array<double, 3>>(&value);
@@ -584,11 +585,13 @@ vec3 colour_of_view(vec2 pixel)
 std::string terrain_snippet(const Document& document, Extent extent) {
     const auto push = push_of<passes::TerrainPush>(document, extent);
     const render::Terrain& terrain = std::get<render::Terrain>(document.request.view);
-    const render::Erosion& e = terrain.erosion;
-    std::string members = fmt::format("{}", e.octaves);
-    for (const double value : {e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail, e.uniformity,
-                               e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching})
-        members += ", " + literal(value);
+    std::vector<std::string> members;
+    for (const render::Parameter& p : render::parameters())
+        if (p.group == render::Parameter::Group::erosion) {
+            const double value = std::get<double>(*p.get(document.request));
+            members.push_back(p.kind == render::Parameter::Kind::integer ? fmt::format("{}", value)
+                                                                         : literal(value));
+        }
     const auto pair = [](const passes::vec2& v) { return vec2(double{v.x}, double{v.y}); };
     const std::string pixel = literal(double{push.pixel});
     const std::string seen =
@@ -617,9 +620,9 @@ vec3 colour_of_view(vec2 pixel)
     return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));
 }}
 )",
-                       shader("landscape.glsl"), extent.width, extent.height, members, push.cell.x,
-                       push.cell.y, pair(push.period), push.seed, literal(double{push.reach}), pair(push.sun),
-                       seen);
+                       shader("landscape.glsl"), extent.width, extent.height, fmt::join(members, ", "),
+                       push.cell.x, push.cell.y, pair(push.period), push.seed, literal(double{push.reach}),
+                       pair(push.sun), seen);
 }
 
 } // namespace

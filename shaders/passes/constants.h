@@ -21,7 +21,6 @@ const uint painted_id = 9;
 const uint quadrature_id = 10;
 const uint gradient_id = 11;
 const uint phasor_id = 12;
-const uint values_id = 13;
 const uint animated_id = 14;
 const uint coloured_id = 15;
 const uint normals_id = 16;

@@ -18,7 +18,6 @@ layout(constant_id = painted_id) const bool painted = false;
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false;
 layout(constant_id = phasor_id) const bool with_phasor = false;
-layout(constant_id = values_id) const int values = 1; // number of independent noises
 layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; divisions make this slow on CPUs
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0, for the lattice
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves if their loop is unrolled, else 0
@@ -27,7 +26,7 @@ layout(constant_id = few_waves_id) const int few_waves = 0; // the number of wav
 layout(constant_id = narrow_waves_id) const uint narrow_waves = 0u;
 layout(constant_id = wide_waves_id) const uint wide_waves = 0u;
 layout(constant_id = coloured_id) const bool coloured = false; // whether to write red, green and blue instead of the noise
-const int channels = (coloured ? 3 : values) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
+const int channels = (coloured ? 3 : 1) + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (filtered ? 1 : 0);
 
 layout(local_size_x = pixels_group, local_size_y = pixels_group) in;
@@ -57,14 +56,13 @@ vec2 painted_at(vec2 pixel) {
 }
 
 struct Values {
-    vec4 values;
-    vec2 complex;
+    vec2 complex; // quadrature and noise
     vec2 slope;
     float removed;
     Components components; // components of a colour
 };
 
-const Values nothing = Values(vec4(0.0), vec2(0.0), vec2(0.0), 0.0, Components(vec3(0.0), vec3(0.0)));
+const Values nothing = Values(vec2(0.0), vec2(0.0), 0.0, Components(vec3(0.0), vec3(0.0)));
 
 // A pixel's position, and the steps to its neighbours along the picture's axes.
 struct Footprint {
@@ -96,32 +94,21 @@ Values wave_at(PixelsWave wave, int index, Footprint here) {
     float wide_share = narrow ? 0.0 : wide ? 1.0 : gabor_impl_wide_share(footprint);
 #endif
     Values result = nothing;
-    for (int i = 0; i < values; ++i) {
-        GaborField field;
-#ifdef GABOR_TAPS
-        uint seed = i == 0 ? wave.seed : gabor_lobe_seed(wave.seed, -i);
-#else
-        uint seed = wave.seed; // the sparse noise gives only one value
-#endif
+    GaborField field;
 #if GABOR_TAPS == 3
-        if (filtered)
-            field = gabor_impl_filtered(place, kernel, footprint, wide_share, seed, result.removed);
-        else
+    if (filtered)
+        field = gabor_impl_filtered(place, kernel, footprint, wide_share, wave.seed, result.removed);
+    else
 #endif
-            field = gabor_field(place, kernel, seed);
-        result.values[i] = field.value.y;
-        if (i == 0) {
-            result.complex = field.value;
-            result.slope = vec2(field.slope_x.y, field.slope_y.y);
-        }
-    }
+        field = gabor_field(place, kernel, wave.seed);
+    result.complex = field.value;
+    result.slope = vec2(field.slope_x.y, field.slope_y.y);
     return result;
 }
 
 void add_wave(inout Values sum, int i, Footprint here) {
     PixelsWave wave = wave_table[i];
     Values one = wave_at(wave, i, here);
-    sum.values += wave.amplitude * one.values;
     sum.complex += wave.amplitude * one.complex;
     sum.slope += wave.amplitude / wave.radius * one.slope;
     sum.removed += wave.amplitude * wave.amplitude * one.removed;
@@ -146,8 +133,7 @@ void write_pixel(int at, Values here, vec3 colour) {
         for (int i = 0; i < 3; ++i)
             picture[at++] = colour[i];
     } else {
-        for (int i = 0; i < values; ++i)
-            picture[at++] = here.values[i];
+        picture[at++] = here.complex.y;
     }
     if (with_quadrature)
         picture[at++] = here.complex.x;
@@ -184,7 +170,7 @@ void main() {
     }
     Values sum = values_at(here);
     if (in_sky)
-        sum = Values(vec4(0.0), vec2(0.0), vec2(0.0), 1.0, Components(vec3(0.0), vec3(1.0)));
+        sum = Values(vec2(0.0), vec2(0.0), 1.0, Components(vec3(0.0), vec3(1.0)));
     vec3 colour = coloured ? colour_of(sum.components.value, sum.components.removed) : vec3(0.0);
     if (inside)
         write_pixel(at, sum, colour);

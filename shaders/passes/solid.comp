@@ -10,7 +10,6 @@ layout(constant_id = view_id) const uint view = view_slice;
 layout(constant_id = isotropic_id) const bool some_isotropic = false; // whether any noise is isotropic
 layout(constant_id = directed_id) const bool some_directed = false;
 layout(constant_id = filter_id) const bool filtered = true;     // whether to filter for the pixel's footprint
-layout(constant_id = values_id) const int values = 1; // number of independent noises
 layout(constant_id = quadrature_id) const bool with_quadrature = false;
 layout(constant_id = gradient_id) const bool with_gradient = false; // whether to write the derivatives (right, down)
 layout(constant_id = phasor_id) const bool with_phasor = false;
@@ -19,7 +18,7 @@ layout(constant_id = animated_id) const bool animated = false; // whether time i
 layout(constant_id = coloured_id) const bool coloured = false; // whether to write red, green and blue instead of the noise
 // Whether to write the normal (right, down, towards the eye) and the derivative towards the eye.
 layout(constant_id = normals_id) const bool with_normal = false;
-const int channels = (coloured ? 3 : values) + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
+const int channels = (coloured ? 3 : 1) + 1 + (with_quadrature ? 1 : 0) + (with_gradient ? 2 : 0) + (with_phasor ? 2 : 0)
                    + (with_normal ? 4 : 0);
 
 #include "gabor_noise.glsl"
@@ -50,14 +49,14 @@ GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
 }
 
 struct Values {
-    vec4 values;
-    vec2 complex;
+    float noise;  // apart from complex.y, so that its last bit is the same whatever else is drawn
+    vec2 complex; // quadrature and noise
     vec3 slope;
     Components components;
 };
 
 Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
-    Values sum = Values(vec4(0.0), vec2(0.0), vec3(0.0), Components(vec3(0.0), vec3(0.0)));
+    Values sum = Values(0.0, vec2(0.0), vec3(0.0), Components(vec3(0.0), vec3(0.0)));
     for (int i = 0; i < waves; ++i) {
         SolidWave wave = wave_table[i];
         GaborPlace3d place = gabor_place_3d(ivec3(0), p * (GABOR_RADIUS / wave.radius));
@@ -66,18 +65,12 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
         place.filtered = filtered;
         place.dx = dx / wave.radius;
         place.dy = dy / wave.radius;
-        uint seed = wave.seed;
-        for (int channel = 0; channel < values; ++channel) {
-            wave.seed = channel == 0 ? seed : gabor_lobe_seed(seed, -channel);
-            GaborField3d field = wave_at(wave, place, normal);
-            sum.values[channel] += wave.amplitude * field.noise;
-            if (channel == 0) {
-                sum.complex += wave.amplitude * vec2(field.quadrature, field.noise);
-                sum.slope += wave.amplitude / wave.radius * field.gradient;
-            }
-            if (coloured) // colour implies a single value
-                add_to(sum.components, wave.weights, vec2(field.quadrature, field.noise), field.removed);
-        }
+        GaborField3d field = wave_at(wave, place, normal);
+        sum.noise += wave.amplitude * field.noise;
+        sum.complex += wave.amplitude * vec2(field.quadrature, field.noise);
+        sum.slope += wave.amplitude / wave.radius * field.gradient;
+        if (coloured)
+            add_to(sum.components, wave.weights, vec2(field.quadrature, field.noise), field.removed);
     }
     return sum;
 }
@@ -88,8 +81,7 @@ void write_pixel(int at, Values here, vec3 normal, float coverage, Axes axes) {
         for (int i = 0; i < 3; ++i)
             picture[at++] = shown[i];
     } else {
-        for (int i = 0; i < values; ++i)
-            picture[at++] = here.values[i];
+        picture[at++] = here.noise;
     }
     if (with_quadrature)
         picture[at++] = here.complex.x;

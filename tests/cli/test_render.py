@@ -13,8 +13,8 @@ from program import RenderTest, gabor
 
 SMALL = {"size": "61x47", "scale": 9.0, "frequency": 3.0, "orientation": 30.0, "seed": 7}
 DEFAULTS = {"recipe": "lattice", "frequency": 4, "orientation": 0, "seed": 0, "scale": 32, "width": 1024, "height": 1024,
-            "tileable": False, "time": 0, "quadrature": False, "gradient": False, "frequency_spread": 0,
-            "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False, "values": 1,
+            "tileable": False, "time": 0, "gradient": False, "frequency_spread": 0,
+            "orientation_spread": 0, "filter": False, "view": "flat", "paint": "", "phasor": False,
             "material": "none"}
 LOBES = [{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5}, {"frequency": 5, "orientation": -70, "radius": 0.6},
          {"frequency": 1, "orientation_spread": 90, "power": 0.5, "radius": 1.7, "stretch": 0.7}]
@@ -126,8 +126,8 @@ class Like(RenderTest):
         """Between them, the requests set every parameter to a value other than its default."""
         write_exr(self.folder / "paint.exr", {"frequency": np.full((2, 2), 3, "<f4"),
                                               "orientation": np.full((2, 2), 40, "<f4")})
-        every = [["--quadrature", "--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
-                 ["--frequency-spread=0.25", "--orientation-spread=30", "--values=3"], ["--filter"],
+        every = [["--gradient", "--tileable", "--time=0.25", "--recipe=pure", "--phasor"],
+                 ["--frequency-spread=0.25", "--orientation-spread=30"], ["--filter"],
                  ["--view=slice", "--depth=1.5"], ["--view=torus", "--solid", "--yaw=20", "--pitch=-10", "--zoom=1.5"], ["--paint=paint.exr"], ["--preset=figure6"],
                  ["--material=zebra", "--light-azimuth=20", "--light-elevation=50", "--environment=dark"]]
         unlike = set()
@@ -165,7 +165,7 @@ class Like(RenderTest):
 
 class Flags(RenderTest):
     def test_a_flag_can_be_taken_back(self):
-        made = self.render("--tileable", "--gradient", "--no-quadrature", output="made.exr", size="80x80")
+        made = self.render("--tileable", "--gradient", "--no-phasor", output="made.exr", size="80x80")
         self.assertEqual((made.parameters["tileable"], made.parameters["gradient"]), (True, True))
         self.succeed("render", "-o", "again.exr", "--like=made.exr", "--no-tileable", "--no-gradient")
         self.succeed("render", "-o", "plain.exr", "--size=80x80")
@@ -180,8 +180,8 @@ class Flags(RenderTest):
 
 class Channels(RenderTest):
     def test_more_channels_leave_the_noise_as_it_was(self):
-        exr = self.render("--gradient", "--quadrature", **SMALL)
-        self.assertEqual(sorted(exr.channels), ["Y", "gradient.x", "gradient.y", "quadrature"])
+        exr = self.render("--gradient", **SMALL)
+        self.assertEqual(sorted(exr.channels), ["Y", "gradient.x", "gradient.y"])
         self.assert_same_bits(self.render(**SMALL).pixels, exr.pixels)
 
 
