@@ -11,6 +11,7 @@
 
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,11 +60,11 @@ render::Values given_values(const ParameterOptions& options);
 /// Throws RequestError with the message "OPTION 'TEXT': expected ACCEPTED".
 [[noreturn]] void refuse(std::string_view option, std::string_view text, std::string_view accepted);
 
-/// Reads `count` whole numbers with `separator` between them, such as 1024x768 or 0,0,64,64.
-template <std::size_t count>
-std::array<int, count> parse_integers(std::string_view option, std::string_view text, char separator,
-                                      std::string_view accepted) {
-    std::array<int, count> values{};
+/// Reads `count` numbers with `separator` between them, such as 1024x768 or 0,0,64,64.
+template <typename Number, std::size_t count>
+std::array<Number, count> parse_numbers(std::string_view option, std::string_view text, char separator,
+                                        std::string_view accepted) {
+    std::array<Number, count> values{};
     const char* at = text.data();
     const char* end = at + text.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -82,6 +83,14 @@ std::array<int, count> parse_integers(std::string_view option, std::string_view 
 /// Reads a whole number from `low` to `high`. Error messages append `where` to these limits.
 int parse_integer(std::string_view option, std::string_view text, int low, int high,
                   std::string_view where = "");
+
+/// Reads WIDTHxHEIGHT.
+std::array<int, 2> parse_size(std::string_view text, int most);
+
+/// Returns the extension of a file name, in lower case. Throws RequestError unless it is one of `accepted`,
+/// or empty and not `required`.
+std::string check_extension(std::string_view option, const std::filesystem::path& path,
+                            const std::vector<const char*>& accepted, bool required);
 
 /// Reads X,Y,WIDTH,HEIGHT.
 image::Rect parse_region(std::string_view text);

@@ -75,13 +75,7 @@ auto reader_of(const ErodeOptions& options) {
     if (raw != options.size.has_value())
         throw RequestError(raw ? "a .r16 file has no header: give its WIDTHxHEIGHT with --size"
                                : "--size is for .r16 files: other files store their size");
-    std::array<int, 2> size{};
-    if (raw) {
-        constexpr std::string_view accepted = "WIDTHxHEIGHT, each at least 1";
-        size = parse_integers<2>("--size", *options.size, 'x', accepted);
-        if (std::min(size[0], size[1]) < 1)
-            refuse("--size", *options.size, accepted);
-    }
+    const auto size = raw ? parse_size(*options.size, most_side) : std::array{0, 0};
     return [path = options.map, raw, size] {
         return raw ? image::open_raw16(path, size[0], size[1]) : image::open_picture(path, "height");
     };
@@ -108,9 +102,7 @@ render::HeightMap map_of(const ErodeOptions& options, double extent, const rende
 }
 
 void check_output(const ErodeOptions& options) {
-    if (std::ranges::none_of(std::array{".exr", ".png", ".r16"},
-                             [&](const char* each) { return has_extension(options.output, each); }))
-        refuse("-o", options.output.string(), "a file name that ends in .exr, .png or .r16");
+    check_extension("-o", options.output, {".exr", ".png", ".r16"}, true);
     std::error_code ignored;
     if (std::filesystem::equivalent(options.map, options.output, ignored))
         throw RequestError(
@@ -120,38 +112,30 @@ void check_output(const ErodeOptions& options) {
                            "become 0 and 65535 in 16 bits");
 }
 
-// Writes eroded pixels to an EXR, or their heights, which lie in `range`, to a PNG or .r16.
-class ErodedWriter {
-  public:
-    ErodedWriter(const std::filesystem::path& path, const render::HeightMap& map, const image::Rect& region,
-                 const render::Elevation& range) {
-        if (has_extension(path, ".exr"))
-            exr_.emplace(path, image::ExrHeader{.picture = {0, 0, map.width, map.height},
-                                                .window = region,
-                                                .channels = {channels.begin(), channels.end()}});
-        else
-            heights_.emplace(path, region, range, map.pixel);
+// Erodes a region, and writes all channels to an EXR or heights in `range` to a PNG or .r16.
+void write(const ErodeOptions& options, const vulkan::Device& device, const render::HeightMap& map,
+           const render::Request& request, const image::Rect& region, const render::Elevation& range) {
+    constexpr const auto& channels = render::erosion_channels;
+    std::optional<image::ExrWriter> exr;
+    std::optional<render::HeightWriter> heights;
+    if (has_extension(options.output, ".exr"))
+        exr.emplace(options.output, image::ExrHeader{.picture = {0, 0, map.width, map.height},
+                                                     .window = region,
+                                                     .channels = {channels.begin(), channels.end()}});
+    else
+        heights.emplace(options.output, region, range, map.pixel);
+    {
+        Progress progress("eroding", region.pixels());
+        render::erode(device, map, request, region, [&](std::span<const float> rows) {
+            if (exr)
+                exr->write_rows(rows);
+            else
+                heights->write_rows(rows, channels.size(), 0);
+            progress.advance(rows.size() / channels.size());
+        });
     }
-
-    void write_rows(std::span<const float> rows) {
-        if (exr_)
-            exr_->write_rows(rows);
-        else
-            heights_->write_rows(rows, channels.size(), 0);
-    }
-
-    void commit() {
-        if (exr_)
-            exr_->commit();
-        else
-            heights_->commit();
-    }
-
-  private:
-    static constexpr const auto& channels = render::erosion_channels;
-    std::optional<image::ExrWriter> exr_;
-    std::optional<render::HeightWriter> heights_;
-};
+    exr ? exr->commit() : heights->commit();
+}
 
 void erode(const ErodeOptions& options) {
     const render::Request request = request_of(options);
@@ -169,15 +153,7 @@ void erode(const ErodeOptions& options) {
 
     note_interrupts();
     const vulkan::Device device(options.device);
-    ErodedWriter output(options.output, map, region, {elevation.low - reach, elevation.high + reach});
-    {
-        Progress progress("eroding", region.pixels());
-        render::erode(device, map, request, region, [&](std::span<const float> rows) {
-            output.write_rows(rows);
-            progress.advance(rows.size() / render::erosion_channels.size());
-        });
-    }
-    output.commit();
+    write(options, device, map, request, region, {elevation.low - reach, elevation.high + reach});
     fmt::print("{}: {} x {} pixels, on {}\n", options.output.string(), region.width, region.height,
                device.info().name);
 }

@@ -11,63 +11,33 @@ namespace {
 
 using Kind = render::Parameter::Kind;
 
-// The type names that help texts show.
-const char* type_name(Kind kind) {
-    switch (kind) {
-    case Kind::integer:
-    case Kind::number:
-        return "NUMBER";
-    case Kind::angle:
-        return "ANGLE";
-    case Kind::colour:
-        return "COLOUR";
-    case Kind::text:
-    case Kind::lobes:
-        return "FILE";
-    default:
-        return "NAME";
-    }
-}
-
 // Returns the value in `request`, or the values in views or in a material that have this parameter.
 std::string default_text(const render::Parameter& parameter, const render::Request& request) {
-    if (const std::optional<render::Value> value = parameter.get(request))
-        return render::to_text(*value);
-    if (const auto value = parameter.get({.material = std::string(render::materials.front())}))
-        return render::to_text(*value);
+    std::vector<render::Request> others{request, {.material = std::string(render::materials.front())}};
+    for (const std::string_view view : render::parameter("view").choices)
+        render::set(others.emplace_back(), "view", std::string(view));
+    others.resize(parameter.get(request) ? 1 : others.size());
     std::string text;
     std::optional<render::Value> last;
-    for (const std::string_view view : render::parameter("view").choices) {
-        render::Request other;
-        render::set(other, "view", std::string(view));
-        const std::optional<render::Value> value = parameter.get(other);
-        if (value && value != last)
-            text += last ? fmt::format(", or {} in the {} view", render::to_text(*value), view)
+    for (const render::Request& other : others)
+        if (const std::optional<render::Value> value = parameter.get(other); value && value != last) {
+            text += last ? fmt::format(", or {} in the {} view", render::to_text(*value),
+                                       render::to_text(*render::parameter("view").get(other)))
                          : render::to_text(*value);
-        last = value ? value : last;
-    }
+            last = value;
+        }
     return text;
 }
 
-std::string help_of(const render::Parameter& parameter, const render::Request& defaults) {
-    const std::string scope =
-        parameter.scope.holds(defaults) ? "" : fmt::format(" (for {})", parameter.scope.described);
-    std::vector<std::string> recipes;
-    switch (parameter.kind) {
-    case Kind::flag:
-    case Kind::text:
-        return fmt::format("{}{}", parameter.help, scope);
-    case Kind::lobes:
-        return fmt::format("{}: a JSON file with {}", parameter.help, render::accepted(parameter));
-    case Kind::recipe:
-        for (const noise::Recipe& recipe : noise::recipes())
-            recipes.push_back(fmt::format("{} ({})", recipe.name, recipe.summary));
-        return fmt::format("{}: {} [{}]", parameter.help, fmt::join(recipes, "; "),
-                           default_text(parameter, defaults));
-    default:
-        return fmt::format("{}{}: {} [{}]", parameter.help, scope, render::accepted(parameter),
-                           default_text(parameter, defaults));
-    }
+std::string help_of(const render::Parameter& p, const render::Request& defaults) {
+    std::string text(p.help);
+    if (!p.scope.holds(defaults))
+        text += fmt::format(" (for {})", p.scope.described);
+    if (p.kind == Kind::lobes)
+        return fmt::format("{}: a JSON file with {}", text, render::accepted(p));
+    return p.kind == Kind::flag || p.kind == Kind::text
+               ? text
+               : fmt::format("{}: {} [{}]", text, render::accepted(p), default_text(p, defaults));
 }
 
 } // namespace
@@ -82,27 +52,23 @@ void add_elevation_option(CLI::App& command, std::optional<std::string>& elevati
 }
 
 render::Elevation parse_elevation(std::string_view text) {
-    const auto comma = std::min(text.find(','), text.size());
-    render::Elevation range{};
-    const auto read = [](std::string_view number, double& value) {
-        return std::from_chars(number.data(), number.data() + number.size(), value);
-    };
-    const auto low = read(text.substr(0, comma), range.low);
-    const auto high = read(text.substr(std::min(comma + 1, text.size())), range.high);
-    if (low.ec != std::errc() || high.ec != std::errc() || low.ptr != text.data() + comma ||
-        high.ptr != text.data() + text.size() || !(range.low < range.high) ||
-        !std::isfinite(range.high - range.low))
-        refuse("--elevation", text, "LOW,HIGH, the lower height first");
-    return range;
+    constexpr std::string_view accepted = "LOW,HIGH, the lower height first";
+    const auto [low, high] = parse_numbers<double, 2>("--elevation", text, ',', accepted);
+    if (!(low < high && std::isfinite(high - low)))
+        refuse("--elevation", text, accepted);
+    return {low, high};
 }
 
 void add_parameter(CLI::App& command, ParameterOptions& options, const render::Parameter& parameter,
                    const render::Request& defaults) {
+    // In the order of Kind.
+    constexpr std::array types{"", "NUMBER", "NUMBER", "ANGLE", "NAME", "FILE", "NAME", "FILE", "COLOUR"};
     const std::string name = render::option_name(parameter);
-    CLI::Option* option = parameter.kind == Kind::flag
-                              ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
-                                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-                              : command.add_option(name)->type_name(type_name(parameter.kind));
+    CLI::Option* option =
+        parameter.kind == Kind::flag
+            ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
+                  ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+            : command.add_option(name)->type_name(types.at(static_cast<std::size_t>(parameter.kind)));
     options.emplace_back(&parameter, option->description(help_of(parameter, defaults)));
 }
 
@@ -126,14 +92,36 @@ void refuse(std::string_view option, std::string_view text, std::string_view acc
 
 int parse_integer(std::string_view option, std::string_view text, int low, int high, std::string_view where) {
     const std::string accepted = fmt::format("a whole number from {} to {}{}", low, high, where);
-    const auto [value] = parse_integers<1>(option, text, ' ', accepted);
+    const auto [value] = parse_numbers<int, 1>(option, text, ' ', accepted);
     if (value < low || value > high)
         refuse(option, text, accepted);
     return value;
 }
 
+std::array<int, 2> parse_size(std::string_view text, int most) {
+    const std::string accepted = fmt::format("WIDTHxHEIGHT, each from 1 to {}", most);
+    const auto size = parse_numbers<int, 2>("--size", text, 'x', accepted);
+    if (std::ranges::min(size) < 1 || std::ranges::max(size) > most)
+        refuse("--size", text, accepted);
+    return size;
+}
+
+std::string check_extension(std::string_view option, const std::filesystem::path& path,
+                            const std::vector<const char*>& accepted, bool required) {
+    const auto found = std::ranges::find_if(
+        accepted, [&](const char* extension) { return render::has_extension(path, extension); });
+    if (found != accepted.end())
+        return *found;
+    if (!path.has_extension() && path != "-" && !required)
+        return "";
+    const auto before = std::span(accepted).first(accepted.size() - 1);
+    refuse(option, path.string(),
+           fmt::format("a file name that ends in {}{}{}", fmt::join(before, ", "),
+                       before.empty() ? "" : " or ", accepted.back()));
+}
+
 image::Rect parse_region(std::string_view text) {
-    const auto [x, y, width, height] = parse_integers<4>(
+    const auto [x, y, width, height] = parse_numbers<int, 4>(
         "--region", text, ',', "X,Y,WIDTH,HEIGHT in pixels from the picture's upper left corner");
     return {x, y, width, height};
 }

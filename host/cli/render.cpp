@@ -53,12 +53,7 @@ render::Values values_of(const RenderOptions& options) {
     render::Values values = given_values(options.parameters);
     if (options.size) {
         const render::Parameter& width = render::parameter("width");
-        const std::string accepted =
-            fmt::format("WIDTHxHEIGHT, each from {} to {}", width.range.low, width.range.high);
-        const std::array<int, 2> sides = parse_integers<2>("--size", *options.size, 'x', accepted);
-        for (const int side : sides)
-            if (side < width.range.low || side > width.range.high)
-                refuse("--size", *options.size, accepted);
+        const auto sides = parse_size(*options.size, static_cast<int>(width.range.high));
         values.emplace_back(&width, static_cast<double>(sides[0]));
         values.emplace_back(&render::parameter("height"), static_cast<double>(sides[1]));
     }
@@ -160,17 +155,13 @@ render::Files files_of(const RenderOptions& options) {
 
     render::Files files{.exr = {}, .png = {}, .compression = options.compression};
     if (options.output) {
-        const std::string extension = std::filesystem::path(*options.output).extension();
-        if (*options.output == "-" || (!extension.empty() && extension != ".exr" && extension != ".png"))
-            refuse("-o", *options.output, "a file name that ends in .exr or .png");
-        (extension == ".png" ? files.png : files.exr) = *options.output;
+        const bool png = check_extension("-o", *options.output, {".exr", ".png"}, false) == ".png";
+        (png ? files.png : files.exr) = *options.output;
     }
     if (options.png) {
         if (files.png)
             throw RequestError("-o and --png both name a PNG: use -o for the EXR");
-        const std::string extension = std::filesystem::path(*options.png).extension();
-        if (!extension.empty() && extension != ".png")
-            refuse("--png", *options.png, "a file name that ends in .png");
+        check_extension("--png", *options.png, {".png"}, false);
         files.png = *options.png;
     }
     if (options.heightmap)
@@ -182,6 +173,13 @@ render::Files files_of(const RenderOptions& options) {
     if (options.texture && (files.png || files.heightmap))
         throw RequestError("--texture cannot be combined with a PNG or a heightmap: a texture is an EXR");
     return files;
+}
+
+// What was drawn, as in "material wood".
+std::string subject(const render::Request& request) {
+    return render::has_terrain(request)    ? "terrain"
+           : render::has_material(request) ? "material " + request.material
+                                           : "recipe " + noise::to_string(render::drawing_recipe(request));
 }
 
 // Renders a set of maps. Unless a scale is given, the shorter side spans 4 units of a material, 8 of terrain.
@@ -205,8 +203,7 @@ void render_map_set(const RenderOptions& options) {
                             [&](std::uint64_t done) { progress.advance(done); });
     }
     fmt::print("{}: maps of {} x {} pixels, {}, on {}\n", *options.maps, work.request.width,
-               work.request.height, terrain ? "terrain" : "material " + work.request.material,
-               device.info().name);
+               work.request.height, subject(work.request), device.info().name);
 }
 
 void render_pictures(const RenderOptions& options, Clock::time_point start) {
@@ -249,12 +246,7 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
                     : here.png ? *here.png
                                : *here.heightmap)
                        .string(),
-                   region.width, region.height,
-                   render::has_terrain(request) ? "terrain"
-                   : render::has_material(request)
-                       ? fmt::format("material {}", request.material)
-                       : fmt::format("recipe {}", noise::to_string(render::drawing_recipe(request))),
-                   device.info().name);
+                   region.width, region.height, subject(request), device.info().name);
     }
     if (options.verbose)
         print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));

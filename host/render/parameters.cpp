@@ -386,10 +386,11 @@ bool is_changed(const Request& request, const Parameter& p) {
 // Tells whether the request stores a value of the noise that has no effect in it. The values of materials and
 // terrain may wait in a request for later.
 bool is_stray(const Request& request, const Parameter& p) {
+    if (p.scope.holds(request) || !is_changed(request, p))
+        return false;
     Request noise = request;
     noise.material = no_material;
-    return !p.scope.holds(request) && (p.scope.holds(noise) || p.scope.holds(Request())) &&
-           is_changed(request, p);
+    return p.scope.holds(noise) || p.scope.holds(Request());
 }
 
 struct Exclusion {

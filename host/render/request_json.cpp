@@ -103,36 +103,6 @@ ordered_json json_of(const Parameter& p, const Value& value) {
     return std::visit([](const auto& held) { return ordered_json(held); }, value);
 }
 
-// Reads a member of a colour: nested lists of numbers, described by `accepted`.
-template <typename Lists>
-void read_lists(Lists& lists, const json& colour, const char* name, std::string_view accepted) {
-    if (!colour.contains(name))
-        throw RequestError(fmt::format("the colour has no '{}'", name));
-    try {
-        colour[name].get_to(lists);
-        if (json(lists) == colour[name]) // false if the JSON has more elements
-            return;
-    } catch (const json::exception&) {
-    }
-    throw RequestError(fmt::format("{} of a colour must be {}", name, accepted));
-}
-
-noise::Colour colour_of(const json& object) {
-    if (!object.is_object())
-        throw RequestError("the colour must be an object");
-    noise::Colour colour;
-    read_lists(colour.weights, object, "weights", "a list with three pairs of numbers for each lobe");
-    read_lists(colour.histogram, object, "histogram", "three lists of six numbers");
-    read_lists(colour.mean, object, "mean", "three numbers");
-    read_lists(colour.mixing, object, "mixing", "three lists of three numbers");
-    const json linear = object.value("linear", json(false));
-    if (object.size() != (object.contains("linear") ? 5 : 4) || !linear.is_boolean())
-        throw RequestError(
-            "a colour has weights (one set per lobe), histogram, mean, mixing and, optionally, linear");
-    colour.linear = linear;
-    return colour;
-}
-
 ordered_json json_of(const noise::Colour& colour) {
     ordered_json object{{"weights", colour.weights},
                         {"histogram", colour.histogram},
@@ -141,6 +111,25 @@ ordered_json json_of(const noise::Colour& colour) {
     if (colour.linear)
         object["linear"] = true;
     return object;
+}
+
+noise::Colour colour_of(json object) {
+    try {
+        noise::Colour colour;
+        colour.linear = object.value("linear", false);
+        object.at("weights").get_to(colour.weights);
+        object.at("histogram").get_to(colour.histogram);
+        object.at("mean").get_to(colour.mean);
+        object.at("mixing").get_to(colour.mixing);
+        if (!colour.linear)
+            object.erase("linear");
+        if (json(json_of(colour)) == object) // false if the JSON has more members or elements
+            return colour;
+    } catch (const json::exception&) {
+    }
+    throw RequestError("a colour has weights (a list with three pairs of numbers for each lobe), histogram "
+                       "(three lists of six numbers), mean (three numbers), mixing (three lists of three "
+                       "numbers) and, optionally, linear (true or false)");
 }
 
 bool is_of_lobe(const Parameter& p) {
@@ -185,7 +174,7 @@ Request from_json(std::string_view text) {
         if (lobes && lobes->empty())
             continue; // the other values describe the lobe
         has_lobes |= lobes != nullptr;
-        (lobes || p.kind == Kind::choice ? deciding : others).emplace_back(&p, value);
+        (lobes || p.name == "view" || p.name == "material" ? deciding : others).emplace_back(&p, value);
     }
     set(request, deciding);
     std::erase_if(others, [&](const auto& each) {

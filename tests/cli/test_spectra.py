@@ -68,7 +68,7 @@ class Spectra(SpectraTest):
                     channels = self.render(size="64x64", light_azimuth=azimuth, light_elevation=30, **options).channels
                     alike = np.corrcoef((channels["lit.G"] / channels["G"]).ravel(), channels[f"slope.{axis}"].ravel())[0, 1]
                     self.assertGreater(sign * alike, 0.3, (options, azimuth))
-        self.assert_refused(["light_azimuth", "a material or terrain"], "render", "-o", "out.exr", "--light-azimuth=30")
+        self.assert_refused(["--light-azimuth", "a material or terrain"], "render", "-o", "out.exr", "--light-azimuth=30")
 
     def test_the_light_of_an_overcast_sky_equals_its_integral(self):
         """Compares the sky's light with a sum over the hemisphere above each pixel's normal. In the dark environment,
@@ -113,7 +113,7 @@ class Spectra(SpectraTest):
             (["'woood'", "marble"], ["--preset=woood"]),
             (["--preset", "--like"], ["--preset=wood", f"--like={good}"]),
             (["recipe", "slice"], ["--view=slice", "--recipe=pure"]),
-            (["paint", "a single lobe, not 3"], ["--lobes", good, "--paint=x.exr"]),
+            (["--paint", "a single lobe, not 5 lobes"], ["--lobes", good, "--paint=x.exr"]),
             (["absent.exr"], ["--paint=absent.exr"]),
             (["stretched kernels require a lattice recipe"], ["--recipe=one", "--lobes", self.write_lobes([{"stretch": 2}], "oval.json")]),
             (["two kernel radii", "widest lobe"], ["--lobes", good, "--tileable", "--scale=16.1"]),
