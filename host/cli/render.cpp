@@ -5,7 +5,6 @@
 #include "render/load.hpp"
 #include "render/maps.hpp"
 #include "render/texture.hpp"
-#include "seconds.hpp"
 #include "vulkan/device.hpp"
 
 #include <fmt/ranges.h>
@@ -38,7 +37,6 @@ struct RenderOptions {
     std::optional<std::string> elevation;
     bool texture = false;
     bool half = false;
-    bool verbose = false;
     ParameterOptions parameters; // all but width and height, which are in `size`
 };
 
@@ -127,19 +125,6 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-void print_times(const render::Times& times, const vulkan::Device& device, double pixels, double device_ready,
-                 double wall) {
-    fmt::print("  driver                  {}\n", device.info().driver);
-    fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.first_dispatch);
-    fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", times.gpu,
-               times.gpu / pixels * 1e9);
-    fmt::print("  compression and writing {:8.3f} s, then {:.3f} s to reach the disk\n", times.writing,
-               times.closing);
-    fmt::print("  total                   {:8.3f} s\n", wall);
-    fmt::print("  host overhead           {:8.3f} s\n", wall - times.waiting - times.writing - times.closing);
-    fmt::print("  peak resident memory    {:8} MiB\n", peak_memory() >> 20);
-}
-
 // The output files of -o, --png and --heightmap.
 render::Files files_of(const RenderOptions& options) {
     using Output = std::pair<const char*, const std::optional<std::string>&>;
@@ -206,7 +191,7 @@ void render_map_set(const RenderOptions& options) {
                work.request.height, subject(work.request), device.info().name);
 }
 
-void render_pictures(const RenderOptions& options, Clock::time_point start) {
+void render_pictures(const RenderOptions& options) {
     note_interrupts();
     if (options.half && !options.texture)
         throw RequestError("--half requires --texture: plain pictures have 32-bit floats");
@@ -224,11 +209,9 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
     warn_above_nyquist(work.request);
 
     const vulkan::Device device(options.device);
-    const double device_ready = seconds_since(start);
     const std::uint64_t pixels = region.pixels() * static_cast<std::uint64_t>(frames);
     std::optional<Progress> progress(std::in_place, "rendering",
                                      options.texture ? render::texture_pixels(pixels) : pixels);
-    render::Times total;
     for (int frame = 0; frame < frames; ++frame) {
         const render::Request request = render::frame_of(work.request, frame, frames);
         render::Files here = files;
@@ -236,9 +219,9 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
             if (*path)
                 *path = render::frame_path(**path, frame, frames);
         const auto advance = [&](std::uint64_t done) { progress->advance(done); };
-        total += options.texture ? render::render_texture(device, request, region, *here.exr,
-                                                          {options.compression, options.half}, advance)
-                                 : render::render_file(device, request, region, here, advance);
+        options.texture ? render::render_texture(device, request, region, *here.exr,
+                                                 {options.compression, options.half}, advance)
+                        : render::render_file(device, request, region, here, advance);
         if (frame + 1 == frames)
             progress.reset();
         fmt::print("{}: {} x {} pixels, {}, on {}\n",
@@ -248,14 +231,11 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
                        .string(),
                    region.width, region.height, subject(request), device.info().name);
     }
-    if (options.verbose)
-        print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));
 }
 
 } // namespace
 
 void add_render_command(CLI::App& app) {
-    const Clock::time_point start = Clock::now();
     auto options = std::make_shared<RenderOptions>();
     CLI::App* command = app.add_subcommand("render", "Render noise, a material or terrain to OpenEXR or PNG");
     command->footer(R"(
@@ -299,8 +279,6 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
            fmt::format("Compression of the EXR: {} [{}]", fmt::join(image::compression_names(), ", "),
                        options->compression));
     add_device_option(*command, options->device);
-    command->add_flag("--verbose", options->verbose,
-                      "Print the time that each step took, and the memory used");
 
     parameters("Noise", render::Parameter::Group::noise);
     parameters("View and light", render::Parameter::Group::view);
@@ -327,7 +305,7 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
 
     for (const auto group : {render::Parameter::Group::erosion, render::Parameter::Group::material})
         parameters("", group); // `gabor erode` and `gabor materials` list them
-    command->callback([options, start] { render_pictures(*options, start); });
+    command->callback([options] { render_pictures(*options); });
 }
 
 } // namespace gabor::cli

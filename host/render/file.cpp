@@ -4,7 +4,6 @@
 #include "image/png.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
-#include "seconds.hpp"
 
 #include <fmt/format.h>
 
@@ -73,8 +72,8 @@ image::ExrHeader exr_header(const Request& request, const image::Rect& region, c
                                              : ""};
 }
 
-Times render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                  const Files& files, const image::Advance& advance) {
+void render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                 const Files& files, const image::Advance& advance) {
     image::ExrHeader header = exr_header(request, region, software(device));
     header.compression = files.compression;
     const std::size_t kept = header.channels.size();
@@ -96,12 +95,10 @@ Times render_file(const vulkan::Device& device, const Request& request, const im
                         unit / request.scale);
     }
 
-    double writing = 0;
     std::vector<float> shown;
     std::vector<float> without_normals;
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / channels);
-        const Clock::time_point before = Clock::now();
         if (exr && files.normals) { // drops the normals, which precede the last channel
             without_normals.clear();
             for (std::size_t i = 0; i < values.size(); ++i)
@@ -119,20 +116,15 @@ Times render_file(const vulkan::Device& device, const Request& request, const im
             to_display(request, values, shown);
             png->write_rows(shown);
         }
-        writing += seconds_since(before);
     };
-    Times times = render_region(device, request, region, write, files.normals);
-    times.writing = writing;
+    render_region(device, request, region, write, files.normals);
     advance(0);
-    const Clock::time_point before = Clock::now();
     if (exr)
         exr->commit();
     if (png)
         png->commit();
     if (heights)
         heights->commit();
-    times.closing = seconds_since(before);
-    return times;
 }
 
 } // namespace gabor::render
