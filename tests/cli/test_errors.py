@@ -137,10 +137,10 @@ class Outputs(ErrorTest):
             self.assert_refused(["--png 'out.jpg'", ".png"], "render", *output, "--png", "out.jpg")
         self.assert_refused(["-o and --png"], "render", "-o", "a.png", "--png", "b.png")
         self.succeed("render", "-o", "both.exr", "--png", "both.png", "--size=20x10")
-        self.succeed("render", "-o", "alone.png", "--size=20x10")
+        self.succeed("render", "-o", "alone.PNG", "--size=20x10")
         files = self.files()
-        self.assertEqual(files["alone.png"], files["both.png"])
-        self.assertEqual(sorted(files), ["alone.png", "both.exr", "both.png"])
+        self.assertEqual(files["alone.PNG"], files["both.png"])
+        self.assertEqual(sorted(files), ["alone.PNG", "both.exr", "both.png"])
 
     def test_one_name_for_two_files(self):
         for png in ("out.exr", "./out.exr", str(self.folder / "out.exr")):
