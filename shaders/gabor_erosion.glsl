@@ -24,18 +24,19 @@ struct GaborTerrain {
 };
 
 struct GaborErosion {
-    int octaves;           // octaves of gullies, 0 to 16, each about as costly as gabor_noise_gradient
-    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000
-    float strength;        // depth of gullies times their frequency, 0 to 10: how steep they are
-    float lacunarity;      // frequency relative to the previous octave, 1 to 8
-    float gain;            // depth relative to the previous octave, 0 to 2: 1 / lacunarity keeps slopes equal
-    float onset;           // slope at which gullies reach their full depth, 10^-6 to 100
-    float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100
-    float uniformity;      // how uniform the depths of gullies are, 0 to 100: 1 for natural variety, 4 for even stripes
-    float ridge_rounding;  // width of rounded ridges, 0 to 10 radians of the first octave's phase, 0 for sharp ridges
-    float crease_rounding; // the same for creases
+    int octaves;           // octaves of gullies, 0 to 16, usually 0 to 10: each costs about as much as gabor_noise_gradient
+    float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
+    float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
+    float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
+    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for equal slopes
+    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4
+    float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
+    float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
+                           // even stripes
+    float ridge_rounding;  // width of rounded ridges, 0 to 10, usually 0 to 2: radians of the first octave's phase
+    float crease_rounding; // width of rounded creases, 0 to 10, usually 0 to 2
     float gully_weight;    // depth of gullies, relative to how far peaks rise and valleys sink, 0 to 1
-    float branching;       // how much of a gully's slope turns finer gullies, 0 to 10: 0 for none, 1 for all of it
+    float branching;       // how much of a gully's slope turns finer gullies, 0 to 10, usually 0 to 2: 1 for all of it
 };
 
 // GaborErosion gabor_erosion()

@@ -1,5 +1,5 @@
-"""Other files made from the drop-ins: the page and bundles that contain them, the program's table of materials, and the
-benchmark's WGSL.
+"""Other files made from the drop-ins: the page and bundles that contain them, the program's table of the structs' members,
+and the benchmark's WGSL.
 tools/translate calls this module."""
 
 import math
@@ -24,35 +24,38 @@ IN_PAGE = re.compile(r'(<script type="text/plain" id="(gabor_\w+)\.glsl">\n)(?:.
 YARDSTICKS = ROOT / "host" / "lab" / "passes" / "bench" / "yardsticks.wgsl"  # noises that docs/benchmark.html compares with
 
 
-def material_rows(tree):
-    """Returns the program's table of the materials' parameters, with angles in degrees."""
-    lines = ["// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one."]
-    for function in tree.items:
-        if function.kind != "function" or not function.name.text.endswith("_default"):
+def struct_rows(*trees):
+    """Returns the program's table of the parameters of materials and of erosion: the members of the structs, with the defaults that
+    their functions return. A comment is "about, low to high, usually low to high: more"; angles become degrees."""
+    lines = ["// Generated from gabor_materials.glsl and gabor_erosion.glsl by tools/translate: change those files, not this one."]
+    for tree, function in ((tree, item) for tree in trees for item in tree.items if item.kind == "function"):
+        name, made, _ = function.name.text.removeprefix("gabor_").partition("_default")
+        if function.parameters or not function.name.text.endswith(("_default", "_erosion")):
             continue
         call = function.body.parts[0].parts[0]
         for field, value in zip((field for line in call.callee.parts for field in line.parts), call.parts):
             numbers = [float(node.name.text) for node in value.walk() if node.kind == "number"]
             comment = next(comment.text for comment in tree.comments if comment.line == field.line).removeprefix("// ")
-            about, low, high, radians = re.fullmatch(r"(?:(.*?)(?:, |$))??(?:(\S+) to (\S+)( radians)?)?", comment).groups()
-            row, bounds = "colour", ["0", "1"]
-            if field.type == "float":
-                row, bounds = "number", [low, high]
+            about, low, high, radians, usual_low, usual_high = re.fullmatch(
+                r"(?:(.*?)(?:, |$))??(?:([-\d.]+) to ([-\d.]+)( radians)?)?(?:, usually (\S+) to ([\d.]+))?(?::.*)?", comment).groups()
+            row = {"vec3": "colour", "int": "integer", "float": "angle" if radians else "number"}[field.type]
+            bounds = [0, 1] if row == "colour" else [float(low), float(high)]
             if radians:
-                row, bounds = "angle", [f"{math.degrees(float(bound)):.0f}" for bound in bounds]
-                numbers = [round(math.degrees(numbers[0]), 2)]
-            member, material = field.name.text, function.name.text.removeprefix("gabor_").removesuffix("_default").replace("_", "-")
-            about = about or member
+                bounds, numbers = [round(math.degrees(bound)) for bound in bounds], [round(math.degrees(numbers[0]), 2)]
+            usual = [usual_low, usual_high] if usual_low else [-180, 180] if radians and bounds[0] < 0 else bounds
+            member = field.name.text
+            about = (about or member).replace("unit of p", "kernel radius")
             about = f"{member} {about}" if about.startswith("of ") else about
-            lines.append(f'{{"{material}.{member}", Kind::{row}, {{{", ".join(bounds)}}}, '
-                         f'{{{", ".join(f"{number:g}" for number in numbers)}}}, "{about[0].upper() + about[1:]}"}},')
+            option = f"{name.replace('_', '-')}.{member}" if made else {"frequency": "gully_frequency"}.get(member, member)
+            braced = ("{" + ", ".join(f"{float(number):g}" for number in each) + "}" for each in (bounds, usual, numbers))
+            lines.append(f'{{"{option}", Kind::{row}, {", ".join(braced)}, "{about[0].upper() + about[1:]}"}},')
     return "\n".join(lines) + "\n"
 
 
 def made(shader, wgsl, missing):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `wgsl` translates it, or raises
     the exception `missing`."""
-    yield ROOT / "host" / "render" / "material_rows.inc", material_rows(shader("gabor_materials"))
+    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(shader("gabor_materials"), shader("gabor_erosion"))
     yield DEMO, IN_PAGE.sub(lambda match: match[1] + shader(match[2]).text + match[3], DEMO.read_text())
     try:
         note = "// Generated from yardsticks.glsl by tools/translate and naga: change that file, not this one.\n\n"

@@ -54,8 +54,7 @@ void fit_picture(const FitOptions& options) {
     const int lobes = parse_integer("--lobes", options.lobes, 1, fit::most_lobes);
     const std::optional<std::string> name =
         options.glsl ? std::optional(fit::function_name(*options.glsl)) : std::nullopt;
-    if (std::filesystem::path(options.output).extension() != ".json")
-        refuse("-o", options.output, "a file name that ends in .json");
+    check_extension("-o", options.output, {".json"}, true);
     image::OutputFile output(options.output);
     std::optional<image::OutputFile> glsl;
     if (options.glsl)

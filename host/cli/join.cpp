@@ -20,9 +20,7 @@ struct JoinOptions {
 void join(const JoinOptions& options) {
     if (options.half && !options.texture)
         throw RequestError("--half requires --texture: plain pictures have 32-bit floats");
-    const std::filesystem::path extension = std::filesystem::path(options.output).extension();
-    if (!extension.empty() && extension != ".exr")
-        refuse("-o", options.output, "a file name that ends in .exr");
+    check_extension("-o", options.output, {".exr"}, false);
     std::uint64_t pixels = 0;
     for (const std::filesystem::path& region : options.regions) {
         std::error_code ignored;
@@ -45,8 +43,8 @@ void join(const JoinOptions& options) {
 
 void add_join_command(CLI::App& app) {
     auto options = std::make_shared<JoinOptions>();
-    CLI::App* command = app.add_subcommand(
-        "join", "Join regions of one picture into the file that a single render would write");
+    CLI::App* command =
+        app.add_subcommand("join", "Join regions of one picture, as a single render would write it");
     add_option(*command, "REGION", options->regions, "FILE",
                "EXR files of `gabor render --region`, in any order")
         ->required();

@@ -53,8 +53,9 @@ void print_material(const std::string& name) {
     render::Request request;
     render::set(request, "material", name);
     for (const render::Parameter& p : render::parameters())
-        if (const auto value = render::is_of_one_material(p) ? p.get(request) : std::nullopt)
-            fmt::print("--{:<26}{}: {} [{}]\n", p.name, p.help, render::accepted(p), render::to_text(*value));
+        if (p.group == render::Parameter::Group::material && p.scope.holds(request))
+            fmt::print("--{:<26}{}: {} [{}]\n", p.name, p.help, render::accepted(p),
+                       render::to_text(*p.get(request)));
 }
 
 } // namespace
@@ -66,8 +67,7 @@ void add_devices_command(CLI::App& app) {
 
 void add_materials_command(CLI::App& app) {
     auto name = std::make_shared<std::string>();
-    CLI::App* command = app.add_subcommand(
-        "materials", "List the materials, or the options that gabor render has for one of them");
+    CLI::App* command = app.add_subcommand("materials", "List the materials, or the options of one of them");
     add_option(*command, "MATERIAL", *name, "", fmt::format("{}", fmt::join(render::materials, ", ")));
     command->callback([name] {
         if (!name->empty())

@@ -1,13 +1,75 @@
 #include "cli/commands.hpp"
 
-#include "image/exr.hpp"
 #include "render/load.hpp"
+#include "render/material.hpp"
+
+#include <fmt/ranges.h>
 
 namespace gabor::cli {
 
-CLI::Option* add_elevation_option(CLI::App& command, std::vector<double>& elevation,
-                                  const std::string& help) {
-    return add_option(command, "--elevation", elevation, "RANGE", help)->delimiter(',')->expected(2);
+namespace {
+
+using Kind = render::Parameter::Kind;
+
+// Returns the value in `request`, or the values in views or in a material that have this parameter.
+std::string default_text(const render::Parameter& parameter, const render::Request& request) {
+    std::vector<render::Request> others{request, {.material = std::string(render::materials.front())}};
+    for (const std::string_view view : render::parameter("view").choices)
+        render::set(others.emplace_back(), "view", std::string(view));
+    others.resize(parameter.get(request) ? 1 : others.size());
+    std::string text;
+    std::optional<render::Value> last;
+    for (const render::Request& other : others)
+        if (const std::optional<render::Value> value = parameter.get(other); value && value != last) {
+            text += last ? fmt::format(", or {} in the {} view", render::to_text(*value),
+                                       render::to_text(*render::parameter("view").get(other)))
+                         : render::to_text(*value);
+            last = value;
+        }
+    return text;
+}
+
+std::string help_of(const render::Parameter& p, const render::Request& defaults) {
+    std::string text(p.help);
+    if (!p.scope.holds(defaults))
+        text += fmt::format(" (for {})", p.scope.described);
+    if (p.kind == Kind::lobes)
+        return fmt::format("{}: a JSON file with {}", text, render::accepted(p));
+    return p.kind == Kind::flag || p.kind == Kind::text
+               ? text
+               : fmt::format("{}: {} [{}]", text, render::accepted(p), default_text(p, defaults));
+}
+
+} // namespace
+
+void begin_group(CLI::App& command, const std::string& name) {
+    command.option_defaults()->group(name);
+}
+
+void add_elevation_option(CLI::App& command, std::optional<std::string>& elevation, std::string_view help) {
+    add_option(command, "--elevation", elevation, "LOW,HIGH",
+               fmt::format("Heights that 0 and 65535 stand for in 16-bit files [{}]", help));
+}
+
+render::Elevation parse_elevation(std::string_view text) {
+    constexpr std::string_view accepted = "LOW,HIGH, the lower height first";
+    const auto [low, high] = parse_numbers<double, 2>("--elevation", text, ',', accepted);
+    if (!(low < high && std::isfinite(high - low)))
+        refuse("--elevation", text, accepted);
+    return {low, high};
+}
+
+void add_parameter(CLI::App& command, ParameterOptions& options, const render::Parameter& parameter,
+                   const render::Request& defaults) {
+    // In the order of Kind.
+    constexpr std::array types{"", "NUMBER", "NUMBER", "ANGLE", "NAME", "FILE", "NAME", "FILE", "COLOUR"};
+    const std::string name = render::option_name(parameter);
+    CLI::Option* option =
+        parameter.kind == Kind::flag
+            ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
+                  ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+            : command.add_option(name)->type_name(types.at(static_cast<std::size_t>(parameter.kind)));
+    options.emplace_back(&parameter, option->description(help_of(parameter, defaults)));
 }
 
 render::Values given_values(const ParameterOptions& options) {
@@ -18,8 +80,7 @@ render::Values given_values(const ParameterOptions& options) {
         const render::Parameter& p = *parameter;
         const auto text = option->as<std::string>();
         values.emplace_back(&p, with_prefix(render::option_name(p) + ' ', [&] {
-            return p.kind == render::Parameter::Kind::lobes ? render::load_lobes(text)
-                                                            : render::read(p, text);
+            return p.kind == Kind::lobes ? render::load_lobes(text) : render::read(p, text);
         }));
     }
     return values;
@@ -31,14 +92,36 @@ void refuse(std::string_view option, std::string_view text, std::string_view acc
 
 int parse_integer(std::string_view option, std::string_view text, int low, int high, std::string_view where) {
     const std::string accepted = fmt::format("a whole number from {} to {}{}", low, high, where);
-    const auto [value] = parse_integers<1>(option, text, ' ', accepted);
+    const auto [value] = parse_numbers<int, 1>(option, text, ' ', accepted);
     if (value < low || value > high)
         refuse(option, text, accepted);
     return value;
 }
 
+std::array<int, 2> parse_size(std::string_view text, int most) {
+    const std::string accepted = fmt::format("WIDTHxHEIGHT, each from 1 to {}", most);
+    const auto size = parse_numbers<int, 2>("--size", text, 'x', accepted);
+    if (std::ranges::min(size) < 1 || std::ranges::max(size) > most)
+        refuse("--size", text, accepted);
+    return size;
+}
+
+std::string check_extension(std::string_view option, const std::filesystem::path& path,
+                            const std::vector<const char*>& accepted, bool required) {
+    const auto found = std::ranges::find_if(
+        accepted, [&](const char* extension) { return render::has_extension(path, extension); });
+    if (found != accepted.end())
+        return *found;
+    if (!path.has_extension() && path != "-" && !required)
+        return "";
+    const auto before = std::span(accepted).first(accepted.size() - 1);
+    refuse(option, path.string(),
+           fmt::format("a file name that ends in {}{}{}", fmt::join(before, ", "),
+                       before.empty() ? "" : " or ", accepted.back()));
+}
+
 image::Rect parse_region(std::string_view text) {
-    const auto [x, y, width, height] = parse_integers<4>(
+    const auto [x, y, width, height] = parse_numbers<int, 4>(
         "--region", text, ',', "X,Y,WIDTH,HEIGHT in pixels from the picture's upper left corner");
     return {x, y, width, height};
 }

@@ -1,6 +1,7 @@
 #include "cli/program.hpp"
 
 #include "cli/terminal.hpp"
+#include "edits.hpp"
 #include "error.hpp"
 #include "vulkan/device.hpp"
 
@@ -13,10 +14,11 @@
 #include <exception>
 #include <fcntl.h>
 #include <memory>
-#include <numeric>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace gabor::cli {
@@ -32,28 +34,33 @@ int fail(const Program& program, int status, std::string message) {
     return status;
 }
 
-// Removes the suffix that CLI11 adds to negated flags in the help, as in --no-filter{false}.
+// Shows each option once, with its type as we name it, wraps its description, and leaves one line between
+// groups.
 class Formatter : public CLI::Formatter {
-    std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
-        const std::string name = CLI::Formatter::make_option_name(option, is_positional);
-        return name.substr(0, name.find('{'));
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        std::string text = CLI::Formatter::make_help(app, name, mode);
+        for (std::size_t at = 0; (at = text.find("\n\n\n", at)) != text.npos;)
+            text.erase(at, 1);
+        return text;
+    }
+
+    std::string make_option(const CLI::Option* option, bool is_positional) const override {
+        constexpr std::size_t column = 30, width = 100;
+        const std::string names = make_option_name(option, is_positional);
+        std::string line = "  " + names.substr(0, names.find(",--no-"));
+        if (option->get_type_size() != 0 && !option->get_type_name().empty())
+            line += " " + option->get_type_name();
+        std::string text = line.size() < column ? "" : std::exchange(line, "") + "\n";
+        line.resize(column, ' ');
+        std::istringstream words(option->get_description() + (option->get_required() ? " (required)" : ""));
+        for (std::string word; words >> word; line += line.size() == column ? word : " " + word)
+            if (line.size() > column && line.size() + 1 + word.size() > width) {
+                text += line + "\n";
+                line.assign(column, ' ');
+            }
+        return text + line + "\n";
     }
 };
-
-// The edit distance between two words: how many letters to change, add or remove.
-std::size_t edits(std::string_view from, std::string_view to) {
-    std::vector<std::size_t> row(to.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < to.size(); ++j) {
-            const std::size_t kept = diagonal + (from[i] == to[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({kept, row[j] + 1, diagonal + 1});
-        }
-    }
-    return row.back();
-}
 
 // Suggests the option or subcommand most similar to an unknown word; empty if none is similar enough.
 std::string suggestion(const CLI::App& app, const std::string& word) {
@@ -64,14 +71,16 @@ std::string suggestion(const CLI::App& app, const std::string& word) {
             known.push_back("--" + name);
     for (const CLI::App* command : app.get_subcommands({}))
         known.push_back(command->get_name());
-    const auto distance = [name = word.substr(0, word.find('='))](const std::string& other) {
-        return edits(name, other);
-    };
-    const auto closest = std::ranges::min_element(known, {}, distance);
-    return distance(*closest) <= 2 ? fmt::format(": did you mean {}?", *closest) : "";
+    const std::string name = word.substr(0, word.find('='));
+    const auto closest =
+        std::ranges::min_element(known, {}, [&](const auto& other) { return edits(name, other); });
+    return edits(name, *closest) <= 2 ? fmt::format(": did you mean {}?", *closest) : "";
 }
 
-std::string where_to_look(const CLI::App& app) {
+// Names the command that lists what is accepted instead of an unknown word, or in general.
+std::string where_to_look(const CLI::App& app, const std::string& word = "") {
+    if (const std::size_t dot = word.find('.'); word.starts_with("--") && dot != word.npos)
+        return fmt::format("{} materials {} lists what is accepted", app.get_name(), word.substr(2, dot - 2));
     const std::vector<CLI::App*> chosen = app.get_subcommands();
     return fmt::format("{} {}--help lists what is accepted", app.get_name(),
                        chosen.empty() ? "" : chosen.front()->get_name() + " ");
@@ -96,7 +105,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
         else if (!words.empty()) // unknown words come first: one may be a misspelled required option
             return fail(program, 2,
                         fmt::format("unknown '{}'{} ({})", words.front(), suggestion(app, words.front()),
-                                    where_to_look(app)));
+                                    where_to_look(app, words.front())));
         else
             return fail(program, 2, fmt::format("{} ({})", error.what(), where_to_look(app)));
     } catch (const RequestError& error) {

@@ -5,7 +5,6 @@
 #include "render/load.hpp"
 #include "render/maps.hpp"
 #include "render/texture.hpp"
-#include "seconds.hpp"
 #include "vulkan/device.hpp"
 
 #include <fmt/ranges.h>
@@ -19,8 +18,6 @@
 namespace gabor::cli {
 
 namespace {
-
-using Kind = render::Parameter::Kind;
 
 // The command-line options. Values that are not given come from --like or --preset, or are defaults.
 struct RenderOptions {
@@ -37,11 +34,9 @@ struct RenderOptions {
     std::optional<std::string> level;
     std::string device;
     std::optional<std::string> heightmap;
-    std::vector<double> elevation;
-    bool terrain = false;
+    std::optional<std::string> elevation;
     bool texture = false;
     bool half = false;
-    bool verbose = false;
     ParameterOptions parameters; // all but width and height, which are in `size`
 };
 
@@ -56,12 +51,7 @@ render::Values values_of(const RenderOptions& options) {
     render::Values values = given_values(options.parameters);
     if (options.size) {
         const render::Parameter& width = render::parameter("width");
-        const std::string accepted =
-            fmt::format("WIDTHxHEIGHT, each from {} to {}", width.range.low, width.range.high);
-        const std::array<int, 2> sides = parse_integers<2>("--size", *options.size, 'x', accepted);
-        for (const int side : sides)
-            if (side < width.range.low || side > width.range.high)
-                refuse("--size", *options.size, accepted);
+        const auto sides = parse_size(*options.size, static_cast<int>(width.range.high));
         values.emplace_back(&width, static_cast<double>(sides[0]));
         values.emplace_back(&render::parameter("height"), static_cast<double>(sides[1]));
     }
@@ -82,13 +72,11 @@ Work make_work(const RenderOptions& options) {
         if (!options.size)
             region = like.region;
     }
-    if (options.terrain && !render::has_terrain(work.request))
-        render::set(work.request, "view", "terrain");
     const render::Values given = values_of(options);
-    render::set(work.request, given);
+    render::set(work.request, given, render::option_name);
     work.scaled = options.preset || options.like ||
                   std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
-    if (options.terrain && !work.scaled) // show two hills
+    if (render::has_terrain(work.request) && !work.scaled) // show two hills
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     work.request.filter |= options.texture || options.level; // mip levels are filtered
     render::check(work.request);
@@ -137,19 +125,6 @@ bool same_file(const std::string& a, const std::string& b) {
     return fs::weakly_canonical(here / a, ignored) == fs::weakly_canonical(here / b, ignored);
 }
 
-void print_times(const render::Times& times, const vulkan::Device& device, double pixels, double device_ready,
-                 double wall) {
-    fmt::print("  driver                  {}\n", device.info().driver);
-    fmt::print("  start to first dispatch {:8.3f} s\n", device_ready + times.first_dispatch);
-    fmt::print("  GPU                     {:8.3f} s, {:.2f} ns per pixel\n", times.gpu,
-               times.gpu / pixels * 1e9);
-    fmt::print("  compression and writing {:8.3f} s, then {:.3f} s to reach the disk\n", times.writing,
-               times.closing);
-    fmt::print("  total                   {:8.3f} s\n", wall);
-    fmt::print("  host overhead           {:8.3f} s\n", wall - times.waiting - times.writing - times.closing);
-    fmt::print("  peak resident memory    {:8} MiB\n", peak_memory() >> 20);
-}
-
 // The output files of -o, --png and --heightmap.
 render::Files files_of(const RenderOptions& options) {
     using Output = std::pair<const char*, const std::optional<std::string>&>;
@@ -160,28 +135,24 @@ render::Files files_of(const RenderOptions& options) {
             if (&path != &other && path && other && same_file(*path, *other))
                 throw RequestError(fmt::format("{} and {} both name '{}': give two different files", name,
                                                other_name, *path));
-    if (!options.elevation.empty() && !options.heightmap)
+    if (options.elevation && !options.heightmap)
         throw RequestError("--elevation requires --heightmap");
 
     render::Files files{.exr = {}, .png = {}, .compression = options.compression};
     if (options.output) {
-        const std::string extension = std::filesystem::path(*options.output).extension();
-        if (*options.output == "-" || (!extension.empty() && extension != ".exr" && extension != ".png"))
-            refuse("-o", *options.output, "a file name that ends in .exr or .png");
-        (extension == ".png" ? files.png : files.exr) = *options.output;
+        const bool png = check_extension("-o", *options.output, {".exr", ".png"}, false) == ".png";
+        (png ? files.png : files.exr) = *options.output;
     }
     if (options.png) {
         if (files.png)
             throw RequestError("-o and --png both name a PNG: use -o for the EXR");
-        const std::string extension = std::filesystem::path(*options.png).extension();
-        if (!extension.empty() && extension != ".png")
-            refuse("--png", *options.png, "a file name that ends in .png");
+        check_extension("--png", *options.png, {".png"}, false);
         files.png = *options.png;
     }
     if (options.heightmap)
         files.heightmap = *options.heightmap;
-    if (!options.elevation.empty())
-        files.elevation = render::Elevation{options.elevation[0], options.elevation[1]};
+    if (options.elevation)
+        files.elevation = parse_elevation(*options.elevation);
     if (options.texture && options.level)
         throw RequestError("--texture and --level cannot be combined: a level is written as a plain picture");
     if (options.texture && (files.png || files.heightmap))
@@ -189,9 +160,16 @@ render::Files files_of(const RenderOptions& options) {
     return files;
 }
 
+// What was drawn, as in "material wood".
+std::string subject(const render::Request& request) {
+    return render::has_terrain(request)    ? "terrain"
+           : render::has_material(request) ? "material " + request.material
+                                           : "recipe " + noise::to_string(render::drawing_recipe(request));
+}
+
 // Renders a set of maps. Unless a scale is given, the shorter side spans 4 units of a material, 8 of terrain.
 void render_map_set(const RenderOptions& options) {
-    if (options.output || options.png || options.heightmap || !options.elevation.empty() || options.region ||
+    if (options.output || options.png || options.heightmap || options.elevation || options.region ||
         options.frames || options.level)
         throw RequestError(
             "--maps writes a whole set of maps: it cannot be combined with -o, --png, --heightmap, "
@@ -210,11 +188,10 @@ void render_map_set(const RenderOptions& options) {
                             [&](std::uint64_t done) { progress.advance(done); });
     }
     fmt::print("{}: maps of {} x {} pixels, {}, on {}\n", *options.maps, work.request.width,
-               work.request.height, terrain ? "terrain" : "material " + work.request.material,
-               device.info().name);
+               work.request.height, subject(work.request), device.info().name);
 }
 
-void render_pictures(const RenderOptions& options, Clock::time_point start) {
+void render_pictures(const RenderOptions& options) {
     note_interrupts();
     if (options.half && !options.texture)
         throw RequestError("--half requires --texture: plain pictures have 32-bit floats");
@@ -232,11 +209,9 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
     warn_above_nyquist(work.request);
 
     const vulkan::Device device(options.device);
-    const double device_ready = seconds_since(start);
     const std::uint64_t pixels = region.pixels() * static_cast<std::uint64_t>(frames);
     std::optional<Progress> progress(std::in_place, "rendering",
                                      options.texture ? render::texture_pixels(pixels) : pixels);
-    render::Times total;
     for (int frame = 0; frame < frames; ++frame) {
         const render::Request request = render::frame_of(work.request, frame, frames);
         render::Files here = files;
@@ -244,9 +219,9 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
             if (*path)
                 *path = render::frame_path(**path, frame, frames);
         const auto advance = [&](std::uint64_t done) { progress->advance(done); };
-        total += options.texture ? render::render_texture(device, request, region, *here.exr,
-                                                          {options.compression, options.half}, advance)
-                                 : render::render_file(device, request, region, here, advance);
+        options.texture ? render::render_texture(device, request, region, *here.exr,
+                                                 {options.compression, options.half}, advance)
+                        : render::render_file(device, request, region, here, advance);
         if (frame + 1 == frames)
             progress.reset();
         fmt::print("{}: {} x {} pixels, {}, on {}\n",
@@ -254,132 +229,83 @@ void render_pictures(const RenderOptions& options, Clock::time_point start) {
                     : here.png ? *here.png
                                : *here.heightmap)
                        .string(),
-                   region.width, region.height,
-                   render::has_terrain(request) ? "terrain"
-                   : render::has_material(request)
-                       ? fmt::format("material {}", request.material)
-                       : fmt::format("recipe {}", noise::to_string(render::drawing_recipe(request))),
-                   device.info().name);
-    }
-    if (options.verbose)
-        print_times(total, device, static_cast<double>(pixels), device_ready, seconds_since(start));
-}
-
-// The type names that help texts show.
-const char* type_name(Kind kind) {
-    switch (kind) {
-    case Kind::flag:
-        return "";
-    case Kind::integer:
-    case Kind::number:
-        return "NUMBER";
-    case Kind::angle:
-        return "ANGLE";
-    case Kind::colour:
-        return "COLOUR";
-    case Kind::text:
-    case Kind::lobes:
-        return "FILE";
-    default:
-        return "NAME";
-    }
-}
-
-std::string help_of(const render::Parameter& parameter) {
-    const render::Request defaults;
-    const std::optional<render::Value> value = parameter.get(defaults);
-    const std::string of = parameter.applies_to.empty() ? "" : fmt::format(" (for {})", parameter.applies_to);
-    std::vector<std::string> recipes;
-    switch (parameter.kind) {
-    case Kind::flag:
-    case Kind::text:
-        return fmt::format("{}{}", parameter.help, of);
-    case Kind::lobes:
-        return fmt::format("{}: a JSON file with {}", parameter.help, render::accepted(parameter));
-    case Kind::recipe:
-        for (const noise::Recipe& recipe : noise::recipes())
-            recipes.push_back(fmt::format("{} ({})", recipe.name, recipe.summary));
-        return fmt::format("{}: {} [{}]", parameter.help, fmt::join(recipes, "; "), defaults.recipe.name);
-    default:
-        return fmt::format("{}{}: {}{}", parameter.help, of, render::accepted(parameter),
-                           value ? fmt::format(" [{}]", render::to_text(*value)) : "");
-    }
-}
-
-// Adds every parameter of the table except width and height, which --size sets.
-void add_parameters(CLI::App& command, RenderOptions& options) {
-    for (const render::Parameter& parameter : render::parameters()) {
-        if (parameter.name == "width" || parameter.name == "height")
-            continue;
-        const std::string name = render::option_name(parameter);
-        CLI::Option* option = parameter.kind == Kind::flag
-                                  ? command.add_flag(fmt::format("{},!--no-{}", name, name.substr(2)))
-                                        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-                                  : command.add_option(name)->type_name(type_name(parameter.kind));
-        option->description(help_of(parameter));
-        if (render::is_of_one_material(parameter)) // `gabor materials` lists them
-            option->group("");
-        options.parameters.emplace_back(&parameter, option);
+                   region.width, region.height, subject(request), device.info().name);
     }
 }
 
 } // namespace
 
 void add_render_command(CLI::App& app) {
-    const Clock::time_point start = Clock::now();
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "Render the noise to an OpenEXR or a PNG file");
-    const render::Request defaults;
+    CLI::App* command = app.add_subcommand("render", "Render noise, a material or terrain to OpenEXR or PNG");
+    command->footer(R"(
+Examples:
+  gabor render --scale 32 --frequency 8 --orientation 30deg -o stripes.png
+  gabor render --material wood --wood.rings 20 --tileable --maps wood
+  gabor render --view terrain --preset canyon --png canyon.png --heightmap canyon.r16
 
-    add_option(
-        *command, "-o,--output", options->output, "FILE",
-        "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, in which black and "
-        "white are -2 and 2 standard deviations");
-    add_option(*command, "--png", options->png, "FILE", "Also write a PNG");
-    add_option(
-        *command, "--maps", options->maps, "FOLDER",
-        "Instead of -o: write the maps of a material or of terrain to this folder: PNGs of base colour, "
-        "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
-        "and material.gltf");
-    command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
-    add_option(*command, "--size", options->size, "WIDTHxHEIGHT",
-               fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
-                           render::parameter("width").range.high, defaults.width, defaults.height));
-    add_parameters(*command, *options);
-    add_option(*command, "--preset", options->preset, "NAME",
-               fmt::format("Take all other options from a preset: {}, or a file NAME.json from gabor fit",
-                           fmt::join(render::preset_names(), ", ")));
-    add_option(*command, "--like", options->like, "FILE",
-               "Take all other options from an earlier EXR or a JSON file");
-    add_option(*command, "--region", options->region, "X,Y,WIDTH,HEIGHT",
-               "Render only this part of the picture; its pixels equal those of a full render");
-    add_option(*command, "--frames", options->frames, "NUMBER",
-               fmt::format("Render one period of the animation in this many frames, from 1 to {}: "
-                           "NAME.0001.exr, NAME.0002.exr ...",
-                           render::most_frames));
-    add_option(*command, "--compression", options->compression, "NAME",
-               fmt::format("Compression of the EXR: {} [{}]", fmt::join(image::compression_names(), ", "),
-                           options->compression));
+`gabor materials NAME` lists the options of a material, and `gabor erode --help` those of a
+terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in --no-tileable.
+)");
+    const render::Request defaults;
+    const auto option = [&](const std::string& name, auto& value, const std::string& type,
+                            const std::string& help) { add_option(*command, name, value, type, help); };
+    const auto parameters = [&](const std::string& title, render::Parameter::Group group) {
+        begin_group(*command, title);
+        for (const render::Parameter& p : render::parameters())
+            if (p.group == group)
+                add_parameter(*command, options->parameters, p, defaults);
+    };
+
+    begin_group(*command, "Output");
+    option("-o,--output", options->output, "FILE",
+           "Output: NAME.exr, with the noise as 32-bit floats in channel Y, or NAME.png, in which black and "
+           "white are -2 and 2 standard deviations");
+    option("--png", options->png, "FILE", "Also write a PNG");
+    option("--size", options->size, "WIDTHxHEIGHT",
+           fmt::format("Size of the picture in pixels, up to {0} x {0} [{1}x{2}]",
+                       render::parameter("width").range.high, defaults.width, defaults.height));
+    option("--region", options->region, "X,Y,WIDTH,HEIGHT",
+           "Render only this part of the picture; its pixels equal those of a full render [all of it]");
+    option("--preset", options->preset, "NAME",
+           fmt::format("Take all other options from a preset: {}, or a file NAME.json from gabor fit",
+                       fmt::join(render::preset_names(), ", ")));
+    option("--like", options->like, "FILE", "Take all other options from an earlier EXR or a JSON file");
+    option("--frames", options->frames, "NUMBER",
+           fmt::format("Render one period of the animation in this many frames, from 1 to {}: "
+                       "NAME.0001.exr, NAME.0002.exr ... [1]",
+                       render::most_frames));
+    option("--compression", options->compression, "NAME",
+           fmt::format("Compression of the EXR: {} [{}]", fmt::join(image::compression_names(), ", "),
+                       options->compression));
     add_device_option(*command, options->device);
+
+    parameters("Noise", render::Parameter::Group::noise);
+    parameters("View and light", render::Parameter::Group::view);
+    parameters("View and light", render::Parameter::Group::light);
+    parameters("Terrain", render::Parameter::Group::terrain);
+    option("--heightmap", options->heightmap, "FILE",
+           "Also write 16-bit heights to a PNG or .r16, with their scale in a .json file beside it");
+    add_elevation_option(*command, options->elevation, "the full possible range");
+
+    begin_group(*command, "Textures");
+    option("--maps", options->maps, "FOLDER",
+           "Instead of -o: write the maps of a material or of terrain to this folder: PNGs of base colour, "
+           "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
+           "and material.gltf");
+    command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be powers "
         "of two. With --maps: write maps.exr as such a texture, with more roughness where its normals are "
         "averaged");
     command->add_flag("--half", options->half, "Store the texture as 16-bit floats");
-    add_option(*command, "--level", options->level, "NUMBER",
-               "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest");
-    command->add_flag("--terrain", options->terrain,
-                      "Draw eroded mountains: --view terrain, with two hills across unless --scale is given");
-    add_option(*command, "--heightmap", options->heightmap, "FILE",
-               "For terrain: also write 16-bit heights to a PNG or .r16, with their scale in a .json file "
-               "beside it");
-    add_elevation_option(
-        *command, options->elevation,
-        "LOW,HIGH: heights that 0 and 65535 stand for in --heightmap [the full possible range]");
-    command->add_flag("--verbose", options->verbose,
-                      "Print the time that each step took, and the memory used");
-    command->callback([options, start] { render_pictures(*options, start); });
+    option("--level", options->level, "NUMBER",
+           "Render only this mip level of the texture, for `gabor join --texture`; 0 is the largest");
+
+    for (const auto group : {render::Parameter::Group::erosion, render::Parameter::Group::material})
+        parameters("", group); // `gabor erode` and `gabor materials` list them
+    command->callback([options] { render_pictures(*options); });
 }
 
 } // namespace gabor::cli

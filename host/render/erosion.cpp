@@ -1,6 +1,7 @@
 #include "render/erosion.hpp"
 
 #include "error.hpp"
+#include "render/material.hpp"
 #include "render/plan_parts.hpp"
 
 #include "passes/erode_interface.h"
@@ -49,27 +50,26 @@ class MapRows {
 
 } // namespace
 
-Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
-                  const image::Rect& region) {
+Plan erosion_plan(const HeightMap& map, const Request& request, const image::Rect& region) {
     auto push = push_of<passes::ErodePush>(region);
     if (map.tileable)
         push.period = vec2_of(map.pixel * map.width, map.pixel * map.height);
     push.pixel = static_cast<float>(map.pixel);
-    push.seed = seed;
+    push.seed = request.seed;
     push.map_width = map.width;
     push.tileable = map.tileable;
     constexpr int group = passes::erode_group;
     return {{erosion_channels.begin(), erosion_channels.end()},
             region.width,
             region.height,
-            {erosion_table(erosion)},
+            {bytes_of(struct_values(request))},
             {{"erode", {}, bytes_of(push), region.width, {group, group}, {}}},
             {map.width, passes::erode_halo}};
 }
 
-void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
+void erode(const vulkan::Device& device, const HeightMap& map, const Request& request,
            const image::Rect& region, const Sink& write) {
-    const Renderer renderer(device, erosion_plan(map, erosion, seed, region));
+    const Renderer renderer(device, erosion_plan(map, request, region));
     const auto width = static_cast<std::size_t>(map.width);
     MapRows rows(map);
     int next = region.y - passes::erode_halo;

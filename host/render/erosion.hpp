@@ -26,14 +26,13 @@ struct HeightMap {
 
 using passes::erosion_channels;
 
-/// Plans the erosion of a region. A different `seed` gives different gullies.
-Plan erosion_plan(const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
-                  const image::Rect& region);
+/// Plans the erosion of a region with the seed and the erosion of a request for terrain.
+Plan erosion_plan(const HeightMap& map, const Request& request, const image::Rect& region);
 
 /// Erodes a region band by band, so that memory use does not grow with the map's height, and passes the rows
 /// to `write`, with interleaved channels. Eroding the whole map gives the region the same pixels. Throws
 /// RequestError for a map that is damaged or contains NaN or infinity.
-void erode(const vulkan::Device& device, const HeightMap& map, const Erosion& erosion, std::uint32_t seed,
+void erode(const vulkan::Device& device, const HeightMap& map, const Request& request,
            const image::Rect& region, const Sink& write);
 
 } // namespace gabor::render

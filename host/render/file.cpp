@@ -4,7 +4,6 @@
 #include "image/png.hpp"
 #include "render/material.hpp"
 #include "render/parameters.hpp"
-#include "seconds.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +17,7 @@ namespace {
 
 // Returns the number of channels in the PNG: 1 or 3.
 int displayed_channels(const Request& request) {
-    return has_material(request) || request.colour || request.values >= 3 ? 3 : 1;
+    return has_material(request) || request.colour ? 3 : 1;
 }
 
 // Converts pixels to what a PNG shows, as values from 0 to 1: grey noise, colours from three noises or a
@@ -71,8 +70,8 @@ image::ExrHeader exr_header(const Request& request, const image::Rect& region, c
                                              : ""};
 }
 
-Times render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                  const Files& files, const image::Advance& advance) {
+void render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                 const Files& files, const image::Advance& advance) {
     image::ExrHeader header = exr_header(request, region, software(device));
     header.compression = files.compression;
     const std::size_t kept = header.channels.size();
@@ -89,17 +88,15 @@ Times render_file(const vulkan::Device& device, const Request& request, const im
         if (!has_terrain(request) || !is_flat(request.view))
             throw RequestError("a heightmap requires the terrain view");
         const double unit = terrain_unit(request);
-        const double reach = unit * (hill_reach + erosion_reach(std::get<Terrain>(request.view).erosion));
+        const double reach = unit * (hill_reach + erosion_reach(request));
         heights.emplace(*files.heightmap, region, files.elevation.value_or(Elevation{-reach, reach}),
                         unit / request.scale);
     }
 
-    double writing = 0;
     std::vector<float> shown;
     std::vector<float> without_normals;
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / channels);
-        const Clock::time_point before = Clock::now();
         if (exr && files.normals) { // drops the normals, which precede the last channel
             without_normals.clear();
             for (std::size_t i = 0; i < values.size(); ++i)
@@ -117,20 +114,15 @@ Times render_file(const vulkan::Device& device, const Request& request, const im
             to_display(request, values, shown);
             png->write_rows(shown);
         }
-        writing += seconds_since(before);
     };
-    Times times = render_region(device, request, region, write, files.normals);
-    times.writing = writing;
+    render_region(device, request, region, write, files.normals);
     advance(0);
-    const Clock::time_point before = Clock::now();
     if (exr)
         exr->commit();
     if (png)
         png->commit();
     if (heights)
         heights->commit();
-    times.closing = seconds_since(before);
-    return times;
 }
 
 } // namespace gabor::render

@@ -48,7 +48,7 @@ struct Files {
 
 /// Renders `region` of a checked request to files. Calls `advance` before it writes a band; if `advance`
 /// throws, no file is left.
-Times render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                  const Files& files, const image::Advance& advance);
+void render_file(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                 const Files& files, const image::Advance& advance);
 
 } // namespace gabor::render

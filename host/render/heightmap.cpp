@@ -17,8 +17,6 @@ bool has_extension(const std::filesystem::path& path, const char* extension) {
 HeightWriter::HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
                            double pixel)
     : elevation_(elevation), scale_(path.string() + ".json") {
-    if (!(elevation.low < elevation.high && std::isfinite(elevation.high - elevation.low)))
-        throw RequestError("elevation: expected LOW,HIGH, the lower height first");
     if (has_extension(path, ".png"))
         png_.emplace(path, region.width, region.height, 1, 16);
     else if (has_extension(path, ".r16"))

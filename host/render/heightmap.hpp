@@ -23,8 +23,8 @@ struct Elevation {
 /// Writes a 16-bit heightmap as PNG or .r16, and beside it a JSON file with its size and range of heights.
 class HeightWriter {
   public:
-    /// `pixel` is the width of a pixel in the unit of heights. Throws RequestError unless the low elevation
-    /// is below the high one and the name ends in .png or .r16.
+    /// `pixel` is the width of a pixel in the unit of heights. Throws RequestError unless the name ends in
+    /// .png or .r16.
     HeightWriter(const std::filesystem::path& path, const image::Rect& region, Elevation elevation,
                  double pixel);
 

@@ -1,5 +1,6 @@
 #include "render/load.hpp"
 
+#include "edits.hpp"
 #include "error.hpp"
 #include "image/picture.hpp"
 #include "render/parameters.hpp"
@@ -93,9 +94,12 @@ Request preset(std::string_view name) {
     if (name.ends_with(".json"))
         return load_request(std::string(name)).request;
     const auto found = std::ranges::find(presets(), name, &Preset::name);
-    if (found == presets().end())
+    if (found == presets().end()) {
+        std::vector<std::string_view> names = preset_names();
+        std::ranges::stable_sort(names, {}, [&](std::string_view known) { return edits(name, known); });
         throw RequestError(fmt::format("unknown preset '{}': expected {} or a file NAME.json", name,
-                                       fmt::join(preset_names(), ", ")));
+                                       fmt::join(names, ", ")));
+    }
     return from_json(found->json);
 }
 

@@ -16,8 +16,9 @@ constexpr std::array<std::string_view, 12> materials{"wood",  "fabric",  "leathe
                                                      "sand",  "ripples", "brushed-metal", "scratches",
                                                      "zebra", "bark",    "carbon-fibre",  "strata"};
 
-/// The parameters of the request's material, laid out like its struct in a std430 buffer.
-std::vector<float> material_parameters(const Request& request);
+/// The parameters of the request's material or erosion, laid out like their struct in a std430 buffer. Holds
+/// the bits of integers.
+std::vector<float> struct_values(const Request& request);
 
 using passes::material_channels, passes::terrain_channels;
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 
@@ -15,17 +16,12 @@ namespace gabor::render {
 
 namespace {
 
-using namespace std::string_view_literals;
+using Group = Parameter::Group;
 using Kind = Parameter::Kind;
 using noise::Lobe;
 
 constexpr Range none{};
 constexpr std::size_t most_lobes = 16;
-constexpr std::string_view one_lobe = "a single lobe";
-constexpr std::string_view bodies = "the sphere or torus view";
-constexpr std::string_view terrains = "the terrain or landscape view";
-constexpr std::string_view lit_views = "a material or terrain";
-constexpr std::string_view orbits = "the sphere, torus or landscape view";
 
 struct NamedView {
     std::string_view name;
@@ -61,22 +57,72 @@ View view_of(std::string_view name, const View& before) {
     return view;
 }
 
+// ---- The requests that have a parameter ----
+
+bool is_noise(const Request& request) {
+    return !has_material(request);
+}
+
+template <typename... OneView>
+bool is_view(const Request& request) {
+    return (std::holds_alternative<OneView>(request.view) || ...);
+}
+
+bool is_landscape(const Request& request) {
+    const Terrain* terrain = std::get_if<Terrain>(&request.view);
+    return terrain && terrain->perspective;
+}
+
+// A scope that needs no initialization: programs may use the table before main.
+struct Constant {
+    std::string_view described;
+    bool (*holds)(const Request&);
+    operator Scope() const { return {std::string(described), holds}; }
+};
+
+namespace scopes {
+
+constexpr Constant all{"", [](const Request&) { return true; }};
+constexpr Constant noise{"noise", is_noise};
+constexpr Constant one_lobe{"a single lobe",
+                            [](const Request& r) { return is_noise(r) && r.lobes.size() == 1; }};
+constexpr Constant paintable{"the flat view of a single lobe",
+                             [](const Request& r) { return one_lobe.holds(r) && is_view<Plane>(r); }};
+constexpr Constant planar{"the flat or horizon view of noise",
+                          [](const Request& r) { return is_noise(r) && is_view<Plane, Horizon>(r); }};
+constexpr Constant filtered{"noise or a material", [](const Request& r) { return !has_terrain(r); }};
+constexpr Constant tiles{"the flat or terrain view", [](const Request& r) {
+                             return is_view<Plane>(r) || (has_terrain(r) && !is_landscape(r));
+                         }};
+constexpr Constant slices{"the slice view", is_view<Slice>};
+constexpr Constant bodies{"the sphere or torus view of noise",
+                          [](const Request& r) { return is_noise(r) && is_view<Body>(r); }};
+constexpr Constant orbits{"the sphere, torus or landscape view",
+                          [](const Request& r) { return is_view<Body>(r) || is_landscape(r); }};
+constexpr Constant landscape{"the landscape view", is_landscape};
+constexpr Constant lit{"a material or terrain", has_material};
+constexpr Constant lamps{"a material", [](const Request& r) { return has_material(r) && !has_terrain(r); }};
+constexpr Constant terrain{"the terrain or landscape view", has_terrain};
+
+} // namespace scopes
+
+// What a request has instead of what a scope describes.
+std::string other_than(const Scope& scope, const Request& request) {
+    if (scope.described.find("lobe") != scope.described.npos && request.lobes.size() > 1)
+        return fmt::format("{} lobes", request.lobes.size());
+    return scope.described.ends_with(" view") || request.material == no_material
+               ? std::string(name_of(request.view))
+               : request.material;
+}
+
 // ---- The table ----
 
-// Makes a row from a function that returns a pointer to a request's value, or null if the request has none.
+// Makes a place from a function that returns a pointer to a request's value, or null if it stores none.
 template <typename Find>
-Parameter row(std::string_view name, Kind kind, std::string_view unit, Range range, Range slider,
-              std::string_view applies_to, std::string_view help, Find find) {
+Place found_by(Find find) {
     using T = std::remove_pointer_t<decltype(find(std::declval<Request&>()))>;
     using Held = std::conditional_t<std::is_arithmetic_v<T> && !std::is_same_v<T, bool>, double, T>;
-    return {name,
-            kind,
-            unit,
-            range,
-            slider,
-            std::string(applies_to),
-            help,
-            [find](const Request& request) {
+    return {[find](const Request& request) {
                 const T* value = find(request);
                 return value ? std::optional<Value>(static_cast<Held>(*value)) : std::nullopt;
             },
@@ -85,39 +131,44 @@ Parameter row(std::string_view name, Kind kind, std::string_view unit, Range ran
             }};
 }
 
-template <typename Find>
-Parameter flag(std::string_view name, std::string_view applies_to, std::string_view help, Find find) {
-    return row(name, Kind::flag, "", none, none, applies_to, help, find);
+template <typename T>
+Place in_request(T Request::*member) {
+    return found_by([member](auto& request) { return &(request.*member); });
 }
 
-// Each of these returns a function that finds a value in a request: in_view a member of one kind of view,
-// in_orbit a camera setting of a body or landscape, and if_lit a setting of the light.
+// Returns a view's member, or null in another view.
 template <typename OneView, typename T>
-auto in_view(T OneView::*member) {
-    return [member](auto& request) {
-        auto* view = std::get_if<OneView>(&request.view);
-        return view ? &(view->*member) : nullptr;
-    };
+auto* member_of(auto& request, T OneView::*member) {
+    auto* view = std::get_if<OneView>(&request.view);
+    return view ? &(view->*member) : nullptr;
 }
 
-auto in_orbit(double Body::*of_body, double Terrain::*of_terrain) {
-    return [=](auto& request) {
-        auto* body = std::get_if<Body>(&request.view);
-        auto* terrain = std::get_if<Terrain>(&request.view);
-        return body ? &(body->*of_body) : terrain && terrain->perspective ? &(terrain->*of_terrain) : nullptr;
-    };
+template <typename OneView, typename T>
+Place in_view(T OneView::*member) {
+    return found_by([member](auto& request) { return member_of(request, member); });
 }
 
-auto if_lit(double Request::*member) {
-    return [member](auto& request) { return has_material(request) ? &(request.*member) : nullptr; };
-}
-
-Parameter erosion_row(std::string_view name, Range range, Range slider, std::string_view help,
-                      double Erosion::*member) {
-    return row(name, Kind::number, "", range, slider, terrains, help, [member](auto& request) {
-        auto* terrain = std::get_if<Terrain>(&request.view);
-        return terrain ? &(terrain->erosion.*member) : nullptr;
+// A value of two kinds of view.
+template <typename One, typename Other, typename T>
+Place in_views(T One::*member, T Other::*of_other) {
+    return found_by([=](auto& request) {
+        auto* value = member_of(request, member);
+        return value ? value : member_of(request, of_other);
     });
+}
+
+template <typename Get, typename Put>
+Place by_name(Get get, Put put) {
+    return {[get](const Request& request) { return Value(std::string(get(request))); },
+            [put](Request& request, const Value& value) { put(request, std::get<std::string>(value)); }};
+}
+
+template <typename Named>
+std::vector<std::string_view> names_of(const Named& named) {
+    std::vector<std::string_view> names;
+    for (const auto& each : named)
+        names.push_back(each.name);
+    return names;
 }
 
 constexpr LobeParameter lobe_row(std::string_view name, Kind kind, std::string_view unit, Range range,
@@ -142,182 +193,205 @@ constexpr std::array of_lobe{
              "Radius of the kernels along y, divided by their radius along x", &Lobe::stretch),
 };
 
+Parameter row(std::string_view name, Kind kind, std::string_view unit, Range range, Range slider,
+              const Scope& scope, std::string_view help, Place place,
+              std::vector<std::string_view> choices = {}) {
+    return {name, kind, unit, range, slider, scope, help, std::move(place), std::move(choices)};
+}
+
 Parameter single_lobe_row(const LobeParameter& p) {
-    return row(p.name, p.kind, p.unit, p.range, p.slider, one_lobe, p.help,
-               [member = p.member](auto& request) {
+    return row(p.name, p.kind, p.unit, p.range, p.slider, scopes::one_lobe, p.help,
+               found_by([member = p.member](auto& request) {
                    return request.lobes.size() == 1 ? &(request.lobes.front().*member) : nullptr;
-               });
+               }));
 }
 
-// A parameter of a material. Numbers and angles use only the first of the three defaults.
-struct MaterialRow {
-    std::string_view name;
-    Kind kind;
-    Range range;
-    std::array<double, 3> by_default;
-    std::string_view help;
-};
-
-constexpr MaterialRow of_materials[]{
-#include "render/material_rows.inc"
-};
-
-std::string_view material_of(std::string_view name) {
-    return name.substr(0, name.find('.'));
+std::vector<Parameter> picture_rows() {
+    return {row("width", Kind::integer, "pixels", {1, 65536}, {64, 8192}, scopes::all, "Picture width",
+                in_request(&Request::width)),
+            row("height", Kind::integer, "pixels", {1, 65536}, {64, 8192}, scopes::all, "Picture height",
+                in_request(&Request::height))};
 }
 
-Parameter material_row(const MaterialRow& made) {
-    return {made.name,
-            made.kind,
-            made.kind == Kind::angle ? "degrees" : "",
-            made.range,
-            made.kind == Kind::angle && made.range.low < 0 ? Range{-180, 180} : made.range,
-            fmt::format("the {} material", material_of(made.name)),
-            made.help,
-            [&made](const Request& request) -> std::optional<Value> {
-                if (request.material != material_of(made.name))
-                    return {};
-                const auto found = request.look.find(made.name);
-                const std::array<double, 3>& value =
-                    found == request.look.end() ? made.by_default : found->second;
-                return made.kind == Kind::colour ? Value(value) : Value(value[0]);
-            },
-            [&made](Request& request, const Value& value) {
-                std::array<double, 3> numbers{};
-                if (made.kind == Kind::colour)
-                    numbers = std::get<std::array<double, 3>>(value);
-                else
-                    numbers[0] = std::get<double>(value);
-                if (numbers == made.by_default)
-                    request.look.erase(made.name);
-                else
-                    request.look[made.name] = numbers;
-            }};
-}
-
-std::vector<Parameter> make_table() {
-    std::vector<Parameter> table{
-        row("width", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Picture width",
-            [](auto& r) { return &r.width; }),
-        row("height", Kind::integer, "pixels", {1, 65536}, {64, 8192}, "", "Picture height",
-            [](auto& r) { return &r.height; }),
-        row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, "", "Scale of the noise",
-            [](auto& r) { return &r.scale; }),
-        {"recipe", Kind::recipe, "", none, none, "", "Variant of the noise",
-         [](const Request& r) { return Value(noise::to_string(r.recipe)); },
-         [](Request& r, const Value& v) { r.recipe = noise::find_recipe(std::get<std::string>(v)); }},
+std::vector<Parameter> noise_rows() {
+    std::vector<std::string_view> with_none{no_material};
+    with_none.insert(with_none.end(), materials.begin(), materials.end());
+    return {
+        row("material", Kind::choice, "", none, none, scopes::all,
+            "Draw a material instead of the noise, on planes and bodies. It has channels R, G, B (linear), "
+            "height, roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. "
+            "`gabor materials NAME` lists the options of one material, such as --wood.rings",
+            in_request(&Request::material), std::move(with_none)),
+        row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::all,
+            "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
+            "material 4",
+            in_request(&Request::scale)),
+        row("recipe", Kind::recipe, "", none, none, scopes::planar,
+            "Variant of the noise. `gabor recipes` describes them",
+            by_name([](const Request& r) { return noise::to_string(r.recipe); },
+                    [](Request& r, const std::string& name) { r.recipe = noise::find_recipe(name); }),
+            names_of(noise::recipes())),
         single_lobe_row(of_lobe[0]),
         single_lobe_row(of_lobe[1]),
         single_lobe_row(of_lobe[2]),
         single_lobe_row(of_lobe[3]),
-        {"lobes", Kind::lobes, "", none, none, "",
-         "The power spectrum as a list of lobes, whose noises are added",
-         [](const Request& r) { return Value(r.lobes); },
-         [](Request& r, const Value& v) { r.lobes = std::get<std::vector<Lobe>>(v); }},
-        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, "",
-            "Seed; each seed gives a different noise", [](auto& r) { return &r.seed; }),
-        row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, "", "Time in an animation with period 1",
-            [](auto& r) { return &r.time; }),
-        {"view", Kind::choice, "", none, none, "",
-         "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through noise "
-         "in space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded mountains from "
-         "above and `landscape` in perspective. Terrain has channels R, G, B, height, slope.x, slope.y, "
-         "lit.R, lit.G, lit.B, ridge, erosion",
-         [](const Request& r) { return Value(std::string(name_of(r.view))); },
-         [](Request& r, const Value& v) { r.view = view_of(std::get<std::string>(v), r.view); }},
-        {"material", Kind::choice, "", none, none, "",
-         "Draw a material instead of the noise, on planes and bodies. It has channels R, G, B (linear), "
-         "height, roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. `gabor "
-         "materials NAME` lists the options of one material, such as --wood.rings",
-         [](const Request& r) { return Value(r.material); },
-         [](Request& r, const Value& v) { r.material = std::get<std::string>(v); }},
-        flag("tileable", "the flat or terrain view", "Make the picture tile without seams",
-             [](auto& r) {
-                 auto* plane = std::get_if<Plane>(&r.view);
-                 auto* terrain = std::get_if<Terrain>(&r.view);
-                 return plane                              ? &plane->tileable
-                        : terrain && !terrain->perspective ? &terrain->tileable
-                                                           : nullptr;
-             }),
-        row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, "the slice view",
-            "Depth of the slice", in_view(&Slice::depth)),
-        flag("solid", bodies, "Cut the body from solid noise", in_view(&Body::solid)),
-        row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, orbits,
-            "Camera angle around the body or the landscape", in_orbit(&Body::yaw, &Terrain::yaw)),
-        row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, orbits,
-            "Camera angle above the equator or the ground", in_orbit(&Body::pitch, &Terrain::pitch)),
-        row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, orbits, "Zoom factor; 1 shows the whole body",
-            in_orbit(&Body::zoom, &Terrain::zoom)),
-        row("light_azimuth", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, lit_views,
-            "Direction that the light comes from: 0 is right, 90 below", if_lit(&Request::light_azimuth)),
-        row("light_elevation", Kind::angle, "degrees", {0, 90}, {0, 90}, lit_views,
-            "Angle of the light above the surface", if_lit(&Request::light_elevation)),
-        {"environment", Kind::choice, "", none, none, "a material",
-         "What surrounds a material besides its lamp: a room with a window, an overcast sky, or nothing",
-         [](const Request& r) {
-             return has_material(r) && !has_terrain(r)
-                        ? std::optional<Value>(
-                              std::string(environments.at(static_cast<std::size_t>(r.environment))))
-                        : std::nullopt;
-         },
-         [](Request& r, const Value& v) {
-             r.environment = static_cast<int>(std::ranges::find(environments, std::get<std::string>(v)) -
-                                              environments.begin());
-         }},
-        row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, terrains,
-            "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
-            in_view(&Terrain::extent)),
-        row("octaves", Kind::integer, "", {0, 16}, {0, 10}, terrains, "Octaves of gullies",
-            [](auto& r) {
-                auto* terrain = std::get_if<Terrain>(&r.view);
-                return terrain ? &terrain->erosion.octaves : nullptr;
-            }),
-        erosion_row("gully_frequency", {1e-3, 1e4}, {0.1, 10},
-                    "Number of first-octave gullies per kernel radius", &Erosion::frequency),
-        erosion_row("strength", {0, 10}, {0, 0.5}, "Depth of first-octave gullies times their frequency",
-                    &Erosion::strength),
-        erosion_row("lacunarity", {1, 8}, {1, 4}, "Frequency of an octave, relative to the previous one",
-                    &Erosion::lacunarity),
-        erosion_row("gain", {0, 2}, {0, 1}, "Depth of an octave, relative to the previous one",
-                    &Erosion::gain),
-        erosion_row("onset", {1e-6, 100}, {0.01, 4}, "Slope at which gullies reach their full depth",
-                    &Erosion::onset),
-        erosion_row("detail", {0.1, 100}, {0.1, 10},
-                    "How far fine gullies reach into creases and onto ridges", &Erosion::detail),
-        erosion_row("uniformity", {0, 100}, {0, 8}, "How uniform the depths of gullies are",
-                    &Erosion::uniformity),
-        erosion_row("ridge_rounding", {0, 10}, {0, 2}, "Width of rounded ridges", &Erosion::ridge_rounding),
-        erosion_row("crease_rounding", {0, 10}, {0, 2}, "Width of rounded creases",
-                    &Erosion::crease_rounding),
-        erosion_row("gully_weight", {0, 1}, {0, 1},
-                    "Depth of gullies, relative to how far peaks rise and valleys sink",
-                    &Erosion::gully_weight),
-        erosion_row("branching", {0, 10}, {0, 2}, "How much gullies turn the finer gullies beside them",
-                    &Erosion::branching),
-        flag("filter", "",
-             "Antialias with a Gaussian filter whose standard deviation is half a pixel. In the plane, this "
-             "adds a channel `removed`: the share of the variance that the filter removes",
-             [](auto& r) { return &r.filter; }),
-        row("paint", Kind::text, "", none, none, "",
+        row("lobes", Kind::lobes, "", none, none, scopes::noise,
+            "The power spectrum as a list of lobes, whose noises are added", in_request(&Request::lobes)),
+        row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, scopes::all,
+            "Seed; each seed gives a different noise", in_request(&Request::seed)),
+        row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, scopes::noise,
+            "Time in an animation with period 1", in_request(&Request::time)),
+        row("paint", Kind::text, "", none, none, scopes::paintable,
             "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
             "components, to the right and down, of a vector along the crests of the waves; --orientation "
             "turns this vector. An EXR has channels `frequency` and `orientation` (degrees)",
-            [](auto& r) { return &r.paint; }),
-        flag("quadrature", "", "Add a channel `quadrature`: the noise with cosines instead of sines",
-             [](auto& r) { return &r.quadrature; }),
-        flag("gradient", "",
-             "Add channels `gradient.x` and `gradient.y`: derivatives to the right and down, per kernel "
-             "radius",
-             [](auto& r) { return &r.gradient; }),
-        flag("phasor", "", "Add channels `phase` (turns) and `intensity`", [](auto& r) { return &r.phasor; }),
-        row("values", Kind::integer, "", {1, 4}, {1, 4}, "", "Number of independent noises per pixel",
-            [](auto& r) { return &r.values; }),
+            in_request(&Request::paint)),
+        row("gradient", Kind::flag, "", none, none, scopes::noise,
+            "Add channels `gradient.x` and `gradient.y`: derivatives to the right and down, per kernel "
+            "radius",
+            in_request(&Request::gradient)),
+        row("phasor", Kind::flag, "", none, none, scopes::noise,
+            "Add channels `phase` (turns) and `intensity`", in_request(&Request::phasor)),
     };
-    std::ranges::transform(of_materials, std::back_inserter(table), material_row);
+}
+
+std::vector<Parameter> view_rows() {
+    return {
+        row("view", Kind::choice, "", none, none, scopes::all,
+            "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through "
+            "noise in space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded "
+            "mountains from above and `landscape` in perspective. Terrain has channels R, G, B, height, "
+            "slope.x, slope.y, lit.R, lit.G, lit.B, ridge, erosion",
+            by_name([](const Request& r) { return name_of(r.view); },
+                    [](Request& r, const std::string& name) { r.view = view_of(name, r.view); }),
+            names_of(named_views)),
+        row("tileable", Kind::flag, "", none, none, scopes::tiles, "Make the picture tile without seams",
+            in_views(&Plane::tileable, &Terrain::tileable)),
+        row("depth", Kind::number, "kernel radii", {-1e6, 1e6}, {-10, 10}, scopes::slices,
+            "Depth of the slice", in_view(&Slice::depth)),
+        row("solid", Kind::flag, "", none, none, scopes::bodies, "Cut the body from solid noise",
+            in_view(&Body::solid)),
+        row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::orbits,
+            "Camera angle around the body or the landscape", in_views(&Body::yaw, &Terrain::yaw)),
+        row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, scopes::orbits,
+            "Camera angle above the equator or the ground", in_views(&Body::pitch, &Terrain::pitch)),
+        row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, scopes::orbits,
+            "Zoom factor; 1 shows the whole body", in_views(&Body::zoom, &Terrain::zoom)),
+        row("focal_length", Kind::number, "longer sides of the picture", {0.1, 10}, {0.3, 3},
+            scopes::landscape, "Focal length of the camera: shorter is wider",
+            in_view(&Terrain::focal_length)),
+        row("filter", Kind::flag, "", none, none, scopes::filtered,
+            "Antialias with a Gaussian filter whose standard deviation is half a pixel. In the plane, this "
+            "adds a channel `removed`: the share of the variance that the filter removes",
+            in_request(&Request::filter)),
+    };
+}
+
+std::vector<Parameter> light_rows() {
+    return {
+        row("light_azimuth", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::lit,
+            "Direction that the light comes from: 0 is right, 90 below", in_request(&Request::light_azimuth)),
+        row("light_elevation", Kind::angle, "degrees", {0, 90}, {0, 90}, scopes::lit,
+            "Angle of the light above the surface", in_request(&Request::light_elevation)),
+        row("environment", Kind::choice, "", none, none, scopes::lamps,
+            "What surrounds a material besides its lamp: a room with a window, an overcast sky, or nothing",
+            by_name([](const Request& r) { return environments.at(static_cast<std::size_t>(r.environment)); },
+                    [](Request& r, const std::string& name) {
+                        r.environment =
+                            static_cast<int>(std::ranges::find(environments, name) - environments.begin());
+                    }),
+            {environments.begin(), environments.end()}),
+    };
+}
+
+std::vector<Parameter> terrain_rows() {
+    return {row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
+                "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
+                in_view(&Terrain::extent))};
+}
+
+// A member of a struct of a drop-in. Numbers and angles use only the first of the three defaults.
+struct StructRow {
+    std::string_view name;
+    Kind kind;
+    Range range;
+    Range slider;
+    std::array<double, 3> by_default;
+    std::string_view help;
+};
+
+constexpr StructRow of_structs[]{
+#include "render/struct_rows.inc"
+};
+
+Place in_look(const StructRow& made) {
+    const auto get = [&made](const Request& request) {
+        const auto found = request.look.find(made.name);
+        const auto& value = found == request.look.end() ? made.by_default : found->second;
+        return made.kind == Kind::colour ? Value(value) : Value(value[0]);
+    };
+    const auto put = [&made](Request& request, const Value& value) {
+        const auto* colour = std::get_if<std::array<double, 3>>(&value);
+        const auto numbers = colour ? *colour : std::array{std::get<double>(value), 0.0, 0.0};
+        if (numbers == made.by_default)
+            request.look.erase(made.name);
+        else
+            request.look[made.name] = numbers;
+    };
+    return {get, put};
+}
+
+Parameter struct_row(const StructRow& made) {
+    const std::size_t dot = made.name.find('.');
+    const std::string_view material = made.name.substr(0, dot);
+    const Scope one_material{fmt::format("the {} material", material),
+                             [material](const Request& request) { return request.material == material; }};
+    Parameter p =
+        row(made.name, made.kind, made.kind == Kind::angle ? "degrees" : "", made.range, made.slider,
+            dot == made.name.npos ? Scope(scopes::terrain) : one_material, made.help, in_look(made));
+    p.group = dot == made.name.npos ? Group::erosion : Group::material;
+    return p;
+}
+
+std::vector<Parameter> make_table() {
+    std::vector<Parameter> table;
+    const auto add = [&](Group group, std::vector<Parameter> rows) {
+        for (Parameter& each : rows) {
+            each.group = group;
+            table.push_back(std::move(each));
+        }
+    };
+    add(Group::picture, picture_rows());
+    add(Group::noise, noise_rows());
+    add(Group::view, view_rows());
+    add(Group::light, light_rows());
+    add(Group::terrain, terrain_rows());
+    std::ranges::transform(of_structs, std::back_inserter(table), struct_row);
     return table;
 }
 
+// Tells whether other parameters exist or not depending on this one.
+bool decides(const Parameter& p) {
+    return p.kind == Kind::lobes || p.name == "view" || p.name == "material";
+}
+
 // ---- Conflicts ----
+
+// Tells whether the request stores a value other than the default.
+bool is_changed(const Request& request, const Parameter& p) {
+    const std::optional<Value> value = p.place.get(request);
+    return value && value != (decides(p) ? p.place.get(Request()) : default_of(p, request));
+}
+
+// Tells whether the request stores a value of the noise that has no effect in it. The values of materials and
+// terrain may wait in a request for later.
+bool is_stray(const Request& request, const Parameter& p) {
+    if (p.scope.holds(request) || !is_changed(request, p))
+        return false;
+    Request noise = request;
+    noise.material = no_material;
+    return p.scope.holds(noise) || p.scope.holds(Request());
+}
 
 struct Exclusion {
     std::string_view parameter;
@@ -333,14 +407,6 @@ const std::array exclusions{
                          r.material != no_material;
               },
               "only planes and bodies have materials"},
-    Exclusion{"paint", "lobes", [](const Request& r) { return !r.paint.empty() && r.lobes.size() > 1; },
-              "paint replaces the frequency and orientation of a single lobe"},
-    Exclusion{"paint", "view",
-              [](const Request& r) { return !r.paint.empty() && !std::holds_alternative<Plane>(r.view); },
-              "paint requires --view flat"},
-    Exclusion{"values", "recipe",
-              [](const Request& r) { return r.values > 1 && !in_space(r) && !r.recipe.is_lattice(); },
-              "several values require a lattice recipe"},
     Exclusion{"lobes", "recipe",
               [](const Request& r) {
                   return !r.recipe.is_lattice() &&
@@ -349,31 +415,7 @@ const std::array exclusions{
               "stretched kernels require a lattice recipe"},
     Exclusion{"filter", "recipe", [](const Request& r) { return r.filter && !can_filter(r); },
               "in the plane, the filter requires the lattice recipe"},
-    Exclusion{"view", "recipe",
-              [](const Request& r) {
-                  return in_space(r) && r.recipe != noise::recipes().front() &&
-                         r.recipe != noise::sparse_recipes().front();
-              },
-              "noise in space always uses the lattice recipe"},
 };
-
-// The parameters that materials and terrain use besides their own.
-constexpr std::array of_material{
-    "width"sv,         "height"sv,          "scale"sv,      "recipe"sv, "seed"sv, "view"sv,
-    "filter"sv,        "material"sv,        "yaw"sv,        "pitch"sv,  "zoom"sv, "tileable"sv,
-    "light_azimuth"sv, "light_elevation"sv, "environment"sv};
-constexpr std::array of_terrain{"width"sv, "height"sv, "scale"sv,   "recipe"sv,
-                                "seed"sv,  "view"sv,   "material"sv};
-
-// Returns the parameters that are set although the material or terrain does not use them.
-std::vector<const Parameter*> unused_by_material(const Request& request) {
-    std::vector<const Parameter*> found;
-    if (has_material(request))
-        for (const Parameter& p : parameters())
-            if (!applies_to_material(request, p.name) && is_set(request, p.name))
-                found.push_back(&p);
-    return found;
-}
 
 // ---- Colour ----
 
@@ -384,8 +426,8 @@ bool are_of_colour(const std::vector<Lobe>& lobes, const noise::Colour& colour) 
 
 // Tells whether the request has anything that cannot be coloured.
 bool is_colourless(const Request& request) {
-    return request.quadrature || request.gradient || request.phasor || request.values > 1 ||
-           !request.paint.empty() || has_material(request);
+    return request.quadrature || request.gradient || request.phasor || !request.paint.empty() ||
+           has_material(request);
 }
 
 // ---- Values ----
@@ -463,8 +505,7 @@ void check_value(const Parameter& p, const Value& value) {
             if (!within(part, p.range))
                 refused();
     } else if (p.kind == Kind::choice) {
-        const std::vector<std::string_view> all = choices(p);
-        if (std::ranges::find(all, std::get<std::string>(value)) == all.end())
+        if (std::ranges::find(p.choices, std::get<std::string>(value)) == p.choices.end())
             refused();
     } else if (p.kind == Kind::recipe) {
         noise::find_recipe(std::get<std::string>(value));
@@ -474,8 +515,8 @@ void check_value(const Parameter& p, const Value& value) {
 }
 
 // Returns the beginning of a message about a parameter.
-std::string prefix(const Parameter& p) {
-    return fmt::format("{}{} ", p.name, p.kind == Kind::lobes ? ":" : "");
+std::string prefix(const Parameter& p, std::string (*called)(const Parameter&) = json_name) {
+    return fmt::format("{}{} ", called(p), p.kind == Kind::lobes ? ":" : "");
 }
 
 } // namespace
@@ -485,19 +526,14 @@ std::span<const Parameter> parameters() {
     return table;
 }
 
+std::string json_name(const Parameter& parameter) {
+    return std::string(parameter.name);
+}
+
 std::string option_name(const Parameter& parameter) {
     std::string name = fmt::format("--{}", parameter.name);
     std::ranges::replace(name, '_', '-');
     return name;
-}
-
-std::vector<const Parameter*> erosion_parameters() {
-    std::vector<const Parameter*> found;
-    bool reached = false; // whether the loop has reached the rows of erosion
-    for (const Parameter& p : parameters())
-        if ((reached |= p.name == "octaves") && p.applies_to == terrains)
-            found.push_back(&p);
-    return found;
 }
 
 std::span<const LobeParameter> lobe_parameters() {
@@ -508,28 +544,15 @@ const Parameter& parameter(std::string_view name) {
     const auto found = std::ranges::find(parameters(), name, &Parameter::name);
     if (found != parameters().end())
         return *found;
+    const auto before_dot = [](std::string_view text) {
+        return text.find('.') == text.npos ? "" : text.substr(0, text.find('.'));
+    };
     std::vector<std::string_view> names; // parameters of the material in `name`, or the general ones
     for (const Parameter& p : parameters())
-        if (is_of_one_material(p) ? name.starts_with(fmt::format("{}.", material_of(p.name)))
-                                  : name.find('.') == name.npos)
+        if (before_dot(p.name) == before_dot(name))
             names.push_back(p.name);
     throw RequestError(
         fmt::format("unknown parameter '{}': the parameters are {}", name, fmt::join(names, ", ")));
-}
-
-std::vector<std::string_view> choices(const Parameter& p) {
-    std::vector<std::string_view> names;
-    if (p.name == "material") {
-        names.assign(materials.begin(), materials.end());
-        names.insert(names.begin(), no_material);
-    } else if (p.name == "environment") {
-        names.assign(environments.begin(), environments.end());
-    } else if (p.kind == Kind::choice) {
-        std::ranges::transform(named_views, std::back_inserter(names), &NamedView::name);
-    } else {
-        std::ranges::transform(noise::recipes(), std::back_inserter(names), &noise::Recipe::name);
-    }
-    return names;
 }
 
 std::string accepted(const Parameter& p) {
@@ -537,13 +560,13 @@ std::string accepted(const Parameter& p) {
     case Kind::flag:
         return "true or false";
     case Kind::choice:
-        return fmt::format("{}", fmt::join(choices(p), ", "));
+        return fmt::format("{}", fmt::join(p.choices, ", "));
     case Kind::recipe:
         return noise::accepted_recipes();
     case Kind::text:
         return "a name";
     case Kind::colour:
-        return "a colour: #rrggbb, or linear red, green and blue from 0 to 1, as in 0.5,0.3,0.1";
+        return "#rrggbb, or linear red, green and blue from 0 to 1, as in 0.5,0.3,0.1";
     case Kind::lobes:
         return "a list like [{\"frequency\": 4, \"orientation\": 45, \"power\": 1}]";
     default:
@@ -601,76 +624,61 @@ std::string to_text(const Value& value) {
     return lobes_to_json(std::get<std::vector<Lobe>>(value));
 }
 
-void set(Request& request, const Values& values) {
-    for (const bool deciding : {true, false}) {
+void set(Request& request, const Values& values, std::string (*called)(const Parameter&)) {
+    for (const bool deciding : {true, false})
         for (const auto& named : values) { // clang's lambdas cannot capture structured bindings
-            const Parameter* p = named.first;
-            const Value& value = named.second;
-            if (deciding != (p->applies_to.empty() && (p->kind == Kind::choice || p->kind == Kind::lobes)))
+            const Parameter& p = *named.first;
+            if (deciding != decides(p))
                 continue;
-            with_prefix(prefix(*p), [&] { check_value(*p, value); });
-            if (!p->get(request))
-                throw RequestError(
-                    fmt::format("{} requires {}, not {}", p->name, p->applies_to,
-                                p->applies_to == one_lobe ? fmt::format("{}", request.lobes.size())
-                                : is_of_one_material(*p)  ? request.material
-                                                          : std::string(name_of(request.view))));
-            p->put(request, value);
+            with_prefix(prefix(p, called), [&] { check_value(p, named.second); });
+            if (!p.get(request))
+                throw RequestError(fmt::format("{} requires {}, not {}", called(p), p.scope.described,
+                                               other_than(p.scope, request)));
+            p.place.put(request, named.second);
         }
-    }
 }
 
 void set(Request& request, std::string_view name, const Value& value) {
     set(request, Values{{&parameter(name), value}});
 }
 
+std::optional<Value> default_of(const Parameter& parameter, const Request& request) {
+    Request fresh;
+    fresh.material = request.material;
+    fresh.view = view_of(name_of(request.view), fresh.view);
+    fresh.lobes.resize(request.lobes.size());
+    return parameter.place.get(fresh);
+}
+
 bool is_set(const Request& request, std::string_view name) {
     const Parameter& p = parameter(name);
-    const std::optional<Value> value = p.get(request);
-    std::optional<Value> by_default = p.get(Request());
-    if (!by_default) { // the default request lacks this parameter
-        Request fresh;
-        fresh.lobes = request.lobes;
-        fresh.material = request.material;
-        fresh.view = view_of(name_of(request.view), fresh.view);
-        by_default = p.get(fresh);
-    }
-    return value && value != by_default;
+    return p.scope.holds(request) && is_changed(request, p);
 }
 
 void drop_conflicting(Request& request, std::string_view name) {
-    for (const Parameter* p : unused_by_material(request)) {
-        if (name == p->name) {
-            request.material = no_material;
-            if (has_terrain(request))
-                request.view = Plane();
-        } else if (const auto value = p->get(Request());
-                   (name == "material" || name == "view") && value && p->get(request))
-            p->put(request, *value);
-    }
-    for (const Exclusion& exclusion : exclusions) {
-        if (!exclusion.conflicts(request) || (name != exclusion.parameter && name != exclusion.other))
-            continue;
-        const std::string_view loser = name == exclusion.parameter ? exclusion.other : exclusion.parameter;
-        if (loser == "lobes")
+    const Parameter& kept = parameter(name);
+    if (is_stray(request, kept)) {
+        request.material = no_material;
+        request.view = Plane();
+        if (is_stray(request, kept))
             request.lobes.resize(1);
-        else
-            parameter(loser).put(request, *parameter(loser).get(Request()));
     }
+    const auto reset = [&](const Parameter& p) { p.place.put(request, *p.place.get(Request())); };
+    for (const Parameter& p : parameters())
+        if (is_stray(request, p))
+            reset(p);
+    for (const Exclusion& exclusion : exclusions)
+        if (exclusion.conflicts(request) && (name == exclusion.parameter || name == exclusion.other))
+            reset(parameter(name == exclusion.parameter ? exclusion.other : exclusion.parameter));
     if (request.colour && (is_colourless(request) || !are_of_colour(request.lobes, *request.colour)))
         request.colour.reset();
 }
 
-bool is_of_one_material(const Parameter& p) {
-    return p.name.find('.') != p.name.npos;
-}
-
-std::vector<float> material_parameters(const Request& request) {
+std::vector<float> struct_values(const Request& request) {
+    const Group group = has_terrain(request) ? Group::erosion : Group::material;
     std::vector<float> values;
     for (const Parameter& p : parameters()) {
-        if (!is_of_one_material(p))
-            continue;
-        const std::optional<Value> value = p.get(request);
+        const std::optional<Value> value = p.group == group ? p.get(request) : std::nullopt;
         if (!value)
             continue;
         if (const auto* colour = std::get_if<std::array<double, 3>>(&*value)) {
@@ -679,18 +687,12 @@ std::vector<float> material_parameters(const Request& request) {
                 values.push_back(static_cast<float>(part));
         } else {
             const double number = std::get<double>(*value);
-            values.push_back(static_cast<float>(p.kind == Kind::angle ? noise::radians(number) : number));
+            values.push_back(p.kind == Kind::integer ? std::bit_cast<float>(static_cast<std::int32_t>(number))
+                             : p.kind == Kind::angle ? static_cast<float>(noise::radians(number))
+                                                     : static_cast<float>(number));
         }
     }
     return values;
-}
-
-bool applies_to_material(const Request& request, std::string_view name) {
-    if (!has_terrain(request))
-        return name.find('.') != name.npos || std::ranges::find(of_material, name) != of_material.end();
-    return std::ranges::find(of_terrain, name) != of_terrain.end() ||
-           (parameter(name).applies_to != one_lobe && !parameter(name).applies_to.empty() &&
-            parameter(name).get(request));
 }
 
 void check(const Request& request) {
@@ -705,23 +707,21 @@ void check(const Request& request) {
             throw RequestError(fmt::format("{} conflicts with {}: {}", described(exclusion.parameter),
                                            described(exclusion.other), exclusion.because));
         }
-    for (const Parameter* p : unused_by_material(request))
-        throw RequestError(fmt::format("{} conflicts with {}: only the noise has this parameter", p->name,
-                                       has_terrain(request) ? fmt::format("view {}", name_of(request.view))
-                                                            : "material " + request.material));
+    for (const Parameter& p : parameters())
+        if (is_stray(request, p))
+            throw RequestError(fmt::format("{} conflicts with {}: it requires {}", p.name,
+                                           other_than(p.scope, request), p.scope.described));
     if (request.colour && !are_of_colour(request.lobes, *request.colour))
-        throw RequestError("colour requires weights for each lobe, and lobes with power but no spread: "
-                           "use the lobes that came with the colour");
+        throw RequestError("colour requires weights for each lobe, and lobes with power but no spread: use "
+                           "the lobes that came with the colour");
     if (request.colour && is_colourless(request))
-        throw RequestError(
-            "colours conflict with paint, materials, quadrature, gradient, phasor and several values");
+        throw RequestError("colours conflict with paint, materials, gradient and phasor");
     const auto require_sides = [&](std::string_view what, double units, std::string_view described) {
         const double least = std::ceil(units * request.scale);
         if (std::min(request.width, request.height) < least)
-            throw RequestError(
-                fmt::format("a {} of {} x {} pixels at scale {} is too small: each side must be at least {}, "
-                            "{} pixels",
-                            what, request.width, request.height, request.scale, described, least));
+            throw RequestError(fmt::format(
+                "a {} of {} x {} pixels at scale {} is too small: each side must be at least {}, {} pixels",
+                what, request.width, request.height, request.scale, described, least));
     };
     if (const Terrain* terrain = std::get_if<Terrain>(&request.view); terrain && terrain->tileable)
         require_sides("terrain tile", 4, "four kernel radii");

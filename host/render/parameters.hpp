@@ -19,23 +19,40 @@ struct Range {
     double high = 0;
 };
 
+/// A kind of request: those that have a parameter.
+struct Scope {
+    std::string described; ///< as in "the slice view"; empty for all requests
+    std::function<bool(const Request&)> holds;
+};
+
+/// Where requests store a value, whether or not it has an effect.
+struct Place {
+    std::function<std::optional<Value>(const Request&)> get; ///< nothing if the request has no such place
+    std::function<void(Request&, const Value&)> put;         ///< sets a valid value in a request that has it
+};
+
 /// A row of the table that describes a Request. Command-line options, JSON, checks, their messages and the
 /// viewer's controls all come from these rows.
 struct Parameter {
     enum class Kind { flag, integer, number, angle, choice, text, recipe, lobes, colour };
+    /// What a parameter describes. Those of materials are named MATERIAL.PARAMETER.
+    enum class Group { picture, noise, view, light, terrain, erosion, material };
 
     std::string_view name; ///< name in JSON; the command-line option has - instead of _
     Kind kind;
-    std::string_view unit;  ///< such as "cycles per kernel radius"; empty for none
-    Range range;            ///< limits of integers, numbers and angles
-    Range slider;           ///< the part of the range that a slider covers, logarithmic if low > 0
-    std::string applies_to; ///< which requests have this parameter, as in "the slice view"; empty if all do
-    std::string_view help;  ///< a sentence without its full stop
+    std::string_view unit; ///< such as "cycles per kernel radius"; empty for none
+    Range range;           ///< limits of integers, numbers and angles
+    Range slider;          ///< the part of the range that a slider covers, logarithmic if low > 0
+    Scope scope;           ///< the requests that have this parameter; in others it has no effect
+    std::string_view help; ///< a sentence without its full stop
+    Place place;
+    std::vector<std::string_view> choices = {}; ///< the accepted values of a choice or a recipe
+    Group group = Group::picture;
 
     /// Returns the value, or nothing if the request has no such parameter.
-    std::function<std::optional<Value>(const Request&)> get;
-    /// Sets a valid value in a request that has the parameter.
-    std::function<void(Request&, const Value&)> put;
+    std::optional<Value> get(const Request& request) const {
+        return scope.holds(request) ? place.get(request) : std::nullopt;
+    }
 };
 
 /// The table, in the order in which files and help texts list it.
@@ -43,9 +60,6 @@ std::span<const Parameter> parameters();
 
 /// The command-line option for a parameter.
 std::string option_name(const Parameter& parameter);
-
-/// The rows for the members of GaborErosion.
-std::vector<const Parameter*> erosion_parameters();
 
 /// Returns the parameter with that name. Throws RequestError, listing the names, if there is none.
 const Parameter& parameter(std::string_view name);
@@ -64,9 +78,6 @@ struct LobeParameter {
 /// The values of a lobe, in the order in which files list them.
 std::span<const LobeParameter> lobe_parameters();
 
-/// The accepted values of a choice or a recipe.
-std::vector<std::string_view> choices(const Parameter& parameter);
-
 /// Describes the accepted values, as in "a number from 2 to 4096 (pixels per kernel radius)".
 std::string accepted(const Parameter& parameter);
 
@@ -76,10 +87,15 @@ Value read(const Parameter& parameter, std::string_view text);
 std::string to_text(const Value& value);
 
 /// Sets values. Starts with view, material and lobes, which decide what other parameters exist. Throws
-/// RequestError for a value out of range, or a parameter that the request does not have.
+/// RequestError for a value out of range, or a parameter that the request does not have. The message uses
+/// `called` to name the parameter, either the name in JSON or the command-line option.
 using Values = std::vector<std::pair<const Parameter*, Value>>;
-void set(Request& request, const Values& values);
+std::string json_name(const Parameter& parameter);
+void set(Request& request, const Values& values, std::string (*called)(const Parameter&) = json_name);
 void set(Request& request, std::string_view name, const Value& value);
+
+/// The default of a parameter in requests with the same view, material and number of lobes.
+std::optional<Value> default_of(const Parameter& parameter, const Request& request);
 
 /// Tells whether the request has that parameter with a value other than the default.
 bool is_set(const Request& request, std::string_view name);
@@ -90,12 +106,6 @@ void drop_conflicting(Request& request, std::string_view name);
 
 /// Throws RequestError if a value is out of range, or if two parameters conflict.
 void check(const Request& request);
-
-/// Tells whether the request's material or terrain uses that parameter.
-bool applies_to_material(const Request& request, std::string_view name);
-
-/// Tells whether this is a parameter of one material, named MATERIAL.PARAMETER.
-bool is_of_one_material(const Parameter& parameter);
 
 /// `to_json` writes the request as one JSON object, like the `gabor` attribute of EXR files. `from_json`
 /// reads such an object. It uses defaults for absent values, ignores known parameters that this request does

@@ -48,7 +48,6 @@ Constants constants_of(const Request& request, std::span<const std::string> chan
              {passes::coverage_id, "A"},
              {passes::removed_id, "removed"}})
         constants[id] = vulkan::constant(channel_index(channels, name));
-    constants[passes::values_id] = static_cast<std::uint32_t>(request.values);
     constants[passes::animated_id] = wrapped_time(request) != 0;
     constants[passes::coloured_id] = request.colour.has_value();
     constants[passes::tiled_id] = is_tiled(request);
@@ -306,7 +305,7 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
     constants[passes::view_id] = view_constant(request.view);
     constants[passes::tiled_id] = is_tiled(request);
     constants[passes::environment_id] = vulkan::constant(request.environment);
-    plan.tables = {bytes_of(material_parameters(request))};
+    plan.tables = {bytes_of(struct_values(request))};
     std::string function = request.material;
     std::ranges::replace(function, '-', '_');
     plan.steps = {step_of("material@" + function, constants, push, passes::material_group)};
@@ -314,15 +313,13 @@ void plan_material(Plan& plan, const Request& request, const Viewport& viewport)
 
 // ---- Terrain ----
 
-constexpr double focal_length = 0.8; // relative to the longer side of the picture
-
 void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) {
     const Terrain& terrain = std::get<Terrain>(request.view);
     auto push = push_of<passes::TerrainPush>(viewport.region);
     push.seed = request.seed;
     push.sun = vec2_of(light_direction(request));
     push.unit = static_cast<float>(terrain_unit(request));
-    push.reach = static_cast<float>(erosion_reach(terrain.erosion));
+    push.reach = static_cast<float>(erosion_reach(request));
     // In perspective, the camera looks at the middle of what the terrain view shows.
     const Camera looked_at = default_camera(from_above(request));
     const Coordinate x = terrain.perspective ? looked_at.x : side_of(request, viewport, 0).edge();
@@ -338,13 +335,13 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
         push.center.y *= 1.3f; // leaves room for the sky
         push.yaw = direction(noise::radians(std::remainder(terrain.yaw, 360.0)));
         push.pitch = direction(noise::radians(std::max(terrain.pitch, 0.0)));
-        push.distance = static_cast<float>(focal_length * std::max(request.width, request.height) /
+        push.distance = static_cast<float>(terrain.focal_length * std::max(request.width, request.height) /
                                            request.scale / terrain.zoom);
-        push.pixel = static_cast<float>(viewport.stride / (focal_length * side));
+        push.pixel = static_cast<float>(viewport.stride / (terrain.focal_length * side));
     }
     Constants constants{};
     constants[passes::view_id] = view_constant(request.view);
-    plan.tables = {erosion_table(terrain.erosion)};
+    plan.tables = {bytes_of(struct_values(request))};
     plan.steps = {step_of("terrain", constants, push, passes::terrain_group)};
 }
 
@@ -364,18 +361,6 @@ std::array<std::uint32_t, passes::window_id + 3> recipe_constants(const noise::R
 
 std::string recipe_pass(std::string_view pass, const noise::Recipe& recipe) {
     return recipe.is_lattice() ? fmt::format("{}@{}", pass, recipe.taps) : std::string(pass);
-}
-
-Bytes erosion_table(const Erosion& e) {
-    struct Table { // laid out like GaborErosion
-        std::int32_t octaves;
-        std::array<float, 11> values;
-    } table{e.octaves, {}};
-    std::ranges::transform(std::array{e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail,
-                                      e.uniformity, e.ridge_rounding, e.crease_rounding, e.gully_weight,
-                                      e.branching},
-                           table.values.begin(), [](double value) { return static_cast<float>(value); });
-    return bytes_of(table);
 }
 
 int channel_index(std::span<const std::string> channels, std::string_view name) {
@@ -435,7 +420,7 @@ Viewport viewport_of(const Request& request, const image::Rect& region) {
 
 bool uses_blocks(const Request& request, const Viewport& viewport) {
     if (viewport.blocks == Blocks::none || has_material(request) || !is_flat(request.view) ||
-        !request.paint.empty() || request.filter || request.phasor || request.values > 1)
+        !request.paint.empty() || request.filter || request.phasor)
         return false;
     // In isotropic noise in space, each node has its own wave, so the pixels of a block share nothing.
     if (in_space(request) && std::ranges::any_of(request.lobes, is_isotropic))

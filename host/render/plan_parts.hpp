@@ -72,9 +72,6 @@ void fade(Wave& wave, float share) {
         weight = {share * weight.x, share * weight.y};
 }
 
-/// The parameters of an erosion in the layout that passes read.
-Bytes erosion_table(const Erosion& erosion);
-
 /// The request's colour, or zeros if it has none.
 passes::PixelsColour colour_of(const Request& request);
 

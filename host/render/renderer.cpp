@@ -1,7 +1,5 @@
 #include "render/renderer.hpp"
 
-#include "seconds.hpp"
-
 #include "passes/pictures.h"
 
 #include <algorithm>
@@ -42,7 +40,7 @@ class BandBuffer {
         renderer.submit(job_, band, 0, copy);
     }
 
-    double wait() { return job_.wait(); }
+    void wait() { job_.wait(); }
     std::span<const float> values() const {
         return (staging_ ? *staging_ : values_).as<float>().first(count_);
     }
@@ -139,31 +137,15 @@ void Renderer::submit(vulkan::Job& job, const Band& band, int before,
     job.submit(dispatches, copy);
 }
 
-Times& Times::operator+=(const Times& later) {
-    if (first_dispatch == 0)
-        first_dispatch = later.first_dispatch;
-    waiting += later.waiting;
-    gpu += later.gpu;
-    writing += later.writing;
-    closing += later.closing;
-    return *this;
-}
-
-Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                    const Sink& sink, bool normals) {
-    const Clock::time_point start = Clock::now();
+void render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                   const Sink& sink, bool normals) {
     Viewport viewport = viewport_of(request, region);
     viewport.normals = normals;
     const Renderer renderer(device, plan(request, viewport, load_paint(request.paint), kind_of(device)));
-    const double ready = seconds_since(start);
-    Times times = render_plan(device, renderer, sink);
-    times.first_dispatch += ready;
-    return times;
+    render_plan(device, renderer, sink);
 }
 
-Times render_plan(const vulkan::Device& device, const Renderer& renderer, const Sink& sink,
-                  const Fill& fill) {
-    const Clock::time_point start = Clock::now();
+void render_plan(const vulkan::Device& device, const Renderer& renderer, const Sink& sink, const Fill& fill) {
     const Plan& plan = renderer.plan();
     const std::size_t row_values = std::max(static_cast<std::size_t>(plan.width) * plan.channels.size(),
                                             static_cast<std::size_t>(plan.source.width));
@@ -174,18 +156,13 @@ Times render_plan(const vulkan::Device& device, const Renderer& renderer, const 
     std::array<BandBuffer, 2> buffers{BandBuffer(device, renderer, most_rows),
                                       BandBuffer(device, renderer, most_rows)};
 
-    Times times;
     buffers[0].submit(renderer, all[0], fill);
-    times.first_dispatch = seconds_since(start);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const Clock::time_point before = Clock::now();
-        times.gpu += buffers[i % 2].wait();
-        times.waiting += seconds_since(before);
+        buffers[i % 2].wait();
         if (i + 1 < all.size())
             buffers[(i + 1) % 2].submit(renderer, all[i + 1], fill);
         sink(buffers[i % 2].values());
     }
-    return times;
 }
 
 } // namespace gabor::render

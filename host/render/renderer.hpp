@@ -59,18 +59,6 @@ vulkan::Buffer upload(const vulkan::Device& device, const std::vector<T>& values
     return buffer;
 }
 
-/// How long each part of the work took, in seconds.
-struct Times {
-    double first_dispatch = 0; ///< from the call to the first submission
-    double waiting = 0;        ///< waiting for the device
-    double gpu = 0;            ///< running passes on the device; NaN if it cannot measure them
-    double writing = 0;        ///< compressing and writing files
-    double closing = 0;        ///< flushing files to disk
-
-    /// Adds the times of later work, but keeps the time of the first submission.
-    Times& operator+=(const Times& later);
-};
-
 /// Receives whole rows of pixels, from top to bottom. It may throw.
 using Sink = std::function<void(std::span<const float>)>;
 /// Provides the next band's rows of a plan's source, including the halo.
@@ -78,11 +66,11 @@ using Fill = std::function<void(std::span<float>)>;
 
 /// Renders `region` of a checked request and passes its rows to `sink`, band by band, while the device draws
 /// the next band. Memory use does not grow with the height. `normals` is as in Viewport.
-Times render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                    const Sink& sink, bool normals = false);
+void render_region(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                   const Sink& sink, bool normals = false);
 
 /// Executes a renderer's plan in the same way. `fill` provides the rows of its source.
-Times render_plan(const vulkan::Device& device, const Renderer& renderer, const Sink& sink,
-                  const Fill& fill = {});
+void render_plan(const vulkan::Device& device, const Renderer& renderer, const Sink& sink,
+                 const Fill& fill = {});
 
 } // namespace gabor::render

@@ -1,6 +1,7 @@
 #include "render/request.hpp"
 
 #include "render/material.hpp"
+#include "render/parameters.hpp"
 
 #include <array>
 #include <cmath>
@@ -30,9 +31,10 @@ double terrain_unit(const Request& request) {
     return extent > 0 ? extent * request.scale / request.width : 1;
 }
 
-double erosion_reach(const Erosion& erosion) {
-    double reach = 0, depth = erosion.strength / erosion.frequency;
-    for (int i = 0; i < erosion.octaves; ++i, depth *= erosion.gain)
+double erosion_reach(const Request& request) {
+    const auto value = [&](std::string_view name) { return std::get<double>(*parameter(name).get(request)); };
+    double reach = 0, depth = value("strength") / value("gully_frequency");
+    for (double i = 0; i < value("octaves"); ++i, depth *= value("gain"))
         reach += depth;
     return reach;
 }
@@ -48,7 +50,7 @@ std::vector<std::string> channels(const Request& request, bool normals) {
         }
         return names;
     }
-    std::vector<std::string> names(noise_channels.begin(), noise_channels.begin() + request.values);
+    std::vector<std::string> names{"Y"};
     if (request.colour)
         names = {"R", "G", "B"};
     if (request.quadrature)

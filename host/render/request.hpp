@@ -46,32 +46,15 @@ struct Body {
     bool operator==(const Body&) const = default;
 };
 
-/// The parameters of GaborErosion in shaders/gabor_erosion.glsl.
-struct Erosion {
-    int octaves = 5;
-    double frequency = 1.5;
-    double strength = 0.12;
-    double lacunarity = 2;
-    double gain = 0.5;
-    double onset = 0.5;
-    double detail = 1.5;
-    double uniformity = 2;
-    double ridge_rounding = 0.1;
-    double crease_rounding = 0.1;
-    double gully_weight = 0.5;
-    double branching = 1;
-    bool operator==(const Erosion&) const = default;
-};
-
 /// Eroded hills, which are about four kernel radii wide.
 struct Terrain {
     bool perspective = false; ///< shown in perspective under a sky; otherwise from above
-    Erosion erosion = {};
     double extent = 0;     ///< width of the picture in the unit of heights; 0 gives heights in kernel radii
     bool tileable = false; ///< opposite edges match; only from above
     double yaw = 215;      ///< camera azimuth in degrees; only in perspective
     double pitch = 20;     ///< camera elevation, in degrees
     double zoom = 1;       ///< 1 shows about as much as the view from above
+    double focal_length = 0.8; ///< of the camera, relative to the longer side of the picture
     bool operator==(const Terrain&) const = default;
 };
 
@@ -97,8 +80,8 @@ struct Request {
     double time = 0; ///< time in periods of the animation
     View view = Plane();
     std::string material{no_material}; ///< drawn in place of the noise; see render/material.hpp
-    std::map<std::string_view, std::array<double, 3>> look = {}; ///< material parameters that differ from
-                                                                 ///< their defaults, by name
+    std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of the material or of erosion
+                                                                 ///< that differ from their defaults, by name
     double light_azimuth = -135; ///< degrees; azimuth of a material's lamp or of the sun over terrain
     double light_elevation = 38;
     int environment = 0;    ///< what surrounds a material besides its lamp: an index in `environments`
@@ -107,10 +90,9 @@ struct Request {
                             ///< load_paint; empty for none
 
     // The following members add channels.
-    bool quadrature = false; ///< the noise with cosines instead of sines
+    bool quadrature = false; ///< the noise with cosines instead of sines; only for the viewer's phase
     bool gradient = false;   ///< derivatives to the right and down, per kernel radius
     bool phasor = false;     ///< phase, in turns, and intensity
-    int values = 1;          ///< number of independent noises, 1 to 4
 
     /// If set, channels R, G and B replace the noise. The colour's weights are in the order of the lobes.
     std::optional<noise::Colour> colour = {};
@@ -159,8 +141,8 @@ Request from_above(Request request);
 /// The number of a terrain's height units per kernel radius.
 double terrain_unit(const Request& request);
 
-/// The most that erosion raises or lowers hills, in kernel radii.
-double erosion_reach(const Erosion& erosion);
+/// The most that a terrain's erosion raises or lowers hills, in kernel radii.
+double erosion_reach(const Request& request);
 
 /// The heights of gabor_terrain stay within this distance of 0, which is six standard deviations.
 inline constexpr double hill_reach = 2;
@@ -182,9 +164,6 @@ inline bool can_filter(const Request& request) {
 constexpr bool is_isotropic(const noise::Lobe& lobe) {
     return lobe.orientation_spread == 90;
 }
-
-/// The channels of independent noises.
-constexpr std::array<std::string_view, 4> noise_channels{"Y", "second", "third", "fourth"};
 
 /// The channels of a picture's pixels, in order, as EXR names them: `Y` is the noise; in space, the last
 /// channel, `A`, is the covered share of the pixel. If `normals` is set, a body also has normal.x, normal.y,

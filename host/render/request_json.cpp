@@ -103,36 +103,6 @@ ordered_json json_of(const Parameter& p, const Value& value) {
     return std::visit([](const auto& held) { return ordered_json(held); }, value);
 }
 
-// Reads a member of a colour: nested lists of numbers, described by `accepted`.
-template <typename Lists>
-void read_lists(Lists& lists, const json& colour, const char* name, std::string_view accepted) {
-    if (!colour.contains(name))
-        throw RequestError(fmt::format("the colour has no '{}'", name));
-    try {
-        colour[name].get_to(lists);
-        if (json(lists) == colour[name]) // false if the JSON has more elements
-            return;
-    } catch (const json::exception&) {
-    }
-    throw RequestError(fmt::format("{} of a colour must be {}", name, accepted));
-}
-
-noise::Colour colour_of(const json& object) {
-    if (!object.is_object())
-        throw RequestError("the colour must be an object");
-    noise::Colour colour;
-    read_lists(colour.weights, object, "weights", "a list with three pairs of numbers for each lobe");
-    read_lists(colour.histogram, object, "histogram", "three lists of six numbers");
-    read_lists(colour.mean, object, "mean", "three numbers");
-    read_lists(colour.mixing, object, "mixing", "three lists of three numbers");
-    const json linear = object.value("linear", json(false));
-    if (object.size() != (object.contains("linear") ? 5 : 4) || !linear.is_boolean())
-        throw RequestError(
-            "a colour has weights (one set per lobe), histogram, mean, mixing and, optionally, linear");
-    colour.linear = linear;
-    return colour;
-}
-
 ordered_json json_of(const noise::Colour& colour) {
     ordered_json object{{"weights", colour.weights},
                         {"histogram", colour.histogram},
@@ -143,6 +113,25 @@ ordered_json json_of(const noise::Colour& colour) {
     return object;
 }
 
+noise::Colour colour_of(json object) {
+    try {
+        noise::Colour colour;
+        colour.linear = object.value("linear", false);
+        object.at("weights").get_to(colour.weights);
+        object.at("histogram").get_to(colour.histogram);
+        object.at("mean").get_to(colour.mean);
+        object.at("mixing").get_to(colour.mixing);
+        if (!colour.linear)
+            object.erase("linear");
+        if (json(json_of(colour)) == object) // false if the JSON has more members or elements
+            return colour;
+    } catch (const json::exception&) {
+    }
+    throw RequestError("a colour has weights (a list with three pairs of numbers for each lobe), histogram "
+                       "(three lists of six numbers), mean (three numbers), mixing (three lists of three "
+                       "numbers) and, optionally, linear (true or false)");
+}
+
 bool is_of_lobe(const Parameter& p) {
     return std::ranges::find(lobe_parameters(), p.name, &LobeParameter::name) != lobe_parameters().end();
 }
@@ -150,15 +139,13 @@ bool is_of_lobe(const Parameter& p) {
 } // namespace
 
 std::string to_json(const Request& request) {
-    Request drawn = request;
-    drawn.recipe = drawing_recipe(request);
     ordered_json object;
     // A single lobe is written as separate values if its other values are defaults.
     const Lobe& lobe = request.lobes.front();
     const bool by_values =
         request.lobes.size() == 1 && lobe.power == 1 && lobe.radii() == std::array{1.0, 1.0};
     for (const Parameter& p : parameters())
-        if (const std::optional<Value> value = p.get(drawn); value && !(p.kind == Kind::lobes && by_values))
+        if (const std::optional<Value> value = p.get(request); value && !(p.kind == Kind::lobes && by_values))
             object[std::string(p.name)] = json_of(p, *value);
     if (request.colour)
         object["colour"] = json_of(*request.colour);
@@ -174,7 +161,8 @@ Request from_json(std::string_view text) {
     bool has_lobes = false;
     Request request;
     for (const auto& [name, entry] : object.items()) {
-        if (name == "sum" || name == "viewer") // sum: from versions before 1.1.0, viewer: from gabor-viewer
+        // gabor-viewer adds `viewer`. Earlier versions wrote the others, which have no effect.
+        if (name == "viewer" || name == "sum" || name == "quadrature" || name == "values")
             continue;
         if (name == "colour") {
             request.colour = colour_of(entry);
@@ -186,7 +174,7 @@ Request from_json(std::string_view text) {
         if (lobes && lobes->empty())
             continue; // the other values describe the lobe
         has_lobes |= lobes != nullptr;
-        (lobes || p.kind == Kind::choice ? deciding : others).emplace_back(&p, value);
+        (lobes || p.name == "view" || p.name == "material" ? deciding : others).emplace_back(&p, value);
     }
     set(request, deciding);
     std::erase_if(others, [&](const auto& each) {

@@ -3,7 +3,6 @@
 #include "error.hpp"
 #include "image/exr.hpp"
 #include "render/parameters.hpp"
-#include "seconds.hpp"
 
 #include <fmt/format.h>
 
@@ -98,18 +97,15 @@ void write_levels(const image::Rect& region, std::size_t channels, const Sink& w
 
 } // namespace
 
-Times render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                     const std::filesystem::path& path, const TextureFormat& format,
-                     const image::Advance& advance) {
+void render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                    const std::filesystem::path& path, const TextureFormat& format,
+                    const image::Advance& advance) {
     const std::size_t channels = render::channels(request).size();
     image::ExrWriter writer = make_writer(path, request, region, format, software(device));
 
-    Times times;
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / channels);
-        const Clock::time_point before = Clock::now();
         writer.write_rows(values);
-        times.writing += seconds_since(before);
     };
     const Paint paint = load_paint(request.paint);
     Renderer renderer(device);
@@ -117,17 +113,10 @@ Times render_texture(const vulkan::Device& device, const Request& request, const
         const Request here = texture_level(request, level);
         const image::Rect window{region.x >> level, region.y >> level, region.width >> level,
                                  region.height >> level};
-        const Clock::time_point before = Clock::now();
         renderer.set(plan(here, viewport_of(here, window), paint, kind_of(device)));
-        const double ready = seconds_since(before);
-        Times rendering = render_plan(device, renderer, take);
-        rendering.first_dispatch += ready;
-        times += rendering;
+        render_plan(device, renderer, take);
     });
-    const Clock::time_point before = Clock::now();
     writer.commit();
-    times.closing = seconds_since(before);
-    return times;
 }
 
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,

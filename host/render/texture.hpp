@@ -29,9 +29,9 @@ std::vector<float> halved(std::span<const float> level, int width, int height, s
 
 /// Renders `region` of a checked request as a mip-mapped texture. Each drawn level is filtered for its own
 /// pixel size, not averaged from the previous level. `advance` is as for render_file.
-Times render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                     const std::filesystem::path& path, const TextureFormat& format,
-                     const image::Advance& advance);
+void render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
+                    const std::filesystem::path& path, const TextureFormat& format,
+                    const image::Advance& advance);
 
 /// The approximate number of pixels in all levels.
 constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {

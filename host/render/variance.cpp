@@ -56,9 +56,7 @@ std::optional<double> known_variance(const Request& request, std::string_view ch
     const bool flat = std::holds_alternative<Plane>(request.view);
     if (!flat && !in_space(request))
         return {}; // a horizon includes the sky, and terrain is not noise
-    // With two phases, the noise sums sines; its quadrature sums cosines, whose variance is not 1.
-    const bool noise = std::ranges::find(noise_channels, channel) != noise_channels.end() ||
-                       (channel == "quadrature" && drawing_recipe(request).phases != 2);
+    const bool noise = channel == "Y";
     if (noise && !request.filter)
         return 1;
     if (!flat || !request.paint.empty() || !request.recipe.is_lattice())

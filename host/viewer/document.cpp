@@ -24,10 +24,8 @@ void reset_orbit(render::View& view) {
     if (auto* body = std::get_if<render::Body>(&view))
         *body = {body->shape, body->solid};
     if (auto* terrain = std::get_if<render::Terrain>(&view))
-        *terrain = {.perspective = terrain->perspective,
-                    .erosion = terrain->erosion,
-                    .extent = terrain->extent,
-                    .tileable = terrain->tileable};
+        *terrain = {
+            .perspective = terrain->perspective, .extent = terrain->extent, .tileable = terrain->tileable};
 }
 
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {
@@ -61,7 +59,7 @@ render::Request with_output(render::Request request, Output output) {
         render::drop_conflicting(request, "gradient");
     } else if (output == Output::phase || output == Output::intensity) {
         request.quadrature = true;
-        render::drop_conflicting(request, "quadrature");
+        render::drop_conflicting(request, "phasor");
     } else if (output == Output::phasor || output == Output::lit_phasor) {
         request.quadrature = request.phasor = true;
         render::drop_conflicting(request, "phasor");
@@ -126,7 +124,6 @@ void History::go_to(std::size_t step) {
 bool has_effect(const Document& document, std::string_view control) {
     const render::Request& request = document.request;
     const Output output = document.output;
-    const bool space = render::in_space(request);
     const auto* plane = std::get_if<render::Plane>(&request.view);
     if (control == "tiles")
         return plane && plane->tileable;
@@ -140,16 +137,17 @@ bool has_effect(const Document& document, std::string_view control) {
                    ? output != Output::gradient
                    : output != Output::phase && output != Output::variance && output != Output::phasor;
     }
-    if (render::has_material(request))
-        return control != "recipe" && render::applies_to_material(request, control);
-    if (control == "recipe")
-        return !space;
-    if (control == "orientation" && space && request.lobes.size() == 1 &&
+    // These are kept for later, although the picture does not show them.
+    if (control == "orientation" && render::in_space(request) && request.lobes.size() == 1 &&
         render::is_isotropic(request.lobes.front()))
         return false;
-    if (control == "frequency" || control == "orientation" || control == "lobes")
-        return request.paint.empty() || (control != "lobes" && render::has_only_directions(request.paint));
-    return control != "paint" || (plane && request.lobes.size() == 1);
+    if ((control == "lobes" && !request.paint.empty()) ||
+        ((control == "frequency" || control == "orientation") && !request.paint.empty() &&
+         !render::has_only_directions(request.paint)))
+        return false;
+    const auto rows = render::lobe_parameters();
+    const bool of_lobe = std::ranges::find(rows, control, &render::LobeParameter::name) != rows.end();
+    return render::parameter(of_lobe ? "lobes" : control).scope.holds(request);
 }
 
 bool is_lit(const Document& document) {

@@ -23,8 +23,7 @@ double cycles_per_pixel(const render::Request& request, const render::Paint& pai
 
 Drawing drawing_of(const Document& document) {
     render::Request request = document.request;
-    request.quadrature = request.gradient = request.phasor = false;
-    request.values = 1;
+    request.gradient = request.phasor = false;
     return {with_output(request, document.output), is_lit(document) && !render::has_material(request) &&
                                                        std::holds_alternative<render::Body>(request.view)};
 }

@@ -83,7 +83,7 @@ void move_lamp(render::Request& request, double x, double y, double reach) {
 // Advances a choice parameter to its next value that keeps the material and the paint.
 void next_choice(Session& session, std::string_view name) {
     const render::Parameter& parameter = render::parameter(name);
-    const std::vector<std::string_view> all = render::choices(parameter);
+    const std::vector<std::string_view>& all = parameter.choices;
     const render::Request& now = session.document().request;
     auto at = static_cast<std::size_t>(std::ranges::find(all, std::get<std::string>(*parameter.get(now))) -
                                        all.begin());

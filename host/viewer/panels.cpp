@@ -30,14 +30,6 @@ std::string help_of(const render::Parameter& parameter) {
     return parameter.unit.empty() ? std::string(help) : fmt::format("{} ({})", help, parameter.unit);
 }
 
-// The default of a parameter in a view like this one.
-double default_of(const render::Parameter& parameter, const render::Request& request) {
-    render::Request fresh;
-    for (const char* name : {"view", "material"})
-        render::set(fresh, name, *render::parameter(name).get(request));
-    return std::get<double>(*parameter.get(fresh));
-}
-
 // Draws the control that suits a parameter's kind, and returns the value if it was changed.
 std::optional<render::Value> edit(const render::Parameter& parameter, const render::Value& value,
                                   const render::Request& request) {
@@ -61,7 +53,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
         if (parameter.kind == Kind::angle && parameter.slider.high == 180) // the slider covers a full circle
             number = std::remainder(number, 360);
         if (!number_slider(label.c_str(), number, parameter.range, parameter.slider,
-                           default_of(parameter, request)))
+                           std::get<double>(*render::default_of(parameter, request))))
             return {};
         return number;
     }
@@ -70,7 +62,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
         std::optional<render::Value> chosen;
         const std::string& now = std::get<std::string>(value);
         if (ImGui::BeginCombo(label.c_str(), now.c_str())) {
-            for (const std::string_view name : render::choices(parameter)) {
+            for (const std::string_view name : parameter.choices) {
                 if (ImGui::Selectable(std::string(name).c_str(), name == now))
                     chosen = std::string(name);
                 if (parameter.kind == Kind::recipe)
@@ -118,6 +110,12 @@ void control(Session& session, std::string_view name) {
 void controls(Session& session, std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names)
         control(session, name);
+}
+
+void controls_of(Session& session, render::Parameter::Group group) {
+    for (const render::Parameter& parameter : render::parameters())
+        if (parameter.group == group)
+            control(session, parameter.name);
 }
 
 constexpr const char* output_tips[]{
@@ -226,16 +224,13 @@ void waves_panel(Session& session) {
 
 void material_panel(Session& session) {
     control(session, "material");
-    for (const render::Parameter& parameter : render::parameters())
-        if (render::is_of_one_material(parameter))
-            control(session, parameter.name);
+    controls_of(session, render::Parameter::Group::material);
     controls(session, {"scale", "seed"});
 }
 
 void terrain_panel(Session& session) {
     controls(session, {"scale", "seed", "extent"});
-    for (const render::Parameter* parameter : render::erosion_parameters())
-        control(session, parameter->name);
+    controls_of(session, render::Parameter::Group::erosion);
 }
 
 void animation_panel(Session& session) {
@@ -270,12 +265,11 @@ void view_panel(Session& session) {
         resettable("contrast", document.contrast, least_contrast, most_contrast, "%.2f", Document().contrast);
         tooltip("Standard deviations from the mean to either end of the colour map; gabor render uses 2");
     }
-    controls(session, {"view", "tileable"});
+    controls_of(session, render::Parameter::Group::view);
     if (has_effect(document, "tiles")) {
         ImGui::Checkbox("2 x 2 tiles", &session.tiles);
         tooltip("T: show four copies of the picture, to look for seams. This view sets its own scale.");
     }
-    controls(session, {"depth", "solid", "yaw", "pitch", "zoom", "filter"});
 }
 
 void light_panel(Session& session) {
@@ -427,7 +421,7 @@ void side_panel(Session& session) {
         Section{"File", file_panel, false},
         Section{"Laboratory",
                 [](Session& s) {
-                    controls(s, {"recipe", "quadrature", "gradient", "phasor", "values"});
+                    controls(s, {"recipe", "gradient", "phasor"});
                 },
                 false}};
     ImGui::BeginChild("sections", {}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar); // below the buttons

@@ -13,6 +13,7 @@
 #include "viewer/display_interface.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -375,7 +376,7 @@ std::string material_function(const render::Request& request) {
              "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    {} m = gabor_{}_default();\n",
              type, function);
     for (const render::Parameter& p : render::parameters()) {
-        if (!render::is_of_one_material(p) || !render::is_set(request, p.name))
+        if (p.group != render::Parameter::Group::material || !render::is_set(request, p.name))
             continue;
         const render::Value value = *p.get(request);
         const auto* colour = std::get_if<std::array<double, 3>>(&value);
@@ -450,11 +451,13 @@ std::string material_snippet(const Document& document, Extent extent) {
 std::string terrain_snippet(const Document& document, Extent extent) {
     const auto push = push_of<passes::TerrainPush>(document, extent);
     const render::Terrain& terrain = std::get<render::Terrain>(document.request.view);
-    const render::Erosion& e = terrain.erosion;
-    std::string members = fmt::format("{}", e.octaves);
-    for (const double value : {e.frequency, e.strength, e.lacunarity, e.gain, e.onset, e.detail, e.uniformity,
-                               e.ridge_rounding, e.crease_rounding, e.gully_weight, e.branching})
-        members += ", " + written(value);
+    std::vector<std::string> members;
+    for (const render::Parameter& p : render::parameters())
+        if (p.group == render::Parameter::Group::erosion) {
+            const double value = std::get<double>(*p.get(document.request));
+            members.push_back(p.kind == render::Parameter::Kind::integer ? fmt::format("{}", value)
+                                                                         : written(value));
+        }
     const std::string hit =
         terrain.perspective
             ? glsl("seen_by_camera(ground, {}, {}, {}, {}, pixel - {}, {})", push.corner, push.distance,
@@ -472,8 +475,8 @@ std::string terrain_snippet(const Document& document, Extent extent) {
     return srgb({}.light);
 }}
 )",
-                parameters_are(document.request, extent, ""), members, push.cell.x, push.cell.y, push.period,
-                push.seed, push.reach, push.sun, hit);
+                parameters_are(document.request, extent, ""), fmt::join(members, ", "), push.cell.x,
+                push.cell.y, push.period, push.seed, push.reach, push.sun, hit);
 }
 
 } // namespace

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <stdexcept>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -220,23 +222,15 @@ NB_MODULE(_native, module) {
         });
     });
     module.def("terrain", [](const Doubles& x, const Doubles& y, const std::vector<Floats>& base,
-                             const std::vector<float>& options, float period, std::uint32_t seed) {
+                             const nb::bytes& members, float period, std::uint32_t seed) {
         const Values<double> across(x), down(y);
         std::vector<Values<float>> given;
         for (const Floats& each : base)
             given.emplace_back(each);
-        const GaborErosion erosion{static_cast<int>(options[0]),
-                                   options[1],
-                                   options[2],
-                                   options[3],
-                                   options[4],
-                                   options[5],
-                                   options[6],
-                                   options[7],
-                                   options[8],
-                                   options[9],
-                                   options[10],
-                                   options[11]};
+        GaborErosion erosion;
+        if (members.size() != sizeof erosion)
+            throw std::invalid_argument("terrain: the members of GaborErosion have another size");
+        std::memcpy(&erosion, members.c_str(), sizeof erosion);
         const std::size_t count = x.size();
         return evaluate(count, 4, [=](float* values, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {

@@ -18,41 +18,40 @@ const uint window_id = 4; // the first of three
 const uint view_id = 7; // one of the views below
 const uint filter_id = 8;
 const uint painted_id = 9;
-const uint values_id = 10;
-const uint animated_id = 11;
+const uint animated_id = 10;
 
 // passes/noise_channels.glsl
-const uint channels_id = 12;
-const uint quadrature_id = 13;
-const uint gradient_id = 14;
-const uint phasor_id = 15;
-const uint normal_id = 16;
-const uint coverage_id = 17;
-const uint removed_id = 18;
-const uint coloured_id = 19;
+const uint channels_id = 11;
+const uint quadrature_id = 12;
+const uint gradient_id = 13;
+const uint phasor_id = 14;
+const uint normal_id = 15;
+const uint coverage_id = 16;
+const uint removed_id = 17;
+const uint coloured_id = 18;
 
 // passes/solid.comp: whether any noise is isotropic, and whether any is not
-const uint isotropic_id = 20;
-const uint directed_id = 21;
+const uint isotropic_id = 19;
+const uint directed_id = 20;
 
 // passes/bake.comp
-const uint visited_id = 22;
-const uint block_columns_id = 23;
-const uint fixed_rows_id = 24;
-const uint sum_id = 25;
+const uint visited_id = 21;
+const uint block_columns_id = 22;
+const uint fixed_rows_id = 23;
+const uint sum_id = 24;
 
 // passes/material.comp, passes/pixels.comp and passes/bake.comp: whether opposite edges match
-const uint tiled_id = 26;
+const uint tiled_id = 25;
 
 // passes/pixels.comp and passes/bake.comp
-const uint few_waves_id = 27;
-const uint narrow_waves_id = 28;
-const uint wide_waves_id = 29;
+const uint few_waves_id = 26;
+const uint narrow_waves_id = 27;
+const uint wide_waves_id = 28;
 
 // passes/material.comp: what surrounds the material
-const uint environment_id = 30;
+const uint environment_id = 29;
 
-const uint constant_count = 31;
+const uint constant_count = 30;
 
 const uint view_flat = 0;
 const uint view_sphere = 1;

@@ -72,22 +72,15 @@ void add_wave_at(inout Values sum, int index, ivec2 pixel_at, Footprint here) {
     bool wide = few_waves > 0 && (wide_waves >> index & 1u) == 1u;
     float wide_share = narrow ? 0.0 : wide ? 1.0 : gabor_impl_wide_share(footprint);
 #endif
-    for (int i = 0; i < values; ++i) {
-        GaborField field;
-        float removed = 0.0;
-#ifdef GABOR_TAPS
-        uint seed = i == 0 ? wave.seed : gabor_lobe_seed(wave.seed, -i);
-#else
-        uint seed = wave.seed; // the sparse noise gives only one value
-#endif
+    GaborField field;
+    float removed = 0.0;
 #if GABOR_TAPS == 3
-        if (filtered)
-            field = gabor_impl_filtered(place, kernel, footprint, wide_share, seed, removed);
-        else
+    if (filtered)
+        field = gabor_impl_filtered(place, kernel, footprint, wide_share, wave.seed, removed);
+    else
 #endif
-            field = gabor_field(place, kernel, seed);
-        add_wave(sum, i, noise_of(field, removed), wave.amplitude, vec3(wave.radius, 1.0), wave.weights);
-    }
+        field = gabor_field(place, kernel, wave.seed);
+    add_wave(sum, noise_of(field, removed), wave.amplitude, vec3(wave.radius, 1.0), wave.weights);
 }
 
 Values values_at(ivec2 pixel_at, Footprint here) {

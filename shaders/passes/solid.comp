@@ -49,12 +49,8 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
         place.filtered = filtered;
         place.dx = dx / wave.radius;
         place.dy = dy / wave.radius;
-        uint seed = wave.seed;
-        for (int value = 0; value < values; ++value) {
-            wave.seed = value == 0 ? seed : gabor_lobe_seed(seed, -value);
-            Noise one = noise_of(wave_at(wave, place, normal));
-            add_wave(sum, value, one, wave.amplitude, vec3(wave.radius), wave.weights);
-        }
+        Noise one = noise_of(wave_at(wave, place, normal));
+        add_wave(sum, one, wave.amplitude, vec3(wave.radius), wave.weights);
     }
     return sum;
 }

@@ -13,7 +13,7 @@ from program import LAVAPIPE, ProgramTest
 SWIFTSHADER = next(iter(glob.glob("/usr/lib/chromium/vk_swiftshader_icd.json")), None)
 
 # Adds channels to the noise. The size leaves partial cells at the right and lower edges.
-COMMON = ("--size=300x200", "--scale=21.7", "--orientation=33", "--seed=7", "--quadrature", "--gradient")
+COMMON = ("--size=300x200", "--scale=21.7", "--orientation=33", "--seed=7", "--gradient")
 REQUESTS = [*(("--recipe", recipe) for recipe in ("one", "pure", "paper")), ("--tileable",), ("--time=0.3",),
             ("--frequency=9.5",), ("--region=10,20,111,77",)]
 

@@ -83,14 +83,21 @@ class Arguments(ErrorTest):
         self.assert_refused(["did you mean --frequency?", "gabor render --help"], "render", "--freqency=3")
         self.assert_refused(["did you mean --frequency?"], "render", "-o", "out.exr", "--frequuuency=3")
         self.assert_refused(["did you mean render?"], "rendr")
+        self.assert_refused(["did you mean --wood.rings?", "gabor materials wood lists"], "render", "--wood.rngs=3")
+        self.assert_refused(["'mable': expected marble, "], "render", "-o", "out.exr", "--preset=mable")
 
     def test_conflicting_options(self):
-        self.refuse_render(["solid requires the sphere or torus view, not flat"], "--solid")
-        self.refuse_render(["depth requires the slice view, not horizon"], "--depth=3", "--view=horizon")
+        self.refuse_render(["--solid requires the sphere or torus view of noise, not flat"], "--solid")
+        self.refuse_render(["--solid requires", "not wood"], "--solid", "--view=sphere", "--material=wood")
+        self.refuse_render(["--depth requires the slice view, not horizon"], "--depth=3", "--view=horizon")
+        self.refuse_render(["--light-azimuth requires a material or terrain, not flat"], "--light-azimuth=3")
+        for options, other in ((["--material=wood"], "wood"), (["--view=terrain"], "terrain"), (["--view=sphere"], "sphere"),
+                               (["--view=torus", "--solid"], "torus")):
+            self.refuse_render([f"--recipe requires the flat or horizon view of noise, not {other}"], "--recipe=one", *options)
         self.refuse_render(["wood.rings requires the wood material, not marble"], "--material=marble", "--wood.rings=9")
         self.refuse_render(["--wood.rings '99'", "a number from 2 to 60"], "--material=wood", "--wood.rings=99")
         for colour in ("red", "#12345", "#1234567", "0.5,0.5", "0.5,0.5,0.5,0.5", "0.5,0.5,1.5", "#gg0000", "0.5,,0.5"):
-            self.refuse_render([f"--wood.early '{colour}'", "a colour: #rrggbb"], "--material=wood", f"--wood.early={colour}")
+            self.refuse_render([f"--wood.early '{colour}'", "expected #rrggbb"], "--material=wood", f"--wood.early={colour}")
         self.refuse_render(["frequency requires a single lobe, not 3"], "--preset=figure6",
                            "--frequency=8")
         (self.folder / "lobes.json").write_text('[{"freq": 3}]')
@@ -130,10 +137,10 @@ class Outputs(ErrorTest):
             self.assert_refused(["--png 'out.jpg'", ".png"], "render", *output, "--png", "out.jpg")
         self.assert_refused(["-o and --png"], "render", "-o", "a.png", "--png", "b.png")
         self.succeed("render", "-o", "both.exr", "--png", "both.png", "--size=20x10")
-        self.succeed("render", "-o", "alone.png", "--size=20x10")
+        self.succeed("render", "-o", "alone.PNG", "--size=20x10")
         files = self.files()
-        self.assertEqual(files["alone.png"], files["both.png"])
-        self.assertEqual(sorted(files), ["alone.png", "both.exr", "both.png"])
+        self.assertEqual(files["alone.PNG"], files["both.png"])
+        self.assertEqual(sorted(files), ["alone.PNG", "both.exr", "both.png"])
 
     def test_one_name_for_two_files(self):
         for png in ("out.exr", "./out.exr", str(self.folder / "out.exr")):
@@ -157,8 +164,8 @@ class LikeFiles(ErrorTest):
     def test_parameters(self):
         cases = [(None, ["no 'gabor' attribute"]), ("", ["no 'gabor' attribute"]), ("{", ["JSON"]), ("[1]", ["JSON"]),
                  ("7", ["JSON"]), ('{"material": "wood", "wood.ring": 3}', ["unknown parameter 'wood.ring'", "wood.rings"]),
-                 ('{"material": "wood", "wood.early": [1, 2]}', ["wood.early '[1,2]'", "a colour"]),
-                 ('{"material": "wood", "wood.early": "blue"}', ["wood.early 'blue'", "a colour"]),
+                 ('{"material": "wood", "wood.early": [1, 2]}', ["wood.early '[1,2]'", "#rrggbb"]),
+                 ('{"material": "wood", "wood.early": "blue"}', ["wood.early 'blue'", "#rrggbb"]),
                  ('{"size": 3}', ["unknown parameter 'size'", "seed"]),
                  ('{"seed": "7"}', ["seed"]), ('{"seed": -1}', ["seed"]), ('{"seed": 4294967296}', ["seed"]),
                  ('{"seed": 1.5}', ["seed"]), ('{"seed": 18446744073709551615}', ["seed"]),

@@ -24,16 +24,16 @@ SIDE = 8
 FREQUENCY = 1.5
 COMMON = ("--size=65536x65536", "--scale=3", f"--frequency={FREQUENCY}", "--orientation=40", "--seed=7")
 CORNERS = {"first": 0, "last": 65536 - SIDE}
-REQUESTS = [("--quadrature", "--gradient"), ("--tileable", "--time=0.3"), ("--phasor",),
+REQUESTS = [("--gradient",), ("--tileable", "--time=0.3"), ("--phasor",),
             ("--phasor", "--gradient", "--tileable", "--time=0.3")]
 LOBES = """[{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5},
             {"frequency": 1, "orientation": -50, "orientation_spread": 70, "radius": 1.7, "stretch": 0.7}]"""
 PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileable --scale=4 --light-azimuth=80",
             "--view=landscape --scale=6", "--view=landscape --preset=alps --pitch=4 --yaw=30 --zoom=2 --scale=6",
             "--view=horizon --filter --scale=8", "--view=slice --depth=1.3 --scale=6 --lobes=lobes.json",
-            "--view=slice --depth=1.3 --scale=6 --filter --values=3 --gradient", "--view=sphere --scale=6",
-            "--view=torus --solid --scale=6 --yaw=20 --quadrature", "--preset=figure6 --filter --scale=8",
-            "--lobes=lobes.json --scale=9 --quadrature", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
+            "--view=slice --depth=1.3 --scale=6 --filter --gradient", "--view=sphere --scale=6",
+            "--view=torus --solid --scale=6 --yaw=20", "--preset=figure6 --filter --scale=8",
+            "--lobes=lobes.json --scale=9", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
             "--material=ripples --scale=8 --tileable --light-elevation=20", "--material=ripples --view=horizon --scale=12",
             "--material=brushed-metal --view=sphere --scale=6", "--material=ripples --view=torus --scale=6 --pitch=60"]
 TOLERANCES = {"gradient": 2 * np.pi * FREQUENCY * 4e-5, "phase": 1e-3, "all": 2e-4}

@@ -5,8 +5,12 @@ import pathlib
 import re
 import unittest
 
+import numpy as np
+
+from exr import write_exr
 from program import ProgramTest
 
+COMMANDS = ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials")
 
 GULLIES = ("--octaves", "--gully-frequency", "--strength", "--lacunarity", "--gain", "--onset", "--detail", "--uniformity", "--ridge-rounding",
            "--crease-rounding", "--gully-weight", "--branching")
@@ -18,7 +22,7 @@ class Help(ProgramTest):
 
     def test_help_lists_every_command(self):
         self.assertEqual(self.succeed("--help"), self.succeed("-h"))
-        for command in ("render", "erode", "join", "stats", "fit", "devices", "recipes", "materials"):
+        for command in COMMANDS:
             self.assertRegex(self.succeed("--help"), rf"(?m)^ +{command} +[A-Z]")
             self.assertIn(f"gabor {command}", self.succeed(command, "--help"))
 
@@ -26,9 +30,9 @@ class Help(ProgramTest):
         options = {"render": ("-o,--output", "--size", "--scale", "--frequency", "--orientation", "--seed", "--recipe",
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
-                              "--values", "--solid", "--depth", "--phasor", "--quadrature", "--gradient", "--like",
-                              "--png", "--texture", "--half", "--level", "--compression", "--device", "--verbose", "--yaw", "--pitch",
-                              "--zoom", "--material", "--terrain", "--heightmap", "--elevation", "--extent", *GULLIES,
+                              "--solid", "--depth", "--phasor", "--gradient", "--like",
+                              "--png", "--texture", "--half", "--level", "--compression", "--device", "--yaw", "--pitch",
+                              "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent",
                               "--maps", "--directx", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--seed", "--tileable", "--device"),
@@ -37,10 +41,53 @@ class Help(ProgramTest):
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",), "materials": ("MATERIAL",)}
         for command, names in options.items():
             text = self.succeed(command, "--help")
-            listed = {name.split(",--no-")[0] for name in re.findall(r"(?m)^  ([-\w,]+)(?: |$)", text)}
-            self.assertEqual(listed, {"-h,--help", *names}, command)
-            self.assertNotIn("TEXT", text)
-        self.assertIn('[{"frequency": 4, "orientation": 45, "power": 1}]', self.succeed("render", "--help"))
+            listed = re.findall(r"(?m)^  ((?:-|[A-Z]{2})[-\w,]*)(?: |$)", text)
+            self.assertCountEqual(listed, ["-h,--help", *names], command)  # each once
+
+    def test_help_reads_well(self):
+        for command in ([], *([command] for command in COMMANDS)):
+            text = self.succeed(*command, "--help")
+            self.assertLessEqual(max(map(len, text.splitlines())), 100, command)
+            self.assertIsNone(re.search(r"TEXT|FLOAT|U?INT\b|RANGE|REQUIRED|Excludes|Needs| x \d\b(?! \d)| in \[|\{|\n\n\n",
+                                        text.replace('[{"frequency": 4, ', "")), command)
+        text = self.succeed("render", "--help")
+        self.assertEqual(re.findall(r"(?m)^(\w.*):$", text),
+                         ["Options", "Output", "Noise", "View and light", "Terrain", "Textures", "Examples"])
+        self.assertEqual(len(re.findall(r"(?m)^  gabor render ", text)), 3)
+
+    def defaults(self, command):
+        """Yields each option of a command that has a default, with the default: "V, or W in the X view" gives two."""
+        for option in re.findall(r"(?m)^  (?:-o,)?(--.*\n(?: {30}.*\n)*)", self.succeed(command, "--help")):
+            words = " ".join(option.split())
+            if found := re.search(r"\[([^][{]+)\]$", words):
+                value, *others = re.split(r", or (?=\S+ in the \w+ view)", found[1])
+                yield words.split()[0], value, None
+                for other, view in (re.fullmatch(r"(\S+) in the (\w+) view", other).groups() for other in others):
+                    yield words.split()[0], other, view
+
+    def test_leaving_an_option_out_is_the_same_as_giving_its_default(self):
+        write_exr(self.folder / "map.exr", {"Y": np.random.default_rng(1).random((24, 24), "f4")})
+        (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
+        which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom"), ["--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
+                 **dict.fromkeys(("--light-azimuth", "--light-elevation", "--environment"), ["--material=sand"]),
+                 "--extent": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
+        meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent": "0,1"}
+        for command, number in ("render", 27), ("erode", 18):
+            found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
+            self.assertEqual(len(found), number, found)
+            for option, value, view in found:
+                command_line = [command, "-o", "out.exr"]
+                if command == "erode":
+                    command_line += ["map.r16", "--size=24x24"] if option == "--elevation" else ["map.exr"]
+                else:
+                    command_line += [f"--view={view}"] if view else which.get(option, [])
+                    command_line += ["--region=0,0,24,24"] if option == "--size" else ["--size=24x24"]
+                self.succeed(*command_line)
+                files = self.files()
+                if value is None:  # the JSON beside the heights has the range
+                    value = ",".join(map(str, json.loads(files["out.png.json"])["elevation"]))
+                self.succeed(*command_line, f"{option}={value}")
+                self.assertEqual(self.files(), files, (command, option, value))
 
     def test_recipes_match_the_page(self):
         page = (pathlib.Path(__file__).parents[2] / "docs" / "recipes.md").read_text()

@@ -44,7 +44,7 @@ class Joined(JoinTest):
                 self.assertEqual(self.bytes("joined.exr"), self.bytes("whole.exr"), (compression, windows))
 
     def test_all_channels(self):
-        more = ["--gradient", "--quadrature", "--values=2"]
+        more = ["--gradient", "--phasor"]
         self.render("whole.exr", *PICTURE, *more)
         for windows in (STRIPS, TILES):
             self.succeed("join", *self.regions(windows, *more), "-o", "joined.exr")

@@ -57,7 +57,7 @@ class Rendered(StatsTest):
         self.assertLess(stats["cvm"]["value"], stats["cvm"]["high"])
 
     def test_pixels_outside_a_body_do_not_count(self):
-        for options in (("--view=sphere",), ("--view=torus", "--solid", "--quadrature", "--region=20,40,300,310")):
+        for options in (("--view=sphere",), ("--view=torus", "--solid", "--region=20,40,300,310")):
             self.render("--size=384x384", "--scale=24", "--seed=5", *options)
             channels = Exr(self.folder / "in.exr").channels
             inside = channels["A"] == 1
@@ -169,10 +169,9 @@ class Distributions(StatsTest):
         blend = np.hypot(1 - (s := x**2 * (3 - 2 * x)), s)
         for recipe, window in (("lattice", (1 + np.cos(np.pi * x)) / 2), ("lattice-2", (1 - s) / blend)):
             energy = np.sum(np.gradient(window, x) ** 2) / np.sum(window**2)
-            self.render("--gradient", "--quadrature", "--frequency=1.5", "--orientation=30", f"--recipe={recipe}")
+            self.render("--gradient", "--frequency=1.5", "--orientation=30", f"--recipe={recipe}")
             self.assert_known((3 * np.pi * np.cos(np.pi / 6)) ** 2 + energy, "gradient.x")
             self.assert_known((3 * np.pi * np.sin(np.pi / 6)) ** 2 + energy, "gradient.y")
-        self.assert_known(1, "quadrature")
         self.assert_known(1, "Y")
 
     def test_filtered(self):
@@ -185,11 +184,9 @@ class Distributions(StatsTest):
             wave = window * np.exp(2j * np.pi * frequency * x)
             return [np.sum(np.abs(np.convolve(wave, kernel / blur.sum(), "same")) ** 2) / np.sum(window ** 2)
                     for kernel in (blur, -4 * scale ** 2 * x * blur)]
-        self.render("--filter", "--frequency=1.5", "--orientation=30", "--gradient", "--quadrature", "--values=2",
-                    scale=4)
+        self.render("--filter", "--frequency=1.5", "--orientation=30", "--gradient", scale=4)
         across, down = left(1.5 * np.cos(np.pi / 6), 4), left(1.5 * np.sin(np.pi / 6), 4)
-        for channel in ("Y", "second", "quadrature"):
-            self.assert_known(across[0] * down[0], channel)
+        self.assert_known(across[0] * down[0], "Y")
         self.assert_known(across[1] * down[0], "gradient.x")
         self.assert_known(across[0] * down[1], "gradient.y")
         removed = Exr(self.folder / "in.exr").channels["removed"]
@@ -222,7 +219,6 @@ class Distributions(StatsTest):
     def test_unknown_distributions_are_measured(self):
         for channel, options in (("phase", ["--phasor"]), ("intensity", ["--phasor"]),
                                  ("Y", ["--filter", "--view=horizon"]), ("Y", ["--filter", "--view=sphere"]),
-                                 ("quadrature", ["--quadrature", "--recipe=paper"]),
                                  ("gradient.x", ["--gradient", "--recipe=paper"])):
             self.render(*options)
             stats = self.stats("in.exr", "--channel", channel)

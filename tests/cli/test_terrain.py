@@ -1,4 +1,4 @@
-"""Tests `gabor render --terrain`, which draws eroded mountains."""
+"""Tests `gabor render --view terrain`, which draws eroded mountains."""
 
 import json
 import unittest
@@ -8,12 +8,12 @@ from exr import Exr
 from png import read_deep_png
 from program import ProgramTest
 
-GROUND = "render", "--terrain", "--size=160x96", "--seed=5"
+GROUND = "render", "--view=terrain", "--size=160x96", "--seed=5"
 
 
 class Terrain(ProgramTest):
     def drawn(self, *options, size="160x96"):
-        self.succeed("render", "--terrain", f"--size={size}", "--seed=5", "-o", "out.exr", *options)
+        self.succeed("render", "--view=terrain", f"--size={size}", "--seed=5", "-o", "out.exr", *options)
         return Exr(self.folder / "out.exr").channels
 
     def test_hills_plus_erosion_give_the_height(self):
@@ -84,7 +84,7 @@ class Terrain(ProgramTest):
                                (["-o", "a.png", "--heightmap", "./a.png"], ["-o and --heightmap both name 'a.png'"]),
                                (["-o", "a.exr", "--size=0x4"], ["--size"]), (["-o", "a.exr", "--extent=-1"], ["--extent"]),
                                (["-o", "a.exr", "--tileable", "--scale=32"], ["tile of 160 x 96", "128"]),
-                               (["-o", "a.exr", "--frequency=2"], ["frequency", "view terrain"]),
+                               (["-o", "a.exr", "--frequency=2"], ["--frequency", "not terrain"]),
                                (["-o", "a.exr", "--preset=moon"], ["alps"]),
                                (["-o", "a.exr", "--octaves=2.5"], ["whole number"]),
                                (["-o", "a.exr", "--region=0,0,161,1"], ["--region"]),

@@ -42,7 +42,7 @@ class Levels(TextureTest):
                     np.testing.assert_array_equal(texture.levels[k][channel], flat.channels[channel], f"level {k}")
 
     def test_the_last_level_is_averaged_in_every_channel(self):
-        texture = self.texture(256, 128, "--quadrature", "--gradient", scale=100)
+        texture = self.texture(256, 128, "--gradient", scale=100)
         last, before = texture.levels[8], texture.levels[7]
         self.assertEqual(len({values[0, 0] for values in last.values()}), len(last))
         for channel, values in last.items():
@@ -87,7 +87,7 @@ class Joined(TextureTest):
     def test_levels_become_the_texture(self):
         for width, height, options, half in ((128, 64, [*NOISE, "--scale=16", "--compression=zip"], ["--half"]),
                                              (32, 64, [*NOISE, "--scale=8", "--tileable"], []),
-                                             (16, 16, [*NOISE, "--scale=6", "--quadrature", "--gradient"], [])):
+                                             (16, 16, [*NOISE, "--scale=6", "--phasor", "--gradient"], [])):
             self.succeed("render", "--texture", f"--size={width}x{height}", *options, *half, "-o", "texture.exr")
             regions = self.levels(width, height, options)
             said = self.succeed("join", "--texture", *half, *regions[2:], *regions[:2], "-o", "joined.exr")

@@ -126,7 +126,7 @@ class Pypi(Package):
     """Uses the wheel in a new virtual environment."""
 
     USE = """
-import sys, numpy as np, gabor_noise
+import inspect, sys, numpy as np, gabor_noise
 assert gabor_noise.__file__.startswith(sys.prefix), gabor_noise.__file__
 y, x = (np.mgrid[0:256, 0:256] + 0.5) / 32
 common = dict(frequency=4.0, orientation=np.float32(0.7854), seed=7)
@@ -157,6 +157,12 @@ for bad in (lambda: gabor_noise.source("noise", "basic"), lambda: gabor_noise.so
     except ValueError:
         continue
     sys.exit("a wrong argument raised no ValueError")
+try:
+    gabor_noise.terrain(0, 0, sharpness=2)
+    sys.exit("an unknown argument raised no TypeError")
+except TypeError as error:
+    assert "'sharpness'" in str(error) and "uniformity" in str(error), error
+assert inspect.signature(gabor_noise.terrain).parameters["octaves"].default == 5
 for file in sys.argv[1:]:
     name, language = file.split(".")
     language = {"gdshaderinc": "godot", "hpp": "cpp"}.get(language, language)

@@ -78,7 +78,7 @@ const Material materials[]{
 std::vector<float> numbers_of(const Request& request) {
     std::vector<float> numbers;
     for (const render::Parameter& p : render::parameters()) {
-        const auto value = render::is_of_one_material(p) ? p.get(request) : std::nullopt;
+        const auto value = p.group == render::Parameter::Group::material ? p.get(request) : std::nullopt;
         if (!value)
             continue;
         if (const auto* colour = std::get_if<std::array<double, 3>>(&*value))
@@ -99,14 +99,14 @@ void randomize(Request& request, std::mt19937& random) {
         return static_cast<double>(random()) * 0x1p-32;
     }; // the same numbers with every standard library
     for (const render::Parameter& p : render::parameters()) {
-        if (!render::is_of_one_material(p) || !p.get(request))
+        if (p.group != render::Parameter::Group::material || !p.get(request))
             continue;
         const auto [low, high] = p.range;
         const double share = unit();
         if (p.kind == render::Parameter::Kind::colour)
-            p.put(request, std::array{0.02 + 0.3 * share, 0.02 + 0.3 * unit(), 0.02 + 0.3 * unit()});
+            p.place.put(request, std::array{0.02 + 0.3 * share, 0.02 + 0.3 * unit(), 0.02 + 0.3 * unit()});
         else
-            p.put(request, low > 0 ? low * std::pow(high / low, share) : low + share * (high - low));
+            p.place.put(request, low > 0 ? low * std::pow(high / low, share) : low + share * (high - low));
     }
 }
 

@@ -61,7 +61,6 @@ TEST_CASE("the fastest pass that can draw a request is chosen") {
     CHECK(shader_of({{"view", "slice"}}) == "bake@3");
     CHECK(shader_of({{"phasor", "true"}}) == "pixels@3");
     CHECK(shader_of({{"filter", "true"}}) == "pixels@3");
-    CHECK(shader_of({{"values", "2"}}) == "pixels@3");
     CHECK(shader_of({{"view", "horizon"}, {"recipe", "pure"}}) == "pixels");
     CHECK(shader_of({{"view", "slice"}, {"filter", "true"}}) == "solid");
     CHECK(shader_of({{"view", "sphere"}}) == "solid@surface");
@@ -133,6 +132,16 @@ TEST_CASE("a wide landscape is seen from as far away as a tall one") {
     };
     CHECK(distance("300", "200") == distance("200", "300"));
     CHECK(distance("300", "200") > distance("200", "200"));
+}
+
+TEST_CASE("a longer focal length shows as much of a landscape from farther away") {
+    const auto push = [](const char* length) {
+        const Request request = request_of({{"view", "landscape"}, {"focal_length", length}});
+        return values_of<passes::TerrainPush>(whole(request).steps.front().push).at(0);
+    };
+    const passes::TerrainPush near = push("0.8"), far = push("2.4");
+    CHECK(far.distance == Approx(3 * near.distance));
+    CHECK(far.distance * far.pixel == Approx(near.distance * near.pixel));
 }
 
 TEST_CASE("the default camera reproduces the picture's position exactly") {
@@ -223,7 +232,9 @@ TEST_CASE("a coarse view filters its waves for its larger pixels") {
 
 TEST_CASE("an erosion reads its map with a margin around each band, and uses the map's pixel size") {
     const HeightMap map{.open = {}, .width = 300, .height = 200, .pixel = 0.25, .tileable = true};
-    const Plan made = erosion_plan(map, {.octaves = 3, .branching = 0.5}, 7, {10, 20, 30, 40});
+    const Request request =
+        request_of({{"view", "terrain"}, {"octaves", "3"}, {"branching", "0.5"}, {"seed", "7"}});
+    const Plan made = erosion_plan(map, request, {10, 20, 30, 40});
     CHECK(made.channels.size() == 5);
     CHECK(made.width == 30);
     CHECK(made.height == 40);

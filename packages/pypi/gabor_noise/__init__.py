@@ -14,6 +14,9 @@ cores and return float32. They raise ValueError for shapes that do not broadcast
 from __future__ import annotations
 
 import importlib.resources
+import inspect
+import re
+import struct
 from typing import Literal
 
 import numpy as np
@@ -121,27 +124,35 @@ def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *,
     return _with_channels(_native.stripes(*flat, *waves, *_periods(period), float(sharpness), seed & 0xFFFFFFFF), shape)
 
 
+def _erosion() -> dict[str, int | float]:
+    """Return the members of GaborErosion with their defaults. Integers stay integers."""
+    text = source("erosion")
+    members = re.findall(r"^ +(int|float) (\w+);", text.partition("struct GaborErosion {")[2].partition("};")[0], re.MULTILINE)
+    defaults = re.search(r"return GaborErosion\((.*)\);", text)[1].split(",")
+    return {name: int(value) if kind == "int" else float(value) for (kind, name), value in zip(members, defaults)}
+
+
 def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, seed: int = 0, period: float | None = None,
-            octaves: int = 5, frequency: float = 1.5, strength: float = 0.12, lacunarity: float = 2.0, gain: float = 0.5,
-            onset: float = 0.5, detail: float = 1.5, uniformity: float = 2.0, ridge_rounding: float = 0.1,
-            crease_rounding: float = 0.1, gully_weight: float = 0.5, branching: float = 1.0) -> NDArray[np.float32]:
+            **erosion: float) -> NDArray[np.float32]:
     """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in the unit of x and y;
     ridge ranges from -1 in valleys to 1 on ridges.
 
     base: the same four values of a terrain to erode, along its last axis; None for hills about four units wide.
     period: units after which the terrain repeats, at least 4; None for no repetition.
-    octaves: number of octaves of gullies; 0 returns the base alone.
-    Other arguments are the members of GaborErosion in gabor_erosion.glsl.
+    erosion: members of GaborErosion in gabor_erosion.glsl, such as octaves, frequency and strength; 0 octaves return the base
+    alone. inspect.signature(terrain) has all of them with their defaults.
     """
+    if unknown := erosion.keys() - _EROSION.keys():
+        raise TypeError(f"terrain() has no argument {min(unknown)!r}: expected base, seed, period, {', '.join(_EROSION)}")
     if period is not None and not 4 <= period < np.inf:
         raise ValueError(f"period is {period}: expected at least 4, or None")
     given = () if base is None else tuple(np.moveaxis(np.asarray(base, np.float32), -1, 0))
     if base is not None and len(given) != 4:
         raise ValueError(f"base has {len(given)} values along its last axis: expected height, d/dx, d/dy, ridge")
     shape, flat, given = _points(x, y, also=given)
-    options = [float(octaves), frequency, strength, lacunarity, gain, onset, detail, uniformity, ridge_rounding, crease_rounding,
-               gully_weight, branching]
-    return _with_channels(_native.terrain(*flat, given, options, period or 0.0, seed & 0xFFFFFFFF), shape)
+    members = [struct.pack("=i" if isinstance(default, int) else "=f", type(default)(erosion.get(name, default)))
+               for name, default in _EROSION.items()]
+    return _with_channels(_native.terrain(*flat, given, b"".join(members), period or 0.0, seed & 0xFFFFFFFF), shape)
 
 
 _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "godot": "gdshaderinc", "cpp": "hpp"}
@@ -160,3 +171,11 @@ def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl
         names = sorted(each.name[len("gabor_"):-len(".glsl")] for each in folder.iterdir() if each.name.endswith(".glsl"))
         raise ValueError(f"name is {name!r}: expected one of {', '.join(names)}")
     return file.read_text(encoding="utf-8")
+
+
+_EROSION = _erosion()
+_signature = inspect.signature(terrain)
+terrain.__signature__ = _signature.replace(parameters=[
+    *list(_signature.parameters.values())[:-1],
+    *(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=type(default).__name__)
+      for name, default in _EROSION.items())])
