@@ -1,6 +1,6 @@
 #include "fit/histogram.hpp"
 
-#include "statistics/estimate.hpp"
+#include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,9 @@ Coefficients ends(double p) {
     Coefficients values{};
     if (p <= 0 || p >= 1)
         return values;
-    const double z = statistics::normal_quantile(p);
-    const double density = statistics::normal_density(z);
+    const boost::math::normal normal;
+    const double z = quantile(normal, p);
+    const double density = pdf(normal, z);
     const Coefficients he = hermite(z);
     std::ranges::transform(he, values.begin(), [&](double h) { return h * density; });
     return values;

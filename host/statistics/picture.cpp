@@ -29,8 +29,8 @@ std::uint64_t for_finite_runs(std::span<const float> pixels, Visit visit) {
 
 } // namespace
 
-PictureStatistics::PictureStatistics(int width, int height, const NormalDistribution& expected)
-    : expected_(expected), blocks_(width, height, expected), centred_(static_cast<std::size_t>(width)) {
+PictureStatistics::PictureStatistics(int width, int height, double mean)
+    : mean_(mean), centred_(static_cast<std::size_t>(width)) {
     if (const std::optional<int> side = segment_side(width, height))
         spectrum_.emplace(width, height, *side);
 }
@@ -40,24 +40,19 @@ void PictureStatistics::add_rows(std::span<const float> pixels) {
         std::ranges::fill(centred_, 0.0f);
         const auto row = pixels.first(centred_.size());
         not_finite_ += for_finite_runs(row, [&](std::ptrdiff_t first, std::span<const float> run) {
-            blocks_.add(static_cast<int>(first), row_, run);
+            moments_.add(run);
             std::ranges::transform(run, centred_.begin() + first,
-                                   [&](float value) { return static_cast<float>(value - expected_.mean); });
+                                   [&](float value) { return static_cast<float>(value - mean_); });
         });
         if (spectrum_)
             spectrum_->add_row(centred_);
-        ++row_;
     }
 }
 
 PictureReport PictureStatistics::report() const {
-    PictureReport report;
-    report.not_finite = not_finite_;
-    report.moments = blocks_.moments();
-    if (spectrum_) {
+    PictureReport report{not_finite_, moments_, {}};
+    if (spectrum_)
         report.spectrum = summarize(spectrum_->periodogram(), spectrum_->side());
-        report.blocks = blocks_.estimate(report.spectrum->correlation);
-    }
     return report;
 }
 

@@ -4,8 +4,8 @@
 #include "law.hpp"
 #include "noise_3d.hpp"
 #include "reference/normal_mean.hpp"
-#include "statistics/estimate.hpp"
 
+#include <boost/math/distributions/normal.hpp>
 #include <fmt/ranges.h>
 
 using namespace gabor;
@@ -72,7 +72,9 @@ void check_joint(Functions n) {
     // E[n_x^2] = (2 pi F_x)^2 + sum h'^2 / sum h^2, where the last term is pi^2 / 3.
     const double x = std::hypot(2 * pi * fixed_frequency * std::cos(orientation), pi / std::sqrt(3));
     const double y = std::hypot(2 * pi * fixed_frequency * std::sin(orientation), pi / std::sqrt(3));
-    const auto normal = [](double u) { return statistics::normal_quantile(std::clamp(u, 1e-9, 1 - 1e-9)); };
+    const auto normal = [](double u) {
+        return quantile(boost::math::normal(), std::clamp(u, 1e-9, 1 - 1e-9));
+    };
     Draw draw(14);
     test::check_laws(half,
                      [&] {

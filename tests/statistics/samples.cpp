@@ -1,7 +1,6 @@
 #include "samples.hpp"
 
-#include "statistics/estimate.hpp"
-
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <cmath>
@@ -55,11 +54,10 @@ double Bent::norm() const {
 }
 
 double Bent::index() const {
-    using gabor::statistics::normal_cdf;
-    using gabor::statistics::normal_density;
-    const auto square = [this](double x) {
+    const boost::math::normal normal;
+    const auto square = [&](double x) {
         const double y = (*this)(x), slope = (1 + 3 * c * x * x) / norm();
-        return std::pow(normal_cdf(x) - normal_cdf(y), 2) * normal_density(y) * slope;
+        return std::pow(cdf(normal, x) - cdf(normal, y), 2) * pdf(normal, y) * slope;
     };
     return 262144 * boost::math::quadrature::gauss_kronrod<double, 31>::integrate(square, -10.0, 10.0);
 }

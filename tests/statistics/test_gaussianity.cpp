@@ -1,8 +1,8 @@
 #include "statistics/gaussianity.hpp"
 
 #include "samples.hpp"
-#include "statistics/estimate.hpp"
 
+#include <boost/math/distributions/normal.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ double sorted_index(std::vector<float> values, double deviation) {
     const double n = static_cast<double>(values.size());
     double t = 1 / (12 * n);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double d = (2 * static_cast<double>(i) + 1) / (2 * n) - normal_cdf(values[i] / deviation);
+        const double d =
+            (2 * static_cast<double>(i) + 1) / (2 * n) - cdf(boost::math::normal(), values[i] / deviation);
         t += d * d;
     }
     return 262144 * (t - 1.0 / 6) / n;

@@ -20,7 +20,7 @@ TEST_CASE("the variance is 1 with every ingredient", "[criteria]") {
     const auto check = [&](const Ingredients& it) {
         Noise noise(device, it);
         const ValueStatistics values = measure_values(single(noise), 1 << 19, 3);
-        INFO(key(it) << ": variance " << values.moments.variance());
+        INFO(csv_fields(it) << ": variance " << values.moments.variance());
         CHECK(values.moments.variance() ==
               Approx(1).margin(0.0105)); // 3 standard errors at the largest kurtosis
         CHECK(values.moments.mean() == Approx(0).margin(0.006));
@@ -38,7 +38,7 @@ TEST_CASE("known noises have the expected Gaussianity", "[criteria]") {
     const auto check = [&](const Ingredients& it, std::uint64_t samples, double expected) {
         Noise noise(device, it);
         const statistics::Estimate cvm = measure_values(single(noise), samples, 5).gaussianity.index();
-        INFO(key(it) << ": cvm " << cvm.value << " [" << cvm.low << ", " << cvm.high << "]");
+        INFO(csv_fields(it) << ": cvm " << cvm.value << " [" << cvm.low << ", " << cvm.high << "]");
         CHECK(cvm.low < expected);
         CHECK(cvm.high > expected);
         CHECK(cvm.high < 2 * expected);
@@ -58,7 +58,7 @@ TEST_CASE("the predicted kurtosis agrees with samples", "[criteria]") {
     for (const auto& [it, expected] : {std::pair(poisson, poisson_kurtosis(poisson, {})),
                                        std::pair(stratified, stratified_kurtosis(stratified, {}))}) {
         Noise noise(device, it);
-        INFO(key(it));
+        INFO(csv_fields(it));
         CHECK(measure_values(single(noise), 1 << 20, 7).moments.excess_kurtosis() ==
               Approx(expected).margin(0.04));
     }

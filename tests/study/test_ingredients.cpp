@@ -31,7 +31,7 @@ TEST_CASE("combinations of ingredients agree with the reference", "[ingredients]
                     const test::Place p = test::random_place(5 + i, seed, 99);
                     const double expected = amplitude * test::ingredients_sum(it, wave, p.x, p.y, p.seed);
                     largest.see(values[i], expected, 1e-5,
-                                [&] { return fmt::format("{}, value {}", study::key(it), i); });
+                                [&] { return fmt::format("{}, value {}", study::csv_fields(it), i); });
                 }
             }
     largest.check("ingredients");
