@@ -1,7 +1,5 @@
 #include "statistics/spectrum.hpp"
 
-#include "samples.hpp"
-
 #include <catch2/catch.hpp>
 
 #include <cmath>
