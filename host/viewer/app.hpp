@@ -39,8 +39,6 @@ class App {
     const Window& window() const { return window_; }
     /// Whether the picture is drawn at full resolution.
     bool fine() const { return canvas_.fine(); }
-    /// Whether nothing is left to refine, fit or export.
-    bool settled() const { return !busy_ && !session_.exporter.running() && !session_.fitter.running(); }
     /// Saves only the picture, with the size and camera of gabor render.
     void save_picture(const std::string& path);
     /// Saves the window with its panels, at the end of this frame.
