@@ -120,13 +120,6 @@ void App::save_session() {
         save_settings(settings_ = std::move(settings));
 }
 
-Document App::shown() const {
-    Document document = session_.history.now;
-    if (session_.tiling)
-        document.camera = session_.tiling->camera;
-    return document;
-}
-
 Area App::view_area(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int width = std::max(static_cast<int>(view_width() * per_unit), 2);
@@ -145,7 +138,7 @@ bool App::refine(Extent window) {
     session_.tiling.reset();
     if (session_.tiles && has_effect(session_.document(), "tiles"))
         session_.tiling = tiling_of(session_.document(), session_.view);
-    const Camera camera = shown().camera;
+    const Camera camera = session_.tiling ? session_.tiling->camera : session_.document().camera;
     const Drawing wanted = drawing_of(session_.document());
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
     const double slice =

@@ -61,7 +61,6 @@ class App {
     void paint_presets(vk::CommandBuffer commands, int height);
     void write_png(Extent extent, const std::string& path,
                    const std::function<void(vk::CommandBuffer)>& draw);
-    Document shown() const; ///< the document, with the camera that draws it
 
     Settings settings_;
     Window window_;

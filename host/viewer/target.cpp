@@ -13,15 +13,6 @@ namespace gabor::viewer {
 
 namespace {
 
-std::uint32_t device_memory(const vulkan::Device::State& device, std::uint32_t allowed) {
-    const vk::PhysicalDeviceMemoryProperties properties = device.physical.getMemoryProperties();
-    for (std::uint32_t i = 0; i < properties.memoryTypeCount; ++i)
-        if ((allowed >> i & 1) &&
-            properties.memoryTypes[i].propertyFlags & vk::MemoryPropertyFlagBits::eDeviceLocal)
-            return i;
-    throw std::runtime_error(fmt::format("{} has no memory for images", device.info.name));
-}
-
 vk::raii::SurfaceKHR make_surface(const vulkan::Device& device, GLFWwindow* window) {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
     if (glfwCreateWindowSurface(*device.state().instance, window, nullptr, &surface) != VK_SUCCESS)
@@ -192,8 +183,9 @@ void save_png(const vulkan::Device& device, Extent extent, const std::filesystem
                             vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
                             vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc));
     const vk::MemoryRequirements needs = image.getMemoryRequirements();
-    const vk::raii::DeviceMemory memory(state.device,
-                                        {needs.size, device_memory(state, needs.memoryTypeBits)});
+    const vk::raii::DeviceMemory memory(
+        state.device, {needs.size, vulkan::memory_type(state, needs.memoryTypeBits,
+                                                       vk::MemoryPropertyFlagBits::eDeviceLocal)});
     image.bindMemory(*memory, 0);
     const vk::raii::RenderPass pass = make_render_pass(state.device, vk::ImageLayout::eTransferSrcOptimal);
     const Target target = make_target(state.device, *pass, *image, extent);
