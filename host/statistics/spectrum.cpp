@@ -25,7 +25,7 @@ Spectrum::Spectrum(int width, int height, int side)
 
 void Spectrum::add_row(std::span<const float> row) {
     for (const int left : segments_.add_row(row)) {
-        segments_.weigh(left, 0, segment_, segments_.side());
+        segments_.copy_windowed(left, 0, segment_, segments_.side());
         const std::span<const std::complex<float>> values = transform_(segment_);
         for (std::size_t i = 0; i < values.size(); ++i)
             power_[i] += std::norm(std::complex<double>(values[i]));

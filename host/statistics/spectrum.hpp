@@ -27,7 +27,7 @@ class Spectrum {
 
   private:
     Segments segments_;
-    Transform transform_;
+    FourierTransform transform_;
     std::vector<float> segment_;
     std::vector<double> power_;
 };

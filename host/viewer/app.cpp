@@ -262,7 +262,7 @@ void App::paint_presets(vk::CommandBuffer commands, int height) {
     painter_.paint_colours(commands, *preset_pixels_, pictures.extent, stride, pieces);
 }
 
-void App::draw(const Target& target) {
+void App::draw(const RenderTarget& target) {
     const vk::CommandBuffer commands = *commands_;
     commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
     painter_.prepare(commands);
@@ -339,7 +339,7 @@ bool App::frame(const FrameHook& hook) {
             paint(commands, view_area(extent));
             gui_.draw(commands);
         });
-    if (const Target* target = swapchain_.acquire(extent)) {
+    if (const RenderTarget* target = swapchain_.acquire(extent)) {
         draw(*target);
     }
     return true;

@@ -55,7 +55,7 @@ class App {
     float view_width() const; ///< width of the view in Dear ImGui's units
     void fold_panel();
     void panels();
-    void draw(const Target& target);
+    void draw(const RenderTarget& target);
     void paint(vk::CommandBuffer commands, const Area& view);
     void paint_photograph(vk::CommandBuffer commands, const Area& area);
     void paint_presets(vk::CommandBuffer commands, int height);

@@ -40,8 +40,9 @@ vk::raii::RenderPass make_render_pass(const vk::raii::Device& device, vk::ImageL
     return {device, vk::RenderPassCreateInfo({}, colour, subpass, dependencies)};
 }
 
-Target make_target(const vk::raii::Device& device, vk::RenderPass pass, vk::Image image, Extent extent) {
-    Target target;
+RenderTarget make_target(const vk::raii::Device& device, vk::RenderPass pass, vk::Image image,
+                         Extent extent) {
+    RenderTarget target;
     target.image = image;
     target.extent = extent;
     target.view = vk::raii::ImageView(
@@ -136,7 +137,7 @@ void Swapchain::rebuild(Extent wanted) {
     }
 }
 
-const Target* Swapchain::acquire(Extent wanted) {
+const RenderTarget* Swapchain::acquire(Extent wanted) {
     wait();
     if (wanted != extent_ || targets_.empty())
         rebuild(wanted);
@@ -188,7 +189,7 @@ void save_png(const vulkan::Device& device, Extent extent, const std::filesystem
                                                        vk::MemoryPropertyFlagBits::eDeviceLocal)});
     image.bindMemory(*memory, 0);
     const vk::raii::RenderPass pass = make_render_pass(state.device, vk::ImageLayout::eTransferSrcOptimal);
-    const Target target = make_target(state.device, *pass, *image, extent);
+    const RenderTarget target = make_target(state.device, *pass, *image, extent);
     const vulkan::Buffer pixels(device, std::size_t{4} * width * height, vulkan::Memory::readback);
 
     Commands(device).run([&](vk::CommandBuffer commands) {
