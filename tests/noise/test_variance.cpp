@@ -23,22 +23,6 @@ double window_squared(const noise::Recipe& recipe, double x) {
     return q * q;
 }
 
-// The largest sidelobe of the window's spectrum, beyond its first zero, in decibels.
-double sidelobe(const noise::Recipe& recipe) {
-    const auto spectrum = [&](double a) {
-        return integrate([&](double x) { return std::sqrt(window_squared(recipe, x)) * std::cos(a * x); }, -1,
-                         1);
-    };
-    const double peak = spectrum(0);
-    double a = 0;
-    while (spectrum(a) > 0)
-        a += 0.02;
-    double largest = 0;
-    for (; a < 40; a += 0.02)
-        largest = std::max(largest, std::abs(spectrum(a)));
-    return 20 * std::log10(largest / peak);
-}
-
 constexpr const char* sines = "N=3,R=1.5,A=0.2,phases=2,window=0.5:1.5:-1";
 
 } // namespace
@@ -111,11 +95,10 @@ TEST_CASE("recipes have their published values", "[noise]") {
         float weight_floor;
         int phases;
         std::array<float, 3> window;
-        double sidelobe; // the window's largest sidelobe along an axis, in decibels
     };
-    const Published published[] = {{"one", 1, 1, 0.675f, 256, {3, -4.5f, 2.5f}, -29.00},
-                                   {"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}, -41.45},
-                                   {"paper", 2, 1, 1, 2, {1, 0, 0}, -27.72}};
+    const Published published[] = {{"one", 1, 1, 0.675f, 256, {3, -4.5f, 2.5f}},
+                                   {"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}},
+                                   {"paper", 2, 1, 1, 2, {1, 0, 0}}};
     for (const Published& expected : published) {
         const noise::Recipe recipe = noise::find_recipe(expected.name);
         INFO(expected.name);
@@ -124,7 +107,6 @@ TEST_CASE("recipes have their published values", "[noise]") {
         CHECK(recipe.weight_floor == expected.weight_floor);
         CHECK(recipe.phases == expected.phases);
         CHECK(recipe.window == expected.window);
-        CHECK(sidelobe(recipe) == Approx(expected.sidelobe).margin(0.01));
     }
 }
 
