@@ -3,7 +3,6 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <catch2/catch.hpp>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -84,36 +83,4 @@ TEST_CASE("the variance at any time agrees with Campbell's theorem, integrated b
                    << ", time " << time);
     CHECK(noise::variance(recipe, frequency, orientation, time) ==
           Approx(density * magnitude_squared * energy).epsilon(1e-9));
-}
-
-// The README, the published figures and users' pixels depend on these values.
-TEST_CASE("recipes have their published values", "[noise]") {
-    struct Published {
-        const char* name;
-        int impulses;
-        float radius;
-        float weight_floor;
-        int phases;
-        std::array<float, 3> window;
-    };
-    const Published published[] = {{"one", 1, 1, 0.675f, 256, {3, -4.5f, 2.5f}},
-                                   {"pure", 1, 1.5f, 0.5f, 256, {1, -1, 1}},
-                                   {"paper", 2, 1, 1, 2, {1, 0, 0}}};
-    for (const Published& expected : published) {
-        const noise::Recipe recipe = noise::find_recipe(expected.name);
-        INFO(expected.name);
-        CHECK(recipe.impulses == expected.impulses);
-        CHECK(recipe.radius == expected.radius);
-        CHECK(recipe.weight_floor == expected.weight_floor);
-        CHECK(recipe.phases == expected.phases);
-        CHECK(recipe.window == expected.window);
-    }
-}
-
-TEST_CASE("recipes visit the expected number of impulses, and an unknown recipe is refused", "[noise]") {
-    CHECK(noise::visited_impulses(noise::find_recipe("one")) == 9);
-    CHECK(noise::visited_impulses(noise::find_recipe("pure")) == 16);
-    CHECK(noise::visited_impulses(noise::find_recipe("paper")) == 18);
-    CHECK(noise::visited_impulses(noise::find_recipe(sines)) == 48);
-    CHECK_THROWS_WITH(noise::find_recipe("two"), Catch::Contains("one") && Catch::Contains("paper"));
 }
