@@ -18,13 +18,8 @@ namespace gabor::cli {
 namespace {
 
 using nlohmann::json;
-using statistics::BlockEstimates;
-using statistics::Estimate;
 using statistics::PictureReport;
 using statistics::SpectrumSummary;
-
-// The smallest cvm at which a deviation from the normal distribution is visible.
-constexpr double visible_cvm = 0.5;
 
 // gabor's own JSON has few levels. JSON deeper than this is ignored: writing it could overflow the stack.
 constexpr int deepest_parameters = 16;
@@ -39,13 +34,12 @@ struct Measured {
     int width = 0;
     int height = 0;
     std::string channel;
-    json parameters = {};             // null without a `gabor` attribute
-    std::optional<double> scale = {}; // pixels per kernel radius
-    statistics::NormalDistribution expected = {};
+    json parameters = {};                         // null without a `gabor` attribute
+    std::optional<double> scale = {};             // pixels per kernel radius
+    std::optional<double> expected_variance = {}; // by theory, if the parameters determine it
     std::uint64_t outside = 0; // pixels excluded because the body does not cover them entirely
     PictureReport report = {};
 
-    const char* reference() const { return expected.fitted ? "measured" : "analytic"; }
     // Returns false for pictures of a body, because perspective distorts frequencies.
     bool has_spectrum() const { return report.spectrum && outside == 0; }
 };
@@ -91,7 +85,7 @@ std::optional<double> known_variance(const std::string& channel, const std::stri
     }
 }
 
-// Measures a channel. If its variance is unknown, first reads the whole channel for its mean and variance.
+// Measures a channel. Unless theory says that its mean is 0, first reads the whole channel for its mean.
 Measured measure(const StatsOptions& options) {
     const std::string channel = options.channel
                                     ? *options.channel
@@ -110,24 +104,18 @@ Measured measure(const StatsOptions& options) {
         if (const json scale = measured.parameters.value("scale", json()); scale.is_number() && scale > 0)
             measured.scale = scale.get<double>();
 
-    const std::optional<double> variance = deep ? std::nullopt : known_variance(measured.channel, attribute);
-    Progress progress("measuring", variance ? window.pixels() : 2 * window.pixels());
-    if (variance && *variance > 0) {
-        measured.expected = {0, std::sqrt(*variance), false};
-    } else {
-        statistics::Moments moments;
+    if (!deep)
+        measured.expected_variance = known_variance(measured.channel, attribute);
+    const bool known = measured.expected_variance.value_or(0) > 0;
+    Progress progress("measuring", known ? window.pixels() : 2 * window.pixels());
+    statistics::Moments moments;
+    if (!known)
         read_bands(options, reader, progress, [&](auto band) { statistics::add_finite(moments, band); });
-        measured.expected = statistics::fitted_normal(moments);
-    }
-    statistics::PictureStatistics statistics(measured.width, measured.height, measured.expected);
+    statistics::PictureStatistics statistics(measured.width, measured.height, moments.mean());
     measured.outside = read_bands(options, reader, progress, [&](auto band) { statistics.add_rows(band); });
     measured.report = statistics.report();
     measured.report.not_finite -= measured.outside;
     return measured;
-}
-
-json interval(const Estimate& estimate) {
-    return {{"low", estimate.low}, {"high", estimate.high}};
 }
 
 json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale) {
@@ -142,7 +130,6 @@ json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale
             {"resolution", spectrum.resolution},
             {"peak_frequency_per_radius", peak && scale ? json(peak->frequency * *scale) : json()},
             {"bandwidth_per_radius", scale ? json(spectrum.bandwidth * *scale) : json()},
-            {"correlation_length", spectrum.correlation},
             {"radial", std::move(radial)}};
 }
 
@@ -150,10 +137,6 @@ json to_json(const SpectrumSummary& spectrum, const std::optional<double>& scale
 std::string to_json(const Measured& measured) {
     const PictureReport& report = measured.report;
     const statistics::Moments& moments = report.moments;
-    const auto& blocks = report.blocks;
-    json cvm = blocks ? interval(blocks->cvm) : json();
-    if (blocks)
-        cvm["value"] = blocks->cvm.value;
     const json result = {
         {"width", measured.width},
         {"height", measured.height},
@@ -163,19 +146,12 @@ std::string to_json(const Measured& measured) {
         {"not_finite", report.not_finite},
         {"outside", measured.outside},
         {"mean", moments.count() > 0 ? json(moments.mean()) : json()},
-        {"mean_interval", blocks ? interval(blocks->mean) : json()},
         {"variance", moments.variance()},
-        {"variance_interval", blocks ? interval(blocks->variance) : json()},
+        {"expected_variance", measured.expected_variance ? json(*measured.expected_variance) : json()},
         {"skewness", moments.skewness()},
         {"excess_kurtosis", moments.excess_kurtosis()},
         {"minimum", moments.minimum()},
         {"maximum", moments.maximum()},
-        {"cvm", cvm},
-        {"cvm_reference", measured.reference()},
-        {"reference_mean", measured.expected.mean},
-        {"reference_variance", measured.expected.variance()},
-        {"smallest_cvm", blocks ? json(blocks->smallest_cvm) : json()},
-        {"blocks_per_side", blocks ? json(blocks->blocks_per_side) : json()},
         {"spectrum", measured.has_spectrum() ? to_json(*report.spectrum, measured.scale) : json()},
     };
     return result.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
@@ -202,51 +178,9 @@ void print_spectrum(const SpectrumSummary& spectrum, const std::optional<double>
     print_line("spectral power", spectrum.power, "the variance, computed from the spectrum");
 }
 
-// Returns false for small pictures, in which chance can hide a visible deviation.
-bool has_cvm(const std::optional<BlockEstimates>& blocks) {
-    return blocks && !(blocks->smallest_cvm > visible_cvm && blocks->cvm.low < visible_cvm);
-}
-
-// Returns the side, a power of two, of the smallest square picture in which a visible cvm exceeds chance. The
-// largest cvm that chance explains is inversely proportional to the number of pixels.
-double side_for_cvm(const Measured& measured, const BlockEstimates& blocks) {
-    const double pixels = static_cast<double>(measured.report.moments.count());
-    const double needed = std::sqrt(pixels * blocks.smallest_cvm / visible_cvm);
-    return std::exp2(std::ceil(std::log2(needed)));
-}
-
-void print_limits(const Measured& measured) {
-    const PictureReport& report = measured.report;
-    const auto& blocks = report.blocks;
-    if (report.moments.variance() == 0) {
-        fmt::print("  No intervals and no cvm: all pixels are equal.\n");
-    } else if (!report.spectrum) {
-        fmt::print("  No spectrum, intervals or cvm: the picture is smaller than 16 x 16 pixels.\n");
-    } else if (!blocks) {
-        fmt::print(
-            "  No intervals and no cvm: pixels are correlated over about {:.0f} pixels, and the shorter "
-            "side of the picture is less than 8 times that.\n",
-            report.spectrum->correlation);
-    } else {
-        fmt::print(
-            "  Intervals come from {0} x {0} blocks; pixels are correlated over about {1:.0f} pixels.\n",
-            blocks->blocks_per_side, report.spectrum->correlation);
-        if (!has_cvm(blocks))
-            fmt::print(
-                "  The picture is too small to test its distribution; render at least {0} x {0} pixels.\n",
-                side_for_cvm(measured, *blocks));
-    }
-}
-
 void print_report(const StatsOptions& options, const Measured& measured) {
     const PictureReport& report = measured.report;
     const statistics::Moments& moments = report.moments;
-    const auto between = [&](const Estimate BlockEstimates::*member) {
-        if (!report.blocks)
-            return std::string();
-        const Estimate& estimate = (*report.blocks).*member;
-        return fmt::format("95 %: {:.6g} to {:.6g}", estimate.low, estimate.high);
-    };
     const std::string from = options.files.size() == 1 ? options.files.front().string()
                                                        : fmt::format("{} regions", options.files.size());
     fmt::print("{}: channel {}, {} x {} pixels, {} not finite{}\n", from, measured.channel, measured.width,
@@ -256,23 +190,19 @@ void print_report(const StatsOptions& options, const Measured& measured) {
                    : fmt::format(", {} excluded as outside the body (A below 1)", measured.outside));
     if (moments.count() == 0)
         return;
-    print_line("mean", moments.mean(), between(&BlockEstimates::mean));
-    print_line("variance", moments.variance(), between(&BlockEstimates::variance));
+    print_line("mean", moments.mean());
+    print_line("variance", moments.variance(),
+               measured.expected_variance ? fmt::format("theory: {:.6g}", *measured.expected_variance) : "");
     print_line("skewness", moments.skewness());
     print_line("excess kurtosis", moments.excess_kurtosis());
     print_line("minimum", moments.minimum());
     print_line("maximum", moments.maximum());
-    if (has_cvm(report.blocks))
-        print_line(
-            "cvm", report.blocks->cvm.value,
-            fmt::format("{}, compared with a normal distribution of {} mean {:.6g} and variance {:.6g}",
-                        between(&BlockEstimates::cvm), measured.reference(), measured.expected.mean,
-                        measured.expected.variance()));
     if (measured.has_spectrum() && report.spectrum->power > 0)
         print_spectrum(*report.spectrum, measured.scale);
     if (measured.outside > 0)
         fmt::print("  No spectrum: perspective distorts frequencies.\n");
-    print_limits(measured);
+    else if (!report.spectrum)
+        fmt::print("  No spectrum: the picture is smaller than 16 x 16 pixels.\n");
 }
 
 void report_statistics(const StatsOptions& options) {
@@ -302,8 +232,7 @@ void report_statistics(const StatsOptions& options) {
 
 void add_stats_command(CLI::App& app) {
     auto options = std::make_shared<StatsOptions>();
-    CLI::App* command =
-        app.add_subcommand("stats", "Measure an OpenEXR picture: moments, Gaussianity, spectrum");
+    CLI::App* command = app.add_subcommand("stats", "Measure an OpenEXR picture: moments and spectrum");
     add_option(*command, "FILE", options->files, "",
                "The EXR to measure; regions of one picture are measured together")
         ->required();

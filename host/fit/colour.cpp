@@ -40,8 +40,8 @@ noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves
     }
     colour.linear = exemplar.linear;
     colour.histogram.fill({0, 1, 0, 0, 0, 0});
-    for (std::size_t c = 0; c < exemplar.quantiles.size(); ++c)
-        colour.histogram[c] = exemplar.quantiles[c].polynomial();
+    for (std::size_t c = 0; c < exemplar.histograms.size(); ++c)
+        colour.histogram[c] = exemplar.histograms[c].polynomial();
     for (std::size_t i = 0; i < 3; ++i) {
         const Eigen::Index channel = exemplar.channels == 1 ? 0 : static_cast<Eigen::Index>(i);
         colour.mean[i] = exemplar.mean[channel];

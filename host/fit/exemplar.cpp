@@ -142,7 +142,7 @@ std::optional<Exemplar> first_pass(const std::filesystem::path& path, float& lim
         limit = brightness.limit();
         return {};
     }
-    const Survey found = sums.survey();
+    const PixelStatistics found = sums.statistics();
     Exemplar exemplar;
     exemplar.width = format.width;
     exemplar.height = format.height;
@@ -182,7 +182,7 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
     const Eigen::MatrixXf map =
         (variances.cwiseInverse().asDiagonal() * exemplar.components.transpose()).cast<float>();
     SpectraEstimate estimate(exemplar.width, exemplar.height, count);
-    exemplar.quantiles.resize(static_cast<std::size_t>(count));
+    exemplar.histograms.resize(static_cast<std::size_t>(count));
     Rows rows(path, exemplar.channels == 1, limit);
     Structure structure(exemplar.width);
     Eigen::MatrixXf values(count, exemplar.width);
@@ -197,7 +197,7 @@ Exemplar read_exemplar(const std::filesystem::path& path, const Advance& advance
             if (seen[static_cast<std::size_t>(x)] != 0) {
                 strongest[static_cast<std::size_t>(x)] = values(0, x);
                 for (int c = 0; c < count; ++c)
-                    exemplar.quantiles[static_cast<std::size_t>(c)].add(values(c, x));
+                    exemplar.histograms[static_cast<std::size_t>(c)].add(values(c, x));
             } else {
                 strongest[static_cast<std::size_t>(x)] = std::numeric_limits<float>::quiet_NaN();
                 values.col(x).setZero();

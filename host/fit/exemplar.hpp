@@ -17,7 +17,7 @@ using Advance = std::function<void(double)>;
 /// The smallest width and height of a picture that can be fitted, in pixels.
 constexpr int least_side = 2 * window_side;
 
-/// What a fit needs to know about a photograph. Spectra, quantiles and structure are those of its principal
+/// What a fit needs to know about a photograph. Spectra, histograms and structure are those of its principal
 /// components, scaled to variance 1, without the quadratic trend.
 struct Exemplar {
     int width = 0;
@@ -32,7 +32,7 @@ struct Exemplar {
     Eigen::MatrixXd components;
     Spectra spectra{1};                          ///< spectra of the components
     std::vector<Autocovariance> autocovariances; ///< sums over the channels, one for each scale
-    std::vector<Quantiles> quantiles;            ///< quantiles of each component
+    std::vector<Histogram> histograms;           ///< histogram of each component
     double structure = 0;                        ///< Structure::excess of the first component
 };
 

@@ -51,7 +51,7 @@ void drop_empty(std::vector<Wave>& waves) {
 }
 
 // Adds the lobe that reduces the residual most, then refines all lobes.
-void add_lobe(const TargetSpectra& target, const Search& search, std::vector<Wave>& waves) {
+void add_lobe(const TargetSpectra& target, const WaveSearch& search, std::vector<Wave>& waves) {
     Wave next = search.best(target, residual(target, waves));
     if (next.weight.isZero())
         return;
@@ -62,7 +62,7 @@ void add_lobe(const TargetSpectra& target, const Search& search, std::vector<Wav
 }
 
 // Replaces lobes that are no longer the best choice, now that more lobes have been added.
-void exchange_lobes(const TargetSpectra& target, const Search& search, std::vector<Wave>& waves,
+void exchange_lobes(const TargetSpectra& target, const WaveSearch& search, std::vector<Wave>& waves,
                     const Advance& advance) {
     const std::size_t count = waves.size();
     for (std::size_t i = count; i-- > 0 && waves.size() == count && count > 1;) {
@@ -95,14 +95,14 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
             wave.weight = scales.cwiseInverse().asDiagonal() * wave.weight;
         return of;
     };
-    const Search search(target);
+    const WaveSearch search(target);
     std::vector<Wave> waves;
     for (int i = 0; i < lobes; ++i) {
         add_lobe(target, search, waves);
         if (std::ssize(waves) <= i)
             break;
         advance(0.5 * (i + 1) / lobes);
-        if (is_chance(compare(exemplar, unscaled(waves)), exemplar))
+        if (is_chance(fit_error(exemplar, unscaled(waves)), exemplar))
             break;
     }
     refine(target, waves, FreeParameters::all, 30);
@@ -112,8 +112,8 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
     waves = unscaled(std::move(waves));
     // If lobes can follow the spectrum exactly, least squares finds them best, so the fit with absolute
     // errors must be better by a margin.
-    FitError error = compare(exemplar, waves);
-    const FitError after = compare(exemplar, closer);
+    FitError error = fit_error(exemplar, waves);
+    const FitError after = fit_error(exemplar, closer);
     if (after.l1 < 0.97 * error.l1 && after.l2 <= error.l2) {
         waves = std::move(closer);
         error = after;

@@ -72,7 +72,7 @@ double largest_difference(const SpectrumScale& scale, const Autocovariance& a, c
 
 } // namespace
 
-FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves) {
+FitError fit_error(const Exemplar& exemplar, const std::vector<Wave>& waves) {
     const Spectra estimate = exemplar.spectra.mapped(exemplar.components);
     const Spectra found =
         model(waves, exemplar.spectra.channels, exemplar.spectra.scales).mapped(exemplar.components);

@@ -17,6 +17,6 @@ struct FitError {
 };
 
 /// Compares waves, given in the exemplar's components, with the exemplar.
-FitError compare(const Exemplar& exemplar, const std::vector<Wave>& waves);
+FitError fit_error(const Exemplar& exemplar, const std::vector<Wave>& waves);
 
 } // namespace gabor::fit

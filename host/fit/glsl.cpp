@@ -1,6 +1,7 @@
 #include "fit/glsl.hpp"
 
 #include "error.hpp"
+#include "noise/glsl_literal.hpp"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@ namespace gabor::fit {
 namespace {
 
 using noise::Colour;
+using noise::literal;
 
 // GLSL keywords and built-in functions that a file name might match.
 constexpr std::array<std::string_view, 34> reserved{
@@ -23,20 +25,9 @@ constexpr std::array<std::string_view, 34> reserved{
     "fract",  "length",  "log",      "main",       "mix",  "normalize", "patch",  "refract", "round",
     "sample", "sampler", "smooth",   "smoothstep", "step", "texture",   "varying"};
 
-std::string number(double value) {
-    std::string text = fmt::format("{:.8g}", static_cast<double>(static_cast<float>(value)));
-    if (text.find_first_of(".e") == std::string::npos)
-        text += ".0";
-    return text;
-}
-
-std::string vector(double x, double y, double z) {
-    return fmt::format("vec3({}, {}, {})", number(x), number(y), number(z));
-}
-
 template <typename Of>
 std::string vector(Of of) {
-    return vector(of(std::size_t{0}), of(std::size_t{1}), of(std::size_t{2}));
+    return noise::vec3(of(std::size_t{0}), of(std::size_t{1}), of(std::size_t{2}));
 }
 
 // Splits the variance of a component with this polynomial by degree: if the polynomial is the sum of a_n
@@ -56,8 +47,8 @@ std::string lobe_call(const std::string& name, std::size_t index, const Wave& wa
     const Eigen::Vector2d cycles = wave.frequency.cwiseProduct(wave.radius);
     const auto of = [&](auto value) { return vector([&](std::size_t c) { return value(weights[c]); }); };
     return fmt::format("{}_lobe(z, removed, p, d, filtered, {}, vec4({}, {}, {}, {}), {}{});", name, index,
-                       number(wave.radius.x()), number(wave.radius.y()), number(cycles.x()),
-                       number(cycles.y()), of([](const Colour::Weight& w) { return w.noise; }),
+                       literal(wave.radius.x()), literal(wave.radius.y()), literal(cycles.x()),
+                       literal(cycles.y()), of([](const Colour::Weight& w) { return w.noise; }),
                        complex ? ", " + of([](const Colour::Weight& w) { return w.quadrature; }) : "");
 }
 
@@ -101,8 +92,8 @@ std::string colour_function(const std::string& name, const Colour& colour) {
         fmt::arg("name", name), fmt::arg("c0", coefficient(0)), fmt::arg("c1", coefficient(1)),
         fmt::arg("c2", coefficient(2)), fmt::arg("c3", coefficient(3)), fmt::arg("c4", coefficient(4)),
         fmt::arg("c5", coefficient(5)),
-        fmt::arg("mean", vector(colour.mean[0], colour.mean[1], colour.mean[2])), fmt::arg("x", column(0)),
-        fmt::arg("y", column(1)), fmt::arg("z", column(2)));
+        fmt::arg("mean", noise::vec3(colour.mean[0], colour.mean[1], colour.mean[2])),
+        fmt::arg("x", column(0)), fmt::arg("y", column(1)), fmt::arg("z", column(2)));
 }
 
 std::string glsl_of(const std::string& name, const std::filesystem::path& image, const Exemplar& exemplar,

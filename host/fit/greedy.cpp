@@ -82,7 +82,8 @@ std::vector<Eigen::Vector2d> peaks(const TargetSpectra& target, const Eigen::Mat
 
 } // namespace
 
-Search::Axis Search::axis_of(const SpectrumScale& scale, int which, double largest_radius, int lowest) {
+WaveSearch::Axis WaveSearch::axis_of(const SpectrumScale& scale, int which, double largest_radius,
+                                     int lowest) {
     Axis axis;
     for (const double radius : radii(2, std::min<double>(largest_radius, scale.length()))) {
         // The distance between the frequencies to try. Narrow kernels have wide lobes, so few frequencies are
@@ -112,7 +113,7 @@ Search::Axis Search::axis_of(const SpectrumScale& scale, int which, double large
     return axis;
 }
 
-Search::Search(const TargetSpectra& target)
+WaveSearch::WaveSearch(const TargetSpectra& target)
     : x_(axis_of(target.scales->front(), 0, target.largest_radius, 0)),
       y_(axis_of(target.scales->front(), 1, target.largest_radius, 1 - target.scales->front().grid / 2)) {
     const SpectrumScale& scale = target.scales->front();
@@ -123,11 +124,11 @@ Search::Search(const TargetSpectra& target)
                        y_.mirrored * weight * x_.mirrored.transpose());
 }
 
-Wave Search::best(const TargetSpectra& target, const Eigen::MatrixXd& left) const {
+Wave WaveSearch::best(const TargetSpectra& target, const Eigen::MatrixXd& left) const {
     const SpectrumScale& first = target.scales->front();
     const Index rows = std::ssize(first.frequencies);
     const Eigen::ArrayXd factor = target.weight.head(rows) / measures({first});
-    const std::vector<Entry> stored = entries(target.channels);
+    const std::vector<MatrixEntry> stored = entries(target.channels);
     std::vector<Eigen::MatrixXf> products;
     for (const auto& [c, d, imaginary] : stored) {
         const double single = c == d ? 0.5 : 0.5 / std::numbers::sqrt2;

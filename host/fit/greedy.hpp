@@ -7,9 +7,9 @@
 namespace gabor::fit {
 
 /// Finds the wave that reduces a residual most.
-class Search {
+class WaveSearch {
   public:
-    explicit Search(const TargetSpectra& target);
+    explicit WaveSearch(const TargetSpectra& target);
 
     /// Returns the wave that reduces the residual `left` most, with the weights that fit best while other
     /// waves stay unchanged. Tries all frequencies of the first scale with the radii that its windows can

@@ -1,6 +1,6 @@
 #include "fit/histogram.hpp"
 
-#include "statistics/estimate.hpp"
+#include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,9 @@ Coefficients ends(double p) {
     Coefficients values{};
     if (p <= 0 || p >= 1)
         return values;
-    const double z = statistics::normal_quantile(p);
-    const double density = statistics::normal_density(z);
+    const boost::math::normal normal;
+    const double z = quantile(normal, p);
+    const double density = pdf(normal, z);
     const Coefficients he = hermite(z);
     std::ranges::transform(he, values.begin(), [&](double h) { return h * density; });
     return values;
@@ -50,12 +51,12 @@ bool rises(const Coefficients& a) {
 
 } // namespace
 
-void Quantiles::add(float value) {
+void Histogram::add(float value) {
     const double place = (value + reach) / (2 * reach) * static_cast<double>(counts_.size());
     ++counts_[static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(counts_.size() - 1)))];
 }
 
-std::array<double, 6> Quantiles::polynomial() const {
+std::array<double, 6> Histogram::polynomial() const {
     const auto all = static_cast<double>(std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}));
     Coefficients projected{};
     std::uint64_t below = 0;

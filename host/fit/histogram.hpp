@@ -7,7 +7,7 @@
 namespace gabor::fit {
 
 /// Counts values of variance about 1, to estimate their distribution.
-class Quantiles {
+class Histogram {
   public:
     void add(float value);
 

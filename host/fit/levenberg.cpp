@@ -73,7 +73,7 @@ Parts parts_of(const std::vector<Wave>& waves, const SpectrumScales& scales, boo
 }
 
 // The factor that makes the sum of squares of the stored entries equal to that of the whole matrix.
-double factor(const Entry& entry) {
+double factor(const MatrixEntry& entry) {
     return entry.c == entry.d ? 1 : root_2;
 }
 
@@ -81,7 +81,7 @@ double factor(const Entry& entry) {
 Eigen::RowVectorXd stored(const Eigen::MatrixXcd& matrix) {
     Eigen::RowVectorXd result(matrix.size());
     Index at = 0;
-    for (const Entry& entry : entries(static_cast<int>(matrix.rows()))) {
+    for (const MatrixEntry& entry : entries(static_cast<int>(matrix.rows()))) {
         const Complex value = factor(entry) * matrix(entry.c, entry.d);
         result[at++] = entry.imaginary ? value.imag() : value.real();
     }
@@ -254,7 +254,7 @@ TargetSpectra::TargetSpectra(const Spectra& spectra, double radius)
     const Eigen::ArrayXd power = total(values, Eigen::VectorXd::Ones(channels));
     weight = (importance / (power + 0.01 * spectra.covariance().trace())).sqrt();
     Index column = 0;
-    for (const Entry& entry : entries(channels))
+    for (const MatrixEntry& entry : entries(channels))
         values.col(column++).array() *= factor(entry) * weight;
 }
 
@@ -288,7 +288,7 @@ Gain gain(const TargetSpectra& target, const Eigen::MatrixXd& left, const Eigen:
     const Eigen::RowVectorXd found = products(parts, left, target.channels);
     Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(target.channels, target.channels);
     Index at = 0;
-    for (const Entry& entry : entries(target.channels)) {
+    for (const MatrixEntry& entry : entries(target.channels)) {
         const double value = found[at++] / factor(entry);
         matrix(entry.d, entry.c) += entry.imaginary ? Complex(0, -value) : Complex(value); // the lower half
     }
@@ -306,7 +306,7 @@ Spectra model(const std::vector<Wave>& waves, int channels, const SpectrumScales
     const Parts parts = parts_of(waves, scales, false, Eigen::ArrayXd::Ones(result.values.rows()));
     add(result.values, waves, parts, 1, 1);
     Index column = 0;
-    for (const Entry& entry : entries(channels))
+    for (const MatrixEntry& entry : entries(channels))
         result.values.col(column++) /= factor(entry);
     return result;
 }

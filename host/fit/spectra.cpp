@@ -173,8 +173,8 @@ std::vector<SpectrumScale> scales_of(int width, int height) {
     return scales;
 }
 
-std::vector<Entry> entries(int channels) {
-    std::vector<Entry> result;
+std::vector<MatrixEntry> entries(int channels) {
+    std::vector<MatrixEntry> result;
     for (const bool imaginary : {false, true})
         for (int c = 0; c < channels; ++c)
             for (int d = imaginary ? c + 1 : c; d < channels; ++d)
@@ -303,7 +303,7 @@ class SpectraEstimate::Welch {
 
     void add_window(int left, const std::array<double, 2>& across, const std::array<double, 2>& down) {
         const int channels = channels_;
-        segments_.weigh(left, channels, window_, scale_->grid);
+        segments_.copy_windowed(left, channels, window_, scale_->grid);
         double seen = 0;
         for (const float value : window_)
             seen += static_cast<double>(value);
@@ -312,7 +312,7 @@ class SpectraEstimate::Welch {
         ++windows_;
         power_ += across[1] * down[1];
         for (int c = 0; c < channels; ++c) {
-            segments_.weigh(left, c, window_, scale_->grid);
+            segments_.copy_windowed(left, c, window_, scale_->grid);
             const auto values = transform_(window_);
             transformed_[static_cast<std::size_t>(c)] =
                 Eigen::Map<const Eigen::ArrayXcf>(values.data(), std::ssize(values));
@@ -338,7 +338,7 @@ class SpectraEstimate::Welch {
     std::size_t band_ = 0;
     double power_ = 0;          ///< sum of the windows' squared weights
     std::vector<float> window_; ///< the rest of the grid stays 0
-    statistics::Transform transform_;
+    statistics::FourierTransform transform_;
     std::vector<Eigen::ArrayXcf> transformed_; ///< transform of each channel
     Eigen::MatrixXd sums_;                     ///< sum of the windows' cross-spectra
     int windows_ = 0;

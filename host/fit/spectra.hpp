@@ -60,13 +60,13 @@ std::vector<SpectrumScale> scales_of(int width, int height);
 
 /// A stored entry of a Hermitian matrix of channels: the real part of (c, d) for c <= d, or the imaginary
 /// part for c < d.
-struct Entry {
+struct MatrixEntry {
     int c;
     int d;
     bool imaginary;
 };
 /// All stored entries, the real parts first.
-std::vector<Entry> entries(int channels);
+std::vector<MatrixEntry> entries(int channels);
 constexpr Eigen::Index real_entries(int channels) {
     return channels * (channels + 1) / 2;
 }

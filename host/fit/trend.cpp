@@ -83,9 +83,9 @@ void PixelSums::add_row(std::span<const float> row, std::span<const float> seen)
     squares_ += values_ * values_.transpose();
 }
 
-Survey PixelSums::survey() const {
+PixelStatistics PixelSums::statistics() const {
     const double pixels = gram_(0, 0);
-    Survey result;
+    PixelStatistics result;
     result.trend = {static_cast<int>(powers_.cols()), height_, gram_.ldlt().solve(products_)};
     result.mean = products_.row(0).transpose() / pixels;
     result.covariance = (squares_ - products_.transpose() * result.trend.coefficients) / pixels;
@@ -94,9 +94,9 @@ Survey PixelSums::survey() const {
 }
 
 // Regresses the logarithm of each block's deviation on that of its brightness.
-void PixelSums::find_contrast(Survey& survey) const {
+void PixelSums::find_contrast(PixelStatistics& statistics) const {
     constexpr double least_correlation = 0.3; // chance gives about 1 / blocks
-    Trend& trend = survey.trend;
+    Trend& trend = statistics.trend;
     std::vector<Eigen::Vector3d> found; // logarithm of light, logarithm of deviation, variance
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (int i = 0; i < blocks * blocks; ++i) {
@@ -124,7 +124,7 @@ void PixelSums::find_contrast(Survey& survey) const {
         before += block[2];
         after += block[2] * std::exp(-2 * trend.contrast * block[0]);
     }
-    survey.covariance *= after / before;
+    statistics.covariance *= after / before;
 }
 
 } // namespace gabor::fit

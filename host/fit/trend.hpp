@@ -25,21 +25,21 @@ struct Trend {
 };
 
 /// The result of one pass over a picture.
-struct Survey {
+struct PixelStatistics {
     Trend trend;
     Eigen::VectorXd mean;
     Eigen::MatrixXd covariance; ///< covariance of the channels, without the trend and with even contrast
 };
 
-/// The sums that a survey needs.
+/// The sums that these statistics need.
 class PixelSums {
   public:
     PixelSums(int width, int height, int channels);
 
     /// Adds the next row from the top. Pixels whose `seen` is 0 do not count.
     void add_row(std::span<const float> row, std::span<const float> seen);
-    /// Returns the survey; call it after the last row. At least one pixel must have been seen.
-    Survey survey() const;
+    /// Returns the statistics; call it after the last row. At least one pixel must have been seen.
+    PixelStatistics statistics() const;
 
   private:
     static constexpr int blocks = 16; ///< along each side of the picture, to measure how its contrast changes
@@ -48,7 +48,7 @@ class PixelSums {
         double sum = 0; ///< sum over pixels of the sum of their channels
         double squares = 0;
     };
-    void find_contrast(Survey& survey) const;
+    void find_contrast(PixelStatistics& statistics) const;
 
     int height_;
     int row_ = 0;

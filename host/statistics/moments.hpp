@@ -20,8 +20,6 @@ class Moments {
     double mean() const { return mean_; }
     /// The population variance, which divides by the count, not by count - 1. NaN without values.
     double variance() const { return m2_ / static_cast<double>(count_); }
-    /// Sum of (x - mean)^2; 0 without values.
-    double squared_deviations() const { return m2_; }
     /// Returns NaN if the variance is 0, as does `excess_kurtosis`.
     double skewness() const;
     /// Returns 0 for a normal distribution.

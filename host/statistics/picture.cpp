@@ -2,67 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace gabor::statistics {
 
-namespace {
-
-bool is_finite(float value) {
-    return std::isfinite(value);
-}
-
-/// Calls visit(first, run) for each run of finite pixels; returns how many pixels are not finite.
-template <typename Visit>
-std::uint64_t for_finite_runs(std::span<const float> pixels, Visit visit) {
-    std::uint64_t finite = 0;
-    auto end = pixels.begin();
-    while (end != pixels.end()) {
-        const auto begin = std::find_if(end, pixels.end(), is_finite);
-        end = std::find_if_not(begin, pixels.end(), is_finite);
-        if (begin == end)
-            break;
-        visit(begin - pixels.begin(), std::span(begin, end));
-        finite += static_cast<std::uint64_t>(end - begin);
-    }
-    return pixels.size() - finite;
-}
-
-} // namespace
-
-PictureStatistics::PictureStatistics(int width, int height, const NormalDistribution& expected)
-    : expected_(expected), blocks_(width, height, expected), centred_(static_cast<std::size_t>(width)) {
+PictureStatistics::PictureStatistics(int width, int height, double mean)
+    : mean_(mean), centred_(static_cast<std::size_t>(width)) {
     if (const std::optional<int> side = segment_side(width, height))
         spectrum_.emplace(width, height, *side);
 }
 
 void PictureStatistics::add_rows(std::span<const float> pixels) {
     for (; !pixels.empty(); pixels = pixels.subspan(centred_.size())) {
-        std::ranges::fill(centred_, 0.0f);
         const auto row = pixels.first(centred_.size());
-        not_finite_ += for_finite_runs(row, [&](std::ptrdiff_t first, std::span<const float> run) {
-            blocks_.add(static_cast<int>(first), row_, run);
-            std::ranges::transform(run, centred_.begin() + first,
-                                   [&](float value) { return static_cast<float>(value - expected_.mean); });
+        not_finite_ += add_finite(moments_, row);
+        std::ranges::transform(row, centred_.begin(), [&](float value) {
+            return std::isfinite(value) ? static_cast<float>(value - mean_) : 0.0f;
         });
         if (spectrum_)
             spectrum_->add_row(centred_);
-        ++row_;
     }
 }
 
 PictureReport PictureStatistics::report() const {
-    PictureReport report;
-    report.not_finite = not_finite_;
-    report.moments = blocks_.moments();
-    if (spectrum_) {
+    PictureReport report{not_finite_, moments_, {}};
+    if (spectrum_)
         report.spectrum = summarize(spectrum_->periodogram(), spectrum_->side());
-        report.blocks = blocks_.estimate(report.spectrum->correlation);
-    }
     return report;
 }
 
 std::uint64_t add_finite(Moments& moments, std::span<const float> pixels) {
-    return for_finite_runs(pixels, [&](std::ptrdiff_t, std::span<const float> run) { moments.add(run); });
+    std::vector<float> finite;
+    std::ranges::copy_if(pixels, std::back_inserter(finite),
+                         [](float value) { return std::isfinite(value); });
+    moments.add(finite);
+    return pixels.size() - finite.size();
 }
 
 } // namespace gabor::statistics

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "statistics/blocks.hpp"
 #include "statistics/moments.hpp"
 #include "statistics/spectrum.hpp"
 
@@ -15,16 +14,15 @@ struct PictureReport {
     std::uint64_t not_finite = 0;            ///< NaN and infinite pixels, excluded from everything else
     Moments moments;                         ///< moments of all other pixels
     std::optional<SpectrumSummary> spectrum; ///< absent below 16 x 16 pixels
-    std::optional<BlockEstimates> blocks;    ///< absent if the picture is too small or constant
 
     bool operator==(const PictureReport&) const = default;
 };
 
-/// Statistics of a picture that is read once, row by row. Memory grows with the width, not the height. The
-/// expected distribution must be known in advance: to fit it, call `add_finite` in an earlier pass.
+/// Statistics of a picture that is read row by row. Memory grows with the width, not the height.
 class PictureStatistics {
   public:
-    PictureStatistics(int width, int height, const NormalDistribution& expected);
+    /// `mean` is subtracted before the spectrum is computed; `add_finite` can find it in an earlier pass.
+    PictureStatistics(int width, int height, double mean);
 
     /// Adds the next complete rows.
     void add_rows(std::span<const float> pixels);
@@ -33,10 +31,9 @@ class PictureStatistics {
     PictureReport report() const;
 
   private:
-    NormalDistribution expected_;
-    int row_ = 0;
+    double mean_;
     std::uint64_t not_finite_ = 0;
-    Blocks blocks_;
+    Moments moments_;
     std::optional<Spectrum> spectrum_;
     std::vector<float> centred_; ///< one row minus the mean, with 0 for values that are not finite
 };

@@ -45,7 +45,7 @@ std::span<const int> Segments::add_row(std::span<const float> row) {
     return columns_;
 }
 
-void Segments::weigh(int left, int channel, std::span<float> into, int stride) const {
+void Segments::copy_windowed(int left, int channel, std::span<float> into, int stride) const {
     for (int y = 0; y < side_; ++y) {
         const std::ptrdiff_t line = (row_ + y) % side_; // y = 0 is the oldest row
         const float* in = rows_.data() + (line * width_ + left) * channels_ + channel;

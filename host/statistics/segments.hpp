@@ -21,7 +21,7 @@ class Segments {
 
     /// Writes one channel of a segment that add_row returned, multiplied by the window, with rows `stride`
     /// values apart.
-    void weigh(int left, int channel, std::span<float> into, int stride) const;
+    void copy_windowed(int left, int channel, std::span<float> into, int stride) const;
 
     int side() const { return side_; }
     /// Returns where segments begin along each axis.

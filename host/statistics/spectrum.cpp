@@ -25,7 +25,7 @@ Spectrum::Spectrum(int width, int height, int side)
 
 void Spectrum::add_row(std::span<const float> row) {
     for (const int left : segments_.add_row(row)) {
-        segments_.weigh(left, 0, segment_, segments_.side());
+        segments_.copy_windowed(left, 0, segment_, segments_.side());
         const std::span<const std::complex<float>> values = transform_(segment_);
         for (std::size_t i = 0; i < values.size(); ++i)
             power_[i] += std::norm(std::complex<double>(values[i]));
@@ -193,13 +193,6 @@ SpectrumSummary summarize(std::span<const double> periodogram, int side) {
         const double degrees = std::arg(peak) * 180 / std::numbers::pi;
         summary.peak = {distance / cells, std::fmod(degrees + 360, 180)};
     }
-
-    // Twice the root of the integral of the squared autocorrelation, which equals that of the squared
-    // spectrum (Parseval). For Gabor noise this is 1.4 kernel radii, where its autocorrelation has fallen to
-    // exp(-pi).
-    double squares = 0;
-    plane.for_each([&](int, int, double power) { squares += power * power; });
-    summary.correlation = 2 * cells * std::sqrt(squares) / summary.power;
     return summary;
 }
 

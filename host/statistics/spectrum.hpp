@@ -27,7 +27,7 @@ class Spectrum {
 
   private:
     Segments segments_;
-    Transform transform_;
+    FourierTransform transform_;
     std::vector<float> segment_;
     std::vector<double> power_;
 };
@@ -50,7 +50,6 @@ struct SpectrumSummary {
     std::optional<SpectralPeak> peak; ///< absent if indistinguishable from frequency 0
     double bandwidth = 0;             ///< full width at half maximum of `radial`, broadened by `resolution`
     double resolution = 0;            ///< full width at half maximum of a plane wave
-    double correlation = 0;           ///< pixels farther apart count as independent
     double radial_step = 0;           ///< radial[k] is the power around frequency k * radial_step
     std::vector<double> radial;       ///< power per annulus; its sum is `power`
 

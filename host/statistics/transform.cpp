@@ -8,7 +8,7 @@
 namespace gabor::statistics {
 
 // Transforms rows, then columns, because kiss_fftndr_alloc of KISS FFT 131.1 refuses sides of 64 and more.
-Transform::Transform(int side)
+FourierTransform::FourierTransform(int side)
     : side_(static_cast<std::size_t>(side)), rows_(kiss_fftr_alloc(side, 0, nullptr, nullptr), kiss_fft_free),
       columns_(kiss_fft_alloc(side, 0, nullptr, nullptr), kiss_fft_free), values_(side_ * (side_ / 2 + 1)),
       column_(side_) {
@@ -16,7 +16,7 @@ Transform::Transform(int side)
         throw std::bad_alloc();
 }
 
-std::span<const std::complex<float>> Transform::operator()(std::span<const float> values) {
+std::span<const std::complex<float>> FourierTransform::operator()(std::span<const float> values) {
     // Both types store the real part, then the imaginary part.
     const auto of_kiss = [](std::complex<float>* value) { return reinterpret_cast<kiss_fft_cpx*>(value); };
     const std::size_t width = side_ / 2 + 1;

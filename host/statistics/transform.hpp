@@ -12,10 +12,10 @@ namespace gabor::statistics {
 
 /// The discrete Fourier transform of a square array of real values,
 /// X(k) = sum_p x(p) exp(-2 pi i k.p / side).
-class Transform {
+class FourierTransform {
   public:
     /// `side` must be even.
-    explicit Transform(int side);
+    explicit FourierTransform(int side);
 
     /// Transforms side * side values. The result has `side` rows for ky (negative ones last) and side / 2 + 1
     /// columns for kx >= 0. The span stays valid until the next call.

@@ -120,13 +120,6 @@ void App::save_session() {
         save_settings(settings_ = std::move(settings));
 }
 
-Document App::shown() const {
-    Document document = session_.history.now;
-    if (session_.tiling)
-        document.camera = session_.tiling->camera;
-    return document;
-}
-
 Area App::view_area(Extent window) const {
     const float per_unit = static_cast<float>(window.width) / std::max(ImGui::GetIO().DisplaySize.x, 1.0f);
     const int width = std::max(static_cast<int>(view_width() * per_unit), 2);
@@ -145,7 +138,7 @@ bool App::refine(Extent window) {
     session_.tiling.reset();
     if (session_.tiles && has_effect(session_.document(), "tiles"))
         session_.tiling = tiling_of(session_.document(), session_.view);
-    const Camera camera = shown().camera;
+    const Camera camera = session_.tiling ? session_.tiling->camera : session_.document().camera;
     const Drawing wanted = drawing_of(session_.document());
     const bool moving = ImGui::IsAnyMouseDown() || session_.playing;
     const double slice =
@@ -269,7 +262,7 @@ void App::paint_presets(vk::CommandBuffer commands, int height) {
     painter_.paint_colours(commands, *preset_pixels_, pictures.extent, stride, pieces);
 }
 
-void App::draw(const Target& target) {
+void App::draw(const RenderTarget& target) {
     const vk::CommandBuffer commands = *commands_;
     commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
     painter_.prepare(commands);
@@ -346,7 +339,7 @@ bool App::frame(const FrameHook& hook) {
             paint(commands, view_area(extent));
             gui_.draw(commands);
         });
-    if (const Target* target = swapchain_.acquire(extent)) {
+    if (const RenderTarget* target = swapchain_.acquire(extent)) {
         draw(*target);
     }
     return true;

@@ -39,8 +39,6 @@ class App {
     const Window& window() const { return window_; }
     /// Whether the picture is drawn at full resolution.
     bool fine() const { return canvas_.fine(); }
-    /// Whether nothing is left to refine, fit or export.
-    bool settled() const { return !busy_ && !session_.exporter.running() && !session_.fitter.running(); }
     /// Saves only the picture, with the size and camera of gabor render.
     void save_picture(const std::string& path);
     /// Saves the window with its panels, at the end of this frame.
@@ -57,13 +55,12 @@ class App {
     float view_width() const; ///< width of the view in Dear ImGui's units
     void fold_panel();
     void panels();
-    void draw(const Target& target);
+    void draw(const RenderTarget& target);
     void paint(vk::CommandBuffer commands, const Area& view);
     void paint_photograph(vk::CommandBuffer commands, const Area& area);
     void paint_presets(vk::CommandBuffer commands, int height);
     void write_png(Extent extent, const std::string& path,
                    const std::function<void(vk::CommandBuffer)>& draw);
-    Document shown() const; ///< the document, with the camera that draws it
 
     Settings settings_;
     Window window_;

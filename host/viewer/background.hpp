@@ -11,12 +11,12 @@ namespace gabor::viewer {
 
 /// Runs one task at a time on its own thread. Declare it after the members that the task writes: its
 /// destructor cancels the task and waits for it.
-class Background {
+class BackgroundTask {
   public:
-    Background() = default;
-    ~Background() { cancel(); }
-    Background(const Background&) = delete;
-    Background& operator=(const Background&) = delete;
+    BackgroundTask() = default;
+    ~BackgroundTask() { cancel(); }
+    BackgroundTask(const BackgroundTask&) = delete;
+    BackgroundTask& operator=(const BackgroundTask&) = delete;
 
     /// Waits for the previous task, then starts this one.
     void start(std::function<void()> work) {

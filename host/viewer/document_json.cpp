@@ -79,9 +79,7 @@ json json_of(const std::vector<ColourStop>& ramp) {
     return stops;
 }
 
-void read_view(json view, Document& document) {
-    if (view.value("output", json()) == "phasor") // the name of this output in version 1.1
-        view["output"] = "stripes";
+void read_view(const json& view, Document& document) {
     const auto choice = [&](const char* key, const auto& names, auto& number) {
         if (view.contains(key))
             number = static_cast<std::remove_reference_t<decltype(number)>>(index_of(view, key, names));

@@ -92,7 +92,7 @@ class Exporter {
     std::string selector_;
     std::string result_;
     std::map<std::filesystem::path, FileStamp> written_;
-    Background work_; ///< its task writes the two members above
+    BackgroundTask work_; ///< its task writes the two members above
 };
 
 } // namespace gabor::viewer

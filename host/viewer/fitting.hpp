@@ -76,7 +76,7 @@ class Fitter {
     std::shared_ptr<const Photograph> read_; ///< the thread owns this and the following members while it runs
     std::shared_ptr<const fit::Exemplar> exemplar_;
     std::optional<FittedPreset> result_;
-    Background work_;
+    BackgroundTask work_;
 };
 
 } // namespace gabor::viewer

@@ -41,7 +41,7 @@ void take(Session& session, FittedPreset fitted) {
         next.camera = in_radii(next.camera, next.request.scale / before.scale);
     } else {
         session.export_target.chosen = session.export_target.of(session.document()).as; // keeps the form
-        show_another(session);
+        reset_panel(session);
         next.camera = render::default_camera(next.request);
         next.output = Output::value;
         next.contrast = Document().contrast;

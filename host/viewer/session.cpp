@@ -160,7 +160,7 @@ bool is_foreign_exr(const std::string& path) {
 
 } // namespace
 
-void show_another(Session& session) {
+void reset_panel(Session& session) {
     session.export_target.path.clear();
     session.export_target.folder.clear();
     session.scrolled_back = false;
@@ -181,7 +181,7 @@ void open_preset(Session& session, const std::string& path) {
         document.origin = file ? std::filesystem::absolute(path) : "";
         document.photograph.clear();
         session.fitter.close();
-        show_another(session);
+        reset_panel(session);
         session.history.now = session.saved = document;
         if (file)
             add_recent(session, path);

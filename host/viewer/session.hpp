@@ -89,7 +89,7 @@ struct Session {
 void open_file(Session& session, const std::string& path);
 void open_preset(Session& session, const std::string& path);
 /// Names the next export after the document, and scrolls the panel to its top.
-void show_another(Session& session);
+void reset_panel(Session& session);
 /// Saves the document to its path, with the extension .json.
 void save_preset(Session& session);
 void start_export(Session& session);

@@ -13,15 +13,6 @@ namespace gabor::viewer {
 
 namespace {
 
-std::uint32_t device_memory(const vulkan::Device::State& device, std::uint32_t allowed) {
-    const vk::PhysicalDeviceMemoryProperties properties = device.physical.getMemoryProperties();
-    for (std::uint32_t i = 0; i < properties.memoryTypeCount; ++i)
-        if ((allowed >> i & 1) &&
-            properties.memoryTypes[i].propertyFlags & vk::MemoryPropertyFlagBits::eDeviceLocal)
-            return i;
-    throw std::runtime_error(fmt::format("{} has no memory for images", device.info.name));
-}
-
 vk::raii::SurfaceKHR make_surface(const vulkan::Device& device, GLFWwindow* window) {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
     if (glfwCreateWindowSurface(*device.state().instance, window, nullptr, &surface) != VK_SUCCESS)
@@ -49,8 +40,9 @@ vk::raii::RenderPass make_render_pass(const vk::raii::Device& device, vk::ImageL
     return {device, vk::RenderPassCreateInfo({}, colour, subpass, dependencies)};
 }
 
-Target make_target(const vk::raii::Device& device, vk::RenderPass pass, vk::Image image, Extent extent) {
-    Target target;
+RenderTarget make_target(const vk::raii::Device& device, vk::RenderPass pass, vk::Image image,
+                         Extent extent) {
+    RenderTarget target;
     target.image = image;
     target.extent = extent;
     target.view = vk::raii::ImageView(
@@ -145,7 +137,7 @@ void Swapchain::rebuild(Extent wanted) {
     }
 }
 
-const Target* Swapchain::acquire(Extent wanted) {
+const RenderTarget* Swapchain::acquire(Extent wanted) {
     wait();
     if (wanted != extent_ || targets_.empty())
         rebuild(wanted);
@@ -192,11 +184,12 @@ void save_png(const vulkan::Device& device, Extent extent, const std::filesystem
                             vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
                             vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc));
     const vk::MemoryRequirements needs = image.getMemoryRequirements();
-    const vk::raii::DeviceMemory memory(state.device,
-                                        {needs.size, device_memory(state, needs.memoryTypeBits)});
+    const vk::raii::DeviceMemory memory(
+        state.device, {needs.size, vulkan::memory_type(state, needs.memoryTypeBits,
+                                                       vk::MemoryPropertyFlagBits::eDeviceLocal)});
     image.bindMemory(*memory, 0);
     const vk::raii::RenderPass pass = make_render_pass(state.device, vk::ImageLayout::eTransferSrcOptimal);
-    const Target target = make_target(state.device, *pass, *image, extent);
+    const RenderTarget target = make_target(state.device, *pass, *image, extent);
     const vulkan::Buffer pixels(device, std::size_t{4} * width * height, vulkan::Memory::readback);
 
     Commands(device).run([&](vk::CommandBuffer commands) {

@@ -10,7 +10,7 @@
 namespace gabor::viewer {
 
 /// An image to draw into: one of a swapchain, or one to read back.
-struct Target {
+struct RenderTarget {
     vk::Image image;
     vk::raii::ImageView view = nullptr;
     vk::raii::Framebuffer framebuffer = nullptr;
@@ -42,7 +42,7 @@ class Swapchain {
     std::uint32_t images() const { return static_cast<std::uint32_t>(targets_.size()); }
 
     /// Returns the next image to draw into, or nothing while the window has no pixels.
-    const Target* acquire(Extent wanted);
+    const RenderTarget* acquire(Extent wanted);
     /// Submits commands that draw into the acquired image, and shows the image.
     void present(vk::CommandBuffer commands);
     /// Waits for the last submission.
@@ -55,7 +55,7 @@ class Swapchain {
     vk::raii::SurfaceKHR surface_;
     vk::raii::RenderPass pass_;
     vk::raii::SwapchainKHR swapchain_ = nullptr;
-    std::vector<Target> targets_;
+    std::vector<RenderTarget> targets_;
     vk::raii::Semaphore acquired_;
     /// One per image, because presentation may still be using the last frame's semaphore.
     std::vector<vk::raii::Semaphore> drawn_;

@@ -11,7 +11,8 @@ namespace {
 // Each buffer has its own allocation, of at least this many bytes: a process has only a few large buffers.
 constexpr vk::DeviceSize least_memory = 1 << 20;
 
-// Returns the first allowed memory type with the `required` flags and, if possible, the `preferred` ones.
+} // namespace
+
 std::uint32_t memory_type(const Device::State& device, std::uint32_t allowed,
                           vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred) {
     const vk::PhysicalDeviceMemoryProperties properties = device.physical.getMemoryProperties();
@@ -21,8 +22,6 @@ std::uint32_t memory_type(const Device::State& device, std::uint32_t allowed,
                 return i;
     throw std::runtime_error(fmt::format("{} has no suitable memory", device.info.name));
 }
-
-} // namespace
 
 Buffer::Buffer(const Device& device, std::size_t bytes, Memory memory) : state_(std::make_unique<State>()) {
     using Flag = vk::MemoryPropertyFlagBits;

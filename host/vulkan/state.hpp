@@ -30,6 +30,10 @@ struct Device::State {
     bool executable_properties = false; ///< whether VK_KHR_pipeline_executable_properties is enabled
 };
 
+/// Returns the first allowed memory type with the `required` flags and, if possible, the `preferred` ones.
+std::uint32_t memory_type(const Device::State& device, std::uint32_t allowed,
+                          vk::MemoryPropertyFlags required, vk::MemoryPropertyFlags preferred = {});
+
 /// The members of Buffer.
 struct Buffer::State {
     vk::raii::DeviceMemory memory = nullptr;

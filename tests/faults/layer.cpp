@@ -9,14 +9,17 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace {
 
 PFN_vkGetInstanceProcAddr next_instance_function = nullptr;
 PFN_vkGetDeviceProcAddr next_device_function = nullptr;
 
+VkDevice device = VK_NULL_HANDLE; // the program creates only one
+
 template <typename Function>
-Function next(VkDevice device, const char* name) {
+Function next(const char* name) {
     return reinterpret_cast<Function>(next_device_function(device, name));
 }
 
@@ -32,40 +35,27 @@ bool fails(std::string_view name) {
            ++calls >= std::atoi(fault.c_str() + colon + 1);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL allocate_memory(VkDevice device, const VkMemoryAllocateInfo* info,
-                                               const VkAllocationCallbacks* callbacks,
-                                               VkDeviceMemory* memory) {
-    if (fails("vkAllocateMemory"))
-        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    return next<PFN_vkAllocateMemory>(device, "vkAllocateMemory")(device, info, callbacks, memory);
-}
+// A device function that can fail.
+struct Fault {
+    const char* name;
+    VkResult failure;
+};
+constexpr Fault allocation{"vkAllocateMemory", VK_ERROR_OUT_OF_DEVICE_MEMORY};
+constexpr Fault pipeline{"vkCreateComputePipelines", VK_ERROR_OUT_OF_DEVICE_MEMORY};
+constexpr Fault submission{"vkQueueSubmit", VK_ERROR_DEVICE_LOST};
+constexpr Fault wait{"vkWaitForFences", VK_ERROR_DEVICE_LOST};
 
-VKAPI_ATTR VkResult VKAPI_CALL create_pipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
-                                                const VkComputePipelineCreateInfo* infos,
-                                                const VkAllocationCallbacks* callbacks,
-                                                VkPipeline* pipelines) {
-    if (fails("vkCreateComputePipelines"))
-        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-    return next<PFN_vkCreateComputePipelines>(device, "vkCreateComputePipelines")(device, cache, count, infos,
-                                                                                  callbacks, pipelines);
-}
-
-VkDevice queues_device = VK_NULL_HANDLE; // the program creates only one device
-
-VKAPI_ATTR VkResult VKAPI_CALL queue_submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* submits,
-                                            VkFence fence) {
-    if (fails("vkQueueSubmit"))
-        return VK_ERROR_DEVICE_LOST;
-    return next<PFN_vkQueueSubmit>(queues_device, "vkQueueSubmit")(queue, count, submits, fence);
-}
-
-VKAPI_ATTR VkResult VKAPI_CALL wait_for_fences(VkDevice device, std::uint32_t count, const VkFence* fences,
-                                               VkBool32 all, std::uint64_t timeout) {
-    // Wait for running work, so that nothing in use is freed afterwards.
-    const VkResult result =
-        next<PFN_vkWaitForFences>(device, "vkWaitForFences")(device, count, fences, all, timeout);
-    return fails("vkWaitForFences") ? VK_ERROR_DEVICE_LOST : result;
-}
+template <const Fault& fault, typename Function>
+struct Failing;
+template <const Fault& fault, typename... Arguments>
+struct Failing<fault, VkResult(VKAPI_PTR*)(Arguments...)> {
+    static VKAPI_ATTR VkResult VKAPI_CALL call(Arguments... arguments) {
+        if (!fails(fault.name))
+            return next<VkResult(VKAPI_PTR*)(Arguments...)>(fault.name)(arguments...);
+        next<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(device); // so that nothing in use is freed afterwards
+        return fault.failure;
+    }
+};
 
 // Finds the loader's link to the next layer in a chain of structures, and advances it for that layer.
 template <typename Link, typename Info>
@@ -89,15 +79,15 @@ VKAPI_ATTR VkResult VKAPI_CALL create_instance(const VkInstanceCreateInfo* info,
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
-                                             const VkAllocationCallbacks* callbacks, VkDevice* device) {
+                                             const VkAllocationCallbacks* callbacks, VkDevice* created) {
     const auto* layer = take_link<VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
     next_device_function = layer->pfnNextGetDeviceProcAddr;
     if (fails("vkCreateDevice"))
         return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     const auto create = reinterpret_cast<PFN_vkCreateDevice>(
         layer->pfnNextGetInstanceProcAddr(VK_NULL_HANDLE, "vkCreateDevice"));
-    const VkResult result = create(physical, info, callbacks, device);
-    queues_device = *device;
+    const VkResult result = create(physical, info, callbacks, created);
+    device = *created;
     return result;
 }
 
@@ -107,14 +97,14 @@ PFN_vkVoidFunction any(Function* function) {
 }
 
 PFN_vkVoidFunction own_function(std::string_view name) {
-    if (name == "vkAllocateMemory")
-        return any(allocate_memory);
-    if (name == "vkCreateComputePipelines")
-        return any(create_pipelines);
-    if (name == "vkQueueSubmit")
-        return any(queue_submit);
-    if (name == "vkWaitForFences")
-        return any(wait_for_fences);
+    const std::pair<const Fault&, PFN_vkVoidFunction> own[]{
+        {allocation, any(Failing<allocation, PFN_vkAllocateMemory>::call)},
+        {pipeline, any(Failing<pipeline, PFN_vkCreateComputePipelines>::call)},
+        {submission, any(Failing<submission, PFN_vkQueueSubmit>::call)},
+        {wait, any(Failing<wait, PFN_vkWaitForFences>::call)}};
+    for (const auto& [fault, function] : own)
+        if (name == fault.name)
+            return function;
     return nullptr;
 }
 
@@ -122,12 +112,11 @@ PFN_vkVoidFunction own_function(std::string_view name) {
 
 extern "C" {
 
-VK_LAYER_EXPORT VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetDeviceProcAddr(VkDevice device,
-                                                                             const char* name) {
+VK_LAYER_EXPORT VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetDeviceProcAddr(VkDevice of, const char* name) {
     if (std::strcmp(name, "vkGetDeviceProcAddr") == 0)
         return any(vkGetDeviceProcAddr);
     const PFN_vkVoidFunction own = own_function(name);
-    return own ? own : next_device_function(device, name);
+    return own ? own : next_device_function(of, name);
 }
 
 VK_LAYER_EXPORT VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance instance,

@@ -67,10 +67,10 @@ Exemplar exemplar_of(const std::vector<Wave>& waves, int side) {
     for (Eigen::Index c = 0; c < components; ++c)
         exemplar.components.col(c) *= 0.2 / static_cast<double>(c + 1);
     exemplar.spectra = model(waves, static_cast<int>(components));
-    exemplar.quantiles.resize(static_cast<std::size_t>(components));
-    for (Quantiles& quantiles : exemplar.quantiles)
+    exemplar.histograms.resize(static_cast<std::size_t>(components));
+    for (Histogram& histogram : exemplar.histograms)
         for (int i = -100; i <= 100; ++i)
-            quantiles.add(static_cast<float>(i / 50.0));
+            histogram.add(static_cast<float>(i / 50.0));
     return exemplar;
 }
 
@@ -209,11 +209,11 @@ TEST_CASE("the errors show that a model's long waves are too strong") {
                                          scales[i - 1].begin + std::ssize(scales[i - 1].frequencies);
                                  return scales;
                              }()));
-    const FitError none = compare(exemplar, {noise, swell});
+    const FitError none = fit_error(exemplar, {noise, swell});
     CHECK(none.l1 < 1e-9);
     CHECK(none.low < 1e-9);
     swell.weight *= std::sqrt(1.5);
-    const FitError error = compare(exemplar, {noise, swell});
+    const FitError error = fit_error(exemplar, {noise, swell});
     CHECK(error.l1 == Approx(0.5 * 0.36).epsilon(0.01));
     CHECK(error.low == Approx(0.5).epsilon(0.01)); // the swell is the only long wave
 }
@@ -314,12 +314,12 @@ TEST_CASE("a histogram's polynomial is increasing, matches the distribution, and
     };
     std::mt19937 generator(7);
     std::normal_distribution<double> normal;
-    Quantiles cubic; // a histogram that a polynomial reproduces exactly
+    Histogram cubic; // a histogram that a polynomial reproduces exactly
     const auto cube = [](double z) {
         return (z + 0.15 * (z * z - 1) + 0.05 * z * z * z) / std::sqrt(1.15 * 1.15 + 0.045 + 6 * 0.0025);
     };
-    Quantiles uniform; // a histogram that a polynomial does not reproduce exactly
-    Quantiles two;     // a histogram of only two values
+    Histogram uniform; // a histogram that a polynomial does not reproduce exactly
+    Histogram two;     // a histogram of only two values
     for (int i = 0; i < 200000; ++i) {
         const double z = normal(generator);
         cubic.add(static_cast<float>(cube(z)));
@@ -357,8 +357,8 @@ TEST_CASE("only a quadratic trend is removed") {
         rows.push_back(row);
         rows.push_back(noise);
     }
-    const Survey a = with.survey();
-    const Survey b = without.survey();
+    const PixelStatistics a = with.statistics();
+    const PixelStatistics b = without.statistics();
     CHECK(a.covariance(0, 0) == Approx(b.covariance(0, 0)).epsilon(1e-4));
     CHECK(a.covariance(0, 0) == Approx(0.04 / 12).epsilon(0.03));
     gabor::test::Largest largest;

@@ -28,9 +28,9 @@ inline double slope_tolerance(double frequency) {
     return tolerance(frequency) * (2 * std::numbers::pi * frequency + 2);
 }
 
-class Draw {
+class Random {
   public:
-    explicit Draw(unsigned seed) : random_(seed) {}
+    explicit Random(unsigned seed) : random_(seed) {}
 
     std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
     std::int32_t cell() { return static_cast<std::int32_t>(random_()); }
@@ -60,16 +60,16 @@ class Draw {
 /// Draws a position up to 10^6 from the origin, or in any cell. One coordinate in four is on or next to a
 /// multiple of 1/2, where windows and cells may end.
 template <std::size_t N>
-noise::Place<N> any_place(Draw& draw) {
-    const double reach = std::exp2(draw.uniform(0, 20));
-    const bool far = draw.word() % 2;
+noise::Place<N> any_place(Random& random) {
+    const double reach = std::exp2(random.uniform(0, 20));
+    const bool far = random.word() % 2;
     noise::Place<N> place;
     for (std::size_t axis = 0; axis < N; ++axis) {
-        float local = draw.uniform(-reach, reach);
-        if (draw.one_in(4))
-            local = draw.one_in(2) ? 0.5f * std::round(2 * local) : draw.edge(local, 0.5f);
+        float local = random.uniform(-reach, reach);
+        if (random.one_in(4))
+            local = random.one_in(2) ? 0.5f * std::round(2 * local) : random.edge(local, 0.5f);
         if (far) {
-            place.cell[axis] = draw.cell();
+            place.cell[axis] = random.cell();
             local -= std::floor(local);
         }
         place.local[axis] = local;

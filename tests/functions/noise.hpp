@@ -67,10 +67,10 @@ inline gabor_vec3 narrow(const noise::Vector<3>& v) {
 }
 
 template <std::size_t N>
-noise::Vector<N> random_unit(Draw& draw) {
+noise::Vector<N> random_unit(Random& random) {
     noise::Vector<N> v;
     for (double& coordinate : v)
-        coordinate = draw.uniform(-1, 1);
+        coordinate = random.uniform(-1, 1);
     return noise::unit(v);
 }
 
@@ -135,21 +135,22 @@ auto lattice_tile(int taps, const Vector& p, const Vector& tile) {
 
 /// Draws a position near the origin or in any cell, with or without a period, still or animated. Nearly half
 /// of all coordinates are on or next to a multiple of 1/2, where windows and cells may end.
-inline noise::Place<2> any_lattice_place(Draw& draw, int taps) {
+inline noise::Place<2> any_lattice_place(Random& random, int taps) {
     noise::Place<2> place;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        place.cell[axis] = draw.word() % 2 ? draw.cell() : static_cast<std::int32_t>(draw.uniform(-5, 5));
-        float at = draw.uniform(-2, 3);
-        if (draw.one_in(4))
+        place.cell[axis] =
+            random.word() % 2 ? random.cell() : static_cast<std::int32_t>(random.uniform(-5, 5));
+        float at = random.uniform(-2, 3);
+        if (random.one_in(4))
             at = 0.5f * std::round(2 * at);
-        if (draw.one_in(4))
-            at = draw.edge(at, 0.5f);
+        if (random.one_in(4))
+            at = random.edge(at, 0.5f);
         place.local[axis] = at;
-        place.radius[axis] = 0.5f * static_cast<float>(taps) * draw.uniform(0.8, 1.3);
-        place.period[axis] = draw.word() % 2 ? taps + static_cast<std::int32_t>(draw.word() % 50) : 0;
+        place.radius[axis] = 0.5f * static_cast<float>(taps) * random.uniform(0.8, 1.3);
+        place.period[axis] = random.word() % 2 ? taps + static_cast<std::int32_t>(random.word() % 50) : 0;
     }
-    place.animated = draw.word() % 2;
-    place.time = draw.uniform(-2, 2);
+    place.animated = random.word() % 2;
+    place.time = random.uniform(-2, 2);
     return place;
 }
 

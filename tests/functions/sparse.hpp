@@ -48,28 +48,15 @@ struct Paper {
 #undef GABOR_IMPULSES
 #undef GABOR_RADIUS
 #undef GABOR_WEIGHT_FLOOR
-#undef GABOR_WINDOW
-#define GABOR_IMPULSES 3
-#define GABOR_RADIUS 1.5f
-#define GABOR_WEIGHT_FLOOR 0.2f
-#define GABOR_WINDOW gabor_vec3(0.5f, 1.5f, -1)
-struct Sines {
-    const noise::Recipe recipe{"sines", 3, 1.5f, 0.2f, 2, {0.5f, 1.5f, -1.0f}, ""};
-#include "gabor_sparse.hpp"
-};
-
-#undef GABOR_SPARSE_HPP
-#undef GABOR_IMPULSES
-#undef GABOR_RADIUS
-#undef GABOR_WEIGHT_FLOOR
 #undef GABOR_PHASES
 #undef GABOR_WINDOW
+#define GABOR_IMPULSES 3
 #define GABOR_RADIUS 1.06f
-#define GABOR_WEIGHT_FLOOR 0.5f
+#define GABOR_WEIGHT_FLOOR 0.2f
 #define GABOR_PHASES 4
-#define GABOR_WINDOW gabor_vec3(1, 0, 0)
-struct Uneven {
-    const noise::Recipe recipe{"uneven", 1, 1.06f, 0.5f, 4, {1, 0, 0}, ""};
+#define GABOR_WINDOW gabor_vec3(0.5f, 1.5f, -1)
+struct Uneven { // unlike the published recipes in every value
+    const noise::Recipe recipe{"uneven", 3, 1.06f, 0.2f, 4, {0.5f, 1.5f, -1}, ""};
 #include "gabor_sparse.hpp"
 };
 

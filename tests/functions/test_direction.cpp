@@ -4,8 +4,8 @@
 
 using namespace gabor;
 using test::Differences;
-using test::Draw;
 using test::place_of;
+using test::Random;
 
 namespace {
 
@@ -69,14 +69,14 @@ bool is_ambiguous(const noise::Place<2>& place) {
 TEST_CASE("noise along a direction map agrees with the reference in any cell, with any period, at any time",
           "[direction][oracle]") {
     constexpr int count = 1 << 15;
-    Draw draw(71);
+    Random random(71);
     Differences of;
     // Within 8 radii of the origin, waves have up to 6 cycles per radius, and p is rounded by about 1e-6.
     constexpr double tight = 3e-5, loose = 5e-4;
     int left_out = 0;
     for (int i = 0; i < count; ++i) {
-        Sample s{test::any_lattice_place(draw, 3), draw.uniform<gabor_vec2>(-8, 8),
-                 draw.uniform<gabor_vec2>(1.5, 9), draw.word(), draw.uniform(0, 4)};
+        Sample s{test::any_lattice_place(random, 3), random.uniform<gabor_vec2>(-8, 8),
+                 random.uniform<gabor_vec2>(1.5, 9), random.word(), random.uniform(0, 4)};
         const auto see_stripes = [&](const char* name, gabor_vec3 stripes, const noise::Field<2>& expected) {
             see(of[name], stripes, noise::lattice_stripes(expected.value, s.sharpness),
                 tight * std::max(1.0f, s.sharpness), s);
@@ -86,8 +86,8 @@ TEST_CASE("noise along a direction map agrees with the reference in any cell, wi
         const auto around = nodes_around(s.place);
         for (std::size_t k = 0; k < 9; ++k) {
             const int index = static_cast<int>(k);
-            given.wave[index] = draw.uniform<gabor_vec2>(-4, 4);
-            if (draw.one_in(8))
+            given.wave[index] = random.uniform<gabor_vec2>(-4, 4);
+            if (random.one_in(8))
                 given.wave[index].x = 0;
             waves.at(k) = test::wide(given.wave[index]);
             const gabor_vec2 node = n.gabor_node_position(place_of(n, s.place), index);

@@ -10,8 +10,8 @@
 
 using namespace gabor;
 using noise::Terrain;
-using test::Draw;
 using test::Largest;
+using test::Random;
 
 namespace {
 
@@ -82,47 +82,48 @@ struct Terrains {
     }
 };
 
-Sample drawn(Draw& draw) {
+Sample drawn(Random& random) {
     Sample s;
-    const bool far = draw.word() % 2, tiled = draw.one_in(4);
+    const bool far = random.word() % 2, tiled = random.one_in(4);
     const auto cell = [&] {
-        return tiled ? 0 : far ? draw.cell() : static_cast<std::int32_t>(draw.uniform(-5, 5));
+        return tiled ? 0 : far ? random.cell() : static_cast<std::int32_t>(random.uniform(-5, 5));
     };
     s.column = cell();
     s.row = cell();
     for (int axis = 0; axis < 2; ++axis) {
-        s.local[axis] = draw.one_in(8) ? std::round(draw.uniform(-2, 2)) : draw.uniform(0, 1);
-        s.period[axis] = tiled && !draw.one_in(4) ? std::round(draw.uniform(4, 9)) : 0;
-        if (draw.word() % 2) {
-            s.dx[axis] = draw.uniform(-0.2, 0.2);
-            s.dy[axis] = draw.uniform(-0.2, 0.2);
+        s.local[axis] = random.one_in(8) ? std::round(random.uniform(-2, 2)) : random.uniform(0, 1);
+        s.period[axis] = tiled && !random.one_in(4) ? std::round(random.uniform(4, 9)) : 0;
+        if (random.word() % 2) {
+            s.dx[axis] = random.uniform(-0.2, 0.2);
+            s.dy[axis] = random.uniform(-0.2, 0.2);
         }
     }
-    if (draw.word() % 2)
-        s.base = {draw.uniform(-1, 1), {draw.uniform(-1, 1), draw.uniform(-1, 1)}, draw.uniform(-1, 1)};
-    s.seed = draw.word();
-    s.erosion = {static_cast<int>(draw.word() % 7),
-                 std::exp2(draw.uniform(-2, 4)),
-                 draw.uniform(0, 0.3),
-                 draw.word() % 2 ? 2 : draw.uniform(1.5, 2.5),
-                 draw.uniform(0.3, 0.7),
-                 draw.uniform(0.2, 2),
-                 draw.uniform(1, 3),
-                 draw.uniform(1, 4),
-                 draw.one_in(4) ? 0 : draw.uniform(0, 0.5),
-                 draw.one_in(4) ? 0 : draw.uniform(0, 0.5),
-                 draw.uniform(0, 1),
-                 draw.uniform(0, 1.5)};
+    if (random.word() % 2)
+        s.base = {
+            random.uniform(-1, 1), {random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(-1, 1)};
+    s.seed = random.word();
+    s.erosion = {static_cast<int>(random.word() % 7),
+                 std::exp2(random.uniform(-2, 4)),
+                 random.uniform(0, 0.3),
+                 random.word() % 2 ? 2 : random.uniform(1.5, 2.5),
+                 random.uniform(0.3, 0.7),
+                 random.uniform(0.2, 2),
+                 random.uniform(1, 3),
+                 random.uniform(1, 4),
+                 random.one_in(4) ? 0 : random.uniform(0, 0.5),
+                 random.one_in(4) ? 0 : random.uniform(0, 0.5),
+                 random.uniform(0, 1),
+                 random.uniform(0, 1.5)};
     return s;
 }
 
 // Samples at random points, each in its own terrain.
 std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
-    Draw draw(seed);
+    Random random(seed);
     std::vector<Sample> samples(count);
     for (Sample& sample : samples) {
-        sample.local = draw.uniform<gabor_vec2>(0, 8);
-        sample.seed = draw.word();
+        sample.local = random.uniform<gabor_vec2>(0, 8);
+        sample.seed = random.word();
     }
     return samples;
 }
@@ -130,9 +131,9 @@ std::vector<Sample> anywhere(std::size_t count, unsigned seed) {
 // Samples of one octave of gullies, each on a plane that slopes in a random direction.
 std::vector<Sample> on_planes(std::size_t count, unsigned seed) {
     std::vector<Sample> samples = anywhere(count, seed);
-    Draw draw(seed + 1);
+    Random random(seed + 1);
     for (Sample& sample : samples) {
-        const double turn = draw.uniform(0, 6.2831853);
+        const double turn = random.uniform(0, 6.2831853);
         sample.base = {0, {std::cos(turn), std::sin(turn)}, 0};
         sample.erosion.octaves = 1;
     }
@@ -268,10 +269,10 @@ template <typename Functions>
 void compare(Terrains<Functions> terrains) {
     constexpr int taps = Functions::taps;
     auto& n = terrains.n;
-    Draw draw(taps);
+    Random random(taps);
     test::Differences of;
     for (int i = 0; i < 1 << 15; ++i) {
-        const Sample s = drawn(draw);
+        const Sample s = drawn(random);
         const noise::Vector<2> dx{s.dx.x, s.dx.y}, dy{s.dy.x, s.dy.y};
         const Terrain hills = terrains.hills(s), wanted = noise::terrain(s.ground(), dx, dy, s.seed);
         of["gabor_terrain_at"].see(hills.height, wanted.height, 5e-7, s);
@@ -330,16 +331,16 @@ void check_properties(Terrains<Functions> terrains) {
 
 template <typename Functions>
 void check_tiles(Terrains<Functions> terrains) {
-    Draw draw(13);
+    Random random(13);
     int equal = 0;
     for (Sample s : anywhere(1 << 14, 15)) {
         const double endless = terrains.eroded(s).height;
         Sample moved = s;
         for (int axis = 0; axis < 2; ++axis) { // numbers with few bits, so that sums and products are exact
             s.local[axis] = std::round(64 * s.local[axis]) / 64;
-            s.period[axis] = static_cast<float>(4 << draw.word() % 3);
+            s.period[axis] = static_cast<float>(4 << random.word() % 3);
             moved.period[axis] = s.period[axis];
-            moved.local[axis] = s.local[axis] + s.period[axis] * std::round(draw.uniform(-3, 3));
+            moved.local[axis] = s.local[axis] + s.period[axis] * std::round(random.uniform(-3, 3));
         }
         INFO(to_string(s));
         const Terrain here = terrains.eroded(s), there = terrains.eroded(moved);

@@ -6,19 +6,19 @@
 #include <algorithm>
 
 using namespace gabor;
-using test::Draw;
+using test::Random;
 
 namespace {
 
 template <typename Functions>
 void check_variance(Functions n) {
     constexpr int count = 20000;
-    Draw draw(3);
+    Random random(3);
     for (const double reach : {1.0, 1e5, 1e6, 1e7, 3e7, 1e8, 1e9, 4.29e9 / Functions::taps}) {
         double sum = 0, largest = 0;
         for (int i = 0; i < count; ++i) {
             const double noise =
-                n.gabor_noise(draw.uniform<gabor_vec2>(-reach, reach), 4, 0.7854f, draw.word());
+                n.gabor_noise(random.uniform<gabor_vec2>(-reach, reach), 4, 0.7854f, random.word());
             sum += noise * noise;
             largest = std::max(largest, std::abs(noise));
         }
@@ -41,12 +41,13 @@ TEST_CASE("the variance of noise in space is 1 at any distance from the origin",
     constexpr int count = 20000;
     test::Lattice3 n;
     for (const double reach : {16.0, 1e5, 1e7, 3e7, 1e8, 1e9, 1.43e9}) {
-        Draw draw(3);
+        Random random(3);
         std::array<double, 3> power{};
         for (int i = 0; i < count; ++i) {
-            const auto p = draw.uniform<gabor_vec3>(-reach, reach), along = draw.uniform<gabor_vec3>(-1, 1);
-            const float frequency = draw.uniform(0, 4);
-            const std::uint32_t seed = draw.word();
+            const auto p = random.uniform<gabor_vec3>(-reach, reach),
+                       along = random.uniform<gabor_vec3>(-1, 1);
+            const float frequency = random.uniform(0, 4);
+            const std::uint32_t seed = random.word();
             power[0] += std::pow(n.gabor_noise_3d(p, frequency, along, seed), 2);
             power[1] += std::pow(n.gabor_noise_3d_isotropic(p, frequency, seed), 2);
             power[2] += std::pow(n.gabor_noise_surface_isotropic(p, along, frequency, seed), 2);

@@ -15,10 +15,10 @@ using noise::unit;
 using noise::Vector;
 using std::numbers::pi;
 using test::Differences;
-using test::Draw;
 using test::Largest;
 using test::narrow;
 using test::place_of;
+using test::Random;
 using test::random_unit;
 using test::wide;
 
@@ -36,11 +36,11 @@ Plane<3> plane_across(const Vector<3>& normal) {
 }
 
 template <std::size_t N>
-Plane<N> random_plane(Draw& draw) {
+Plane<N> random_plane(Random& random) {
     if constexpr (N == 2)
         return {{{1, 0}, {0, 1}}};
     else
-        return plane_across(random_unit<3>(draw));
+        return plane_across(random_unit<3>(random));
 }
 
 // Rotates the two vectors by an angle: within the plane or, in space, around the second vector.
@@ -71,12 +71,13 @@ struct Sample {
         dy = wide(narrow(sum(-ratio * y, plane[0], ratio * x, plane[1])));
     }
     // Draws a square, thin, diagonal or degenerate pixel with deviations from 1/256 to 2^largest.
-    void draw_pixel(Draw& draw, double largest) {
-        set_pixel(random_plane<N>(draw), draw.one_in(3) ? draw.word() % 8 * pi / 4 : draw.uniform(-4, 4),
-                  std::exp2(draw.uniform(-8, largest)), draw.one_in(3) ? 0 : std::exp2(draw.uniform(-6, 0)));
-        if (draw.one_in(4)) // steps that are nearly parallel
+    void random_pixel(Random& random, double largest) {
+        set_pixel(
+            random_plane<N>(random), random.one_in(3) ? random.word() % 8 * pi / 4 : random.uniform(-4, 4),
+            std::exp2(random.uniform(-8, largest)), random.one_in(3) ? 0 : std::exp2(random.uniform(-6, 0)));
+        if (random.one_in(4)) // steps that are nearly parallel
             for (std::size_t axis = 0; axis < N; ++axis)
-                dy[axis] = static_cast<float>(dx[axis]) * 0.1f * (1 + draw.uniform(-1e-3, 1e-3));
+                dy[axis] = static_cast<float>(dx[axis]) * 0.1f * (1 + random.uniform(-1e-3, 1e-3));
     }
 };
 
@@ -87,16 +88,16 @@ std::string to_string(const Sample<N>& s) {
 }
 
 template <std::size_t N>
-Sample<N> somewhere(Draw& draw, double frequency) {
+Sample<N> somewhere(Random& random, double frequency) {
     Sample<N> s;
     for (std::size_t axis = 0; axis < N; ++axis) {
-        s.place.cell[axis] = draw.cell();
-        s.place.local[axis] = draw.uniform(0, 1);
+        s.place.cell[axis] = random.cell();
+        s.place.local[axis] = random.uniform(0, 1);
     }
     s.frequency = static_cast<float>(frequency);
-    s.direction = wide(narrow(random_unit<N>(draw)));
-    s.normal = wide(narrow(random_unit<3>(draw)));
-    s.seed = draw.word();
+    s.direction = wide(narrow(random_unit<N>(random)));
+    s.normal = wide(narrow(random_unit<3>(random)));
+    s.seed = random.word();
     return s;
 }
 
@@ -239,14 +240,14 @@ struct Bounds {
 // Checks random pixels, with separate bounds for deviations up to 1/6 and up to 1/2.
 template <std::size_t N>
 void check_pixels(const Function<N>& function, bool periodic, Bounds of_small, Bounds of_large) {
-    Draw draw(36);
+    Random random(36);
     Error<N> small, large;
     for (int i = 0; i < 600; ++i) {
-        Sample<N> s = somewhere<N>(draw, draw.one_in(4) ? 0 : draw.uniform(0, 2));
-        s.draw_pixel(draw, -1);
+        Sample<N> s = somewhere<N>(random, random.one_in(4) ? 0 : random.uniform(0, 2));
+        s.random_pixel(random, -1);
         for (std::size_t axis = 0; periodic && axis < N; ++axis) {
-            s.place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
-            s.place.radius[axis] = 1.5f * draw.uniform(0.8, 1);
+            s.place.period[axis] = 3 + static_cast<std::int32_t>(random.word() % 9);
+            s.place.radius[axis] = 1.5f * random.uniform(0.8, 1);
         }
         (std::hypot(length(s.dx), length(s.dy)) < 1.0 / 3 ? small : large).see(s, function);
     }
@@ -266,13 +267,13 @@ template <std::size_t N>
 void check_table(const Function<N>& function, int count, std::initializer_list<Size> sizes,
                  std::initializer_list<Shape> shapes, std::initializer_list<double> frequencies,
                  const auto& plane_of) {
-    Draw draw(32);
+    Random random(32);
     for (const auto& [deviation, bound, slope_bound] : sizes)
         for (const auto& [ratio, angle] : shapes)
             for (const double frequency : frequencies) {
                 Error<N> error;
                 for (int i = 0; i < count; ++i) {
-                    Sample<N> s = somewhere<N>(draw, frequency);
+                    Sample<N> s = somewhere<N>(random, frequency);
                     s.set_pixel(plane_of(s), angle, deviation, ratio);
                     error.see(s, function);
                 }
@@ -286,17 +287,17 @@ void check_table(const Function<N>& function, int count, std::initializer_list<S
 // precision allows, so a change that neither the slope nor rounding explains is a jump.
 template <std::size_t N>
 void check_paths(const Function<N>& function, int paths, int steps) {
-    Draw draw(33);
+    Random random(33);
     Differences of;
     for (int path = 0; path < paths; ++path) {
-        Sample<N> sample = somewhere<N>(draw, draw.uniform(0, path % 2 ? 1 : 5));
+        Sample<N> sample = somewhere<N>(random, random.uniform(0, path % 2 ? 1 : 5));
         sample.place.cell = {};
         for (double& local : sample.place.local)
-            local = draw.uniform(-12, 12);
-        const Plane<N> sides = random_plane<N>(draw);
-        const Vector<N> direction = random_unit<N>(draw);
-        const double angle = draw.uniform(-4, 4), deviation = std::exp2(draw.uniform(-6, 0)),
-                     ratio = path % 4 < 2 ? draw.uniform(0, 1) : 0;
+            local = random.uniform(-12, 12);
+        const Plane<N> sides = random_plane<N>(random);
+        const Vector<N> direction = random_unit<N>(random);
+        const double angle = random.uniform(-4, 4), deviation = std::exp2(random.uniform(-6, 0)),
+                     ratio = path % 4 < 2 ? random.uniform(0, 1) : 0;
         test::check_path(of, path, steps, [&](double t) {
             Sample<N> s = sample;
             s.set_pixel(sides, angle, deviation, ratio);
@@ -314,16 +315,16 @@ void check_paths(const Function<N>& function, int paths, int steps) {
 
 template <std::size_t N>
 void check_removed(const Function<N>& function) {
-    Draw draw(48);
+    Random random(48);
     Largest removed;
     for (int i = 0; i < 600; ++i) {
-        Sample<N> s = somewhere<N>(draw, draw.uniform(0, 3));
+        Sample<N> s = somewhere<N>(random, random.uniform(0, 3));
         // The pixel does not always lie in the surface.
-        if (N == 2 || draw.word() % 2)
-            s.draw_pixel(draw, 1);
+        if (N == 2 || random.word() % 2)
+            s.random_pixel(random, 1);
         else if constexpr (N == 3)
-            s.set_pixel(plane_across(s.normal), draw.uniform(-3, 3), std::exp2(draw.uniform(-5, 1)),
-                        draw.uniform(0, 1));
+            s.set_pixel(plane_across(s.normal), random.uniform(-3, 3), std::exp2(random.uniform(-5, 1)),
+                        random.uniform(0, 1));
         removed.see(function(s).removed, function.reference(s).removed(s.place, s.dx, s.dy), 0.013, s);
     }
     removed.check(function.name);
@@ -341,18 +342,18 @@ TEST_CASE("the filter agrees with quadrature of the noise", "[spectrum][space][o
 }
 
 TEST_CASE("the filter of lobes agrees with quadrature of the noise", "[spectrum][oracle][filter]") {
-    Draw draw(37);
+    Random random(37);
     Error<2> error;
     for (int i = 0; i < 150; ++i) {
-        Sample<2> s = somewhere<2>(draw, 0);
-        const auto p = draw.uniform<gabor_vec2>(-50, 50);
+        Sample<2> s = somewhere<2>(random, 0);
+        const auto p = random.uniform<gabor_vec2>(-50, 50);
         s.place = test::lattice_place(3, p);
-        s.draw_pixel(draw, -1);
+        s.random_pixel(random, -1);
         test::Lattice3::GaborLobes lobes;
         lobes.count = 3;
         for (auto& lobe : lobes.lobe) // wide kernels, so that pixels are small in comparison
-            lobe = n.gabor_lobe_elliptical(draw.uniform(0, 2), draw.uniform(-3, 3),
-                                           draw.uniform<gabor_vec2>(1, 2), draw.uniform(0, 1));
+            lobe = n.gabor_lobe_elliptical(random.uniform(0, 2), random.uniform(-3, 3),
+                                           random.uniform<gabor_vec2>(1, 2), random.uniform(0, 1));
         const auto reference = test::reference_lobes(lobes, s.seed);
         double variance = 0, power = 0;
         for (const noise::SpectrumLobe& lobe : reference) {
@@ -371,29 +372,29 @@ TEST_CASE("the filter of lobes agrees with quadrature of the noise", "[spectrum]
 }
 
 TEST_CASE("the filter agrees with quadrature where windows end", "[spectrum][oracle][filter]") {
-    Draw draw(41);
+    Random random(41);
     Error<2> error;
     for (int i = 0; i < 300; ++i) {
-        Sample<2> s = somewhere<2>(draw, draw.uniform(0, 2));
+        Sample<2> s = somewhere<2>(random, random.uniform(0, 2));
         for (double& local : s.place.local)
-            local = 0.5f + draw.uniform(-0.03, 0.03);
-        s.draw_pixel(draw, -3.5);
+            local = 0.5f + random.uniform(-0.03, 0.03);
+        s.random_pixel(random, -3.5);
         error.see(s, plane);
     }
     error.check("at the ends of windows", 0.004, 0.03, 0.04);
 }
 
 TEST_CASE("functions of a position are filtered like fields", "[spectrum][space][oracle][filter]") {
-    Draw draw(43);
+    Random random(43);
     Differences of;
     const auto see = [&](const char* name, gabor_vec2 found, const auto& field, const auto& at) {
         of[name].see(found.x, field.parts[0][0], 1e-4, at);
         of[name].see(found.y, field.removed, 1e-5, at);
     };
     for (int i = 0; i < 200; ++i) {
-        Sample<2> s = somewhere<2>(draw, draw.uniform(0, 2));
-        s.draw_pixel(draw, 0);
-        const auto p = draw.uniform<gabor_vec2>(-9, 9);
+        Sample<2> s = somewhere<2>(random, random.uniform(0, 2));
+        s.random_pixel(random, 0);
+        const auto p = random.uniform<gabor_vec2>(-9, 9);
         s.place = test::lattice_place(3, p);
         const gabor_vec2 dx = narrow(s.dx), dy = narrow(s.dy);
         const float f = s.frequency, o = static_cast<float>(std::atan2(s.direction[1], s.direction[0]));
@@ -414,9 +415,9 @@ TEST_CASE("functions of a position are filtered like fields", "[spectrum][space]
         }
     }
     for (int i = 0; i < 200; ++i) {
-        Sample<3> s = somewhere<3>(draw, draw.uniform(0, 2));
-        s.draw_pixel(draw, 0);
-        const auto p = draw.uniform<gabor_vec3>(-9, 9);
+        Sample<3> s = somewhere<3>(random, random.uniform(0, 2));
+        s.random_pixel(random, 0);
+        const auto p = random.uniform<gabor_vec3>(-9, 9);
         s.place = test::lattice_place(3, p);
         const gabor_vec3 dx = narrow(s.dx), dy = narrow(s.dy), direction = narrow(s.direction);
         see("gabor_noise_3d_filtered", n.gabor_noise_3d_filtered(p, dx, dy, s.frequency, direction, s.seed),
@@ -469,11 +470,11 @@ TEST_CASE("the variance that the filter removes from isotropic noise is right fo
 //     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F)
 // of its variance, where S is the pixel's covariance and d the determinant of 1 + 2/3 pi^2 S.
 TEST_CASE("the variance that the filter removes agrees with the formula", "[spectrum][filter][oracle]") {
-    Draw draw(40);
+    Random random(40);
     Largest removed;
     for (int i = 0; i < 1 << 12; ++i) {
-        Sample<2> s = somewhere<2>(draw, draw.uniform(0, 3));
-        s.draw_pixel(draw, 1);
+        Sample<2> s = somewhere<2>(random, random.uniform(0, 3));
+        s.random_pixel(random, 1);
         double determinant = 1, exponent = 0;
         for (const Vector<2>& axis : noise::principal_axes(s.dx, s.dy)) {
             const double stretch = 1 + 2 * pi * pi / 3 * dot(axis, axis);
@@ -488,11 +489,11 @@ TEST_CASE("the variance that the filter removes agrees with the formula", "[spec
 // For a long, thin pixel, the exponent in the formula above is a small difference of large products.
 TEST_CASE("the variance that the filter removes is between 0 and 1 for pixels of any length",
           "[spectrum][filter]") {
-    Draw draw(38);
+    Random random(38);
     for (int i = 0; i < 1 << 14; ++i) {
-        Sample<2> s = somewhere<2>(draw, std::exp2(draw.uniform(-3, 5)));
-        s.set_pixel(turned(random_plane<2>(draw), std::atan2(s.direction[1], s.direction[0])), pi / 2,
-                    std::exp2(draw.uniform(-2, 8.9)), 0);
+        Sample<2> s = somewhere<2>(random, std::exp2(random.uniform(-3, 5)));
+        s.set_pixel(turned(random_plane<2>(random), std::atan2(s.direction[1], s.direction[0])), pi / 2,
+                    std::exp2(random.uniform(-2, 8.9)), 0);
         const double removed = plane(s).removed;
         INFO(to_string(s));
         REQUIRE((removed >= 0 && removed <= 1));

@@ -4,16 +4,16 @@
 #include "law.hpp"
 #include "noise_3d.hpp"
 #include "reference/normal_mean.hpp"
-#include "statistics/estimate.hpp"
 
+#include <boost/math/distributions/normal.hpp>
 #include <fmt/ranges.h>
 
 using namespace gabor;
 using std::numbers::pi;
 using std::numbers::sqrt2;
-using test::Draw;
 using test::Laws;
 using test::place_of;
+using test::Random;
 using test::Sample3d;
 using test::Statistic;
 using test::sum_of;
@@ -28,7 +28,7 @@ constexpr double half = 0.5, quarter = 0.25; // shares of the samples
 template <std::size_t N>
 void check_cell(int taps, std::size_t side, auto values) {
     const auto places = test::places_of_cell<N>(side);
-    Draw draw(30);
+    Random random(30);
     Laws all(places);
     for (const float frequency : {0.0f, 0.05f, 0.7f, 1.5f, 4.0f, 30.0f}) {
         const bool periodic = frequency == 1.5f;
@@ -37,11 +37,11 @@ void check_cell(int taps, std::size_t side, auto values) {
             noise::Place<N> place;
             place.local = places[k];
             for (std::size_t axis = 0; axis < N; ++axis) {
-                place.cell[axis] = draw.cell();
-                place.radius[axis] = 0.5 * taps * (periodic ? draw.uniform(0.8, 1.25) : 1);
-                place.period[axis] = periodic ? taps + static_cast<std::int32_t>(draw.word() % 9) : 0;
+                place.cell[axis] = random.cell();
+                place.radius[axis] = 0.5 * taps * (periodic ? random.uniform(0.8, 1.25) : 1);
+                place.period[axis] = periodic ? taps + static_cast<std::int32_t>(random.word() % 9) : 0;
             }
-            return values(place, frequency, test::random_unit<N>(draw), draw.word());
+            return values(place, frequency, test::random_unit<N>(random), random.word());
         });
         laws.check(
             fmt::format("{} taps, {} axes, frequency {}{}", taps, N, frequency, periodic ? ", periods" : ""));
@@ -55,8 +55,8 @@ void check_cell(int taps, std::size_t side, auto values) {
 constexpr float fixed_frequency = 1.5;
 constexpr float orientation = 0.4f;
 
-gabor_vec2 anywhere(Draw& draw) {
-    return draw.uniform<gabor_vec2>(0, 1000);
+gabor_vec2 anywhere(Random& random) {
+    return random.uniform<gabor_vec2>(0, 1000);
 }
 
 // Checks that pairs of values have a joint normal distribution with this covariance.
@@ -72,12 +72,14 @@ void check_joint(Functions n) {
     // E[n_x^2] = (2 pi F_x)^2 + sum h'^2 / sum h^2, where the last term is pi^2 / 3.
     const double x = std::hypot(2 * pi * fixed_frequency * std::cos(orientation), pi / std::sqrt(3));
     const double y = std::hypot(2 * pi * fixed_frequency * std::sin(orientation), pi / std::sqrt(3));
-    const auto normal = [](double u) { return statistics::normal_quantile(std::clamp(u, 1e-9, 1 - 1e-9)); };
-    Draw draw(14);
+    const auto normal = [](double u) {
+        return quantile(boost::math::normal(), std::clamp(u, 1e-9, 1 - 1e-9));
+    };
+    Random random(14);
     test::check_laws(half,
                      [&] {
-                         const gabor_vec2 p = anywhere(draw);
-                         const std::uint32_t seed = draw.word();
+                         const gabor_vec2 p = anywhere(random);
+                         const std::uint32_t seed = random.word();
                          const auto complex = n.gabor_noise_complex(p, fixed_frequency, orientation, seed);
                          const auto phasor = n.gabor_phasor(complex);
                          const auto gradient = n.gabor_noise_gradient(p, fixed_frequency, orientation, seed);
@@ -98,10 +100,10 @@ void check_joint(Functions n) {
                       sum_of("four, the sum", 2, {{6}, {7}, {8}, {9}})});
     test::check_laws(half,
                      [&] {
-                         const gabor_vec2 p = anywhere(draw), tile = draw.uniform<gabor_vec2>(0.3, 4.3);
-                         const std::uint32_t seed = draw.word();
+                         const gabor_vec2 p = anywhere(random), tile = random.uniform<gabor_vec2>(0.3, 4.3);
+                         const std::uint32_t seed = random.word();
                          return std::array{n.gabor_noise_tiled(p, tile, fixed_frequency, orientation, seed),
-                                           n.gabor_noise_animated(p, draw.uniform(0, 1), fixed_frequency,
+                                           n.gabor_noise_animated(p, random.uniform(0, 1), fixed_frequency,
                                                                   orientation, seed)};
                      },
                      {sum_of("tiles of any period", 1, {{0}}), sum_of("at any time", 1, {{1}})});
@@ -115,8 +117,8 @@ void check_joint(Functions n) {
                     noise::hann_correlation(step.x) * noise::hann_correlation(step.y) *
                         std::cos(2 * pi * turns),
                     [&] {
-                        const gabor_vec2 p = draw.uniform<gabor_vec2>(0, 100);
-                        const std::uint32_t seed = draw.word();
+                        const gabor_vec2 p = random.uniform<gabor_vec2>(0, 100);
+                        const std::uint32_t seed = random.word();
                         return std::array{n.gabor_noise(p, fixed_frequency, orientation, seed),
                                           n.gabor_noise(p + step, fixed_frequency, orientation, seed)};
                     });
@@ -128,13 +130,13 @@ void check_joint(Functions n) {
 test::Lattice3 n;
 
 // Returns a sample at an offset from the corner of any cell.
-Sample3d solid_sample(Draw& draw, const std::array<float, 3>& local) {
+Sample3d solid_sample(Random& random, const std::array<float, 3>& local) {
     Sample3d sample;
-    sample.place.cell = {draw.cell(), draw.cell(), draw.cell()};
+    sample.place.cell = {random.cell(), random.cell(), random.cell()};
     sample.place.local = {local[0], local[1], local[2]};
     sample.frequency = 1;
     sample.direction = {0.6f, 0.48f, 0.64f};
-    sample.seed = draw.word();
+    sample.seed = random.word();
     return sample;
 }
 
@@ -214,12 +216,12 @@ TEST_CASE("the lattice noise, its gradient, quadrature and phasor, the noises of
 }
 
 TEST_CASE("the lattice noise at two times is jointly normal with correlation cos^2(pi lag)", "[law]") {
-    Draw draw(15);
+    Random random(15);
     for (const float lag : {0.05f, 0.16f, 0.25f, 0.5f}) {
         check_pairs(fmt::format("time lag {}", lag), std::pow(std::cos(pi * lag), 2), [&] {
-            const gabor_vec2 p = anywhere(draw);
-            const float time = draw.uniform(0, 1);
-            const std::uint32_t seed = draw.word();
+            const gabor_vec2 p = anywhere(random);
+            const float time = random.uniform(0, 1);
+            const std::uint32_t seed = random.word();
             return std::array{n.gabor_noise_animated(p, time, fixed_frequency, orientation, seed),
                               n.gabor_noise_animated(p, time + lag, fixed_frequency, orientation, seed)};
         });
@@ -227,19 +229,20 @@ TEST_CASE("the lattice noise at two times is jointly normal with correlation cos
 }
 
 TEST_CASE("surface noise on the lattice is normally distributed for every surface normal", "[law]") {
-    Draw draw(32);
+    Random random(32);
     std::vector<std::array<float, 3>> normals;
     for (int i = 0; i < 32; ++i) {
-        const gabor_vec3 normal = test::narrow(test::random_unit<3>(draw));
+        const gabor_vec3 normal = test::narrow(test::random_unit<3>(random));
         normals.push_back({normal.x, normal.y, normal.z});
     }
     for (const bool isotropic : {false, true}) {
         Laws laws(normals);
         laws.add(test::law_samples() / 4, [&](std::size_t k) {
-            Sample3d s = solid_sample(draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
+            Sample3d s =
+                solid_sample(random, {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)});
             s.normal = {normals[k][0], normals[k][1], normals[k][2]};
-            s.direction = test::narrow(test::random_unit<3>(draw));
-            if (draw.word() % 2) // near the normal, where the function switches to another direction
+            s.direction = test::narrow(test::random_unit<3>(random));
+            if (random.word() % 2) // near the normal, where the function switches to another direction
                 s.direction = s.normal + 0.45f * s.direction;
             const auto field =
                 isotropic
@@ -254,9 +257,9 @@ TEST_CASE("surface noise on the lattice is normally distributed for every surfac
 TEST_CASE("lattice noise in space is jointly normal with its gradient and quadrature, at pairs of points, "
           "and in gabor_noise_3d_four",
           "[law]") {
-    Draw draw(41);
+    Random random(41);
     for (const auto& place : {std::array{0.0f, 0.0f, 0.0f}, {0.5f, 0.5f, 0.5f}, {0.25f, 0.5f, 0.0f}}) {
-        const Vector wave = noise::unit(test::wide(solid_sample(draw, place).direction));
+        const Vector wave = noise::unit(test::wide(solid_sample(random, place).direction));
         // sum h'^2 = pi^2 / 4 * 3/2 and sum h^2 = 9/8 along an axis, so d/dx has the variance pi^2 / 3 +
         // (2 pi F_x)^2, the covariance 4 pi^2 F_x F_y with d/dy, and 2 pi F_x with the quadrature.
         const auto slope = [&](std::size_t axis) {
@@ -265,7 +268,7 @@ TEST_CASE("lattice noise in space is jointly normal with its gradient and quadra
         const double x = slope(0), y = slope(1), z = slope(2);
         fmt::print("at {}\n", place);
         test::check_laws(
-            quarter, [&] { return numbers_of(field_of(solid_sample(draw, place))); },
+            quarter, [&] { return numbers_of(field_of(solid_sample(random, place))); },
             {sum_of("noise", 1, {{1}}), sum_of("quadrature", 1, {{0}}),
              sum_of("their sum", sqrt2, {{0}, {1}}), sum_of("d/dx", x, {{2}}), sum_of("d/dy", y, {{3}}),
              sum_of("d/dz", z, {{4}}),
@@ -275,25 +278,25 @@ TEST_CASE("lattice noise in space is jointly normal with its gradient and quadra
     }
     for (const auto& lag : {std::array{0.3, 0.0, 0.0}, {0.0, 0.7, 0.7}, {0.5, -0.5, 1.0}, {1.5, 0.0, 0.4}}) {
         const std::array local{0.25f, 0.5f, 0.0f};
-        check_pairs(fmt::format("lag {}", lag), covariance(solid_sample(draw, local), lag), [&] {
-            const Sample3d s = solid_sample(draw, local);
+        check_pairs(fmt::format("lag {}", lag), covariance(solid_sample(random, local), lag), [&] {
+            const Sample3d s = solid_sample(random, local);
             return std::array{field_of(s).noise, field_of(moved(s, lag)).noise};
         });
     }
     fmt::print("four at a node\n");
-    test::check_laws(quarter,
-                     [&] {
-                         const gabor_vec3 node(2.0f / 3 * static_cast<float>(draw.word() % 99), 2, 4);
-                         const auto four = n.gabor_noise_3d_four(node, 1, {0.6f, 0.48f, 0.64f}, draw.word());
-                         return std::array{four.x, four.y, four.z, four.w};
-                     },
-                     {sum_of("first + second", sqrt2, {{0}, {1}}),
-                      sum_of("third - fourth", sqrt2, {{2}, {3, -1}}),
-                      sum_of("all four", 2, {{0}, {1}, {2}, {3}})});
+    test::check_laws(
+        quarter,
+        [&] {
+            const gabor_vec3 node(2.0f / 3 * static_cast<float>(random.word() % 99), 2, 4);
+            const auto four = n.gabor_noise_3d_four(node, 1, {0.6f, 0.48f, 0.64f}, random.word());
+            return std::array{four.x, four.y, four.z, four.w};
+        },
+        {sum_of("first + second", sqrt2, {{0}, {1}}), sum_of("third - fourth", sqrt2, {{2}, {3, -1}}),
+         sum_of("all four", 2, {{0}, {1}, {2}, {3}})});
 }
 
 TEST_CASE("isotropic noise in the plane and its gradient are normal at fixed points", "[law]") {
-    Draw draw(62);
+    Random random(62);
     for (const float frequency : {0.0f, 1.0f, 4.0f}) {
         for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, 0.0f}}) {
             fmt::print("isotropic, frequency {}, at ({}, {})\n", frequency, x, y);
@@ -301,7 +304,7 @@ TEST_CASE("isotropic noise in the plane and its gradient are normal at fixed poi
                 quarter,
                 [&, x = x, y = y] {
                     const auto field = n.gabor_field_isotropic(
-                        n.gabor_place({draw.cell(), draw.cell()}, {x, y}), frequency, draw.word());
+                        n.gabor_place({random.cell(), random.cell()}, {x, y}), frequency, random.word());
                     return std::array{field.value.x, field.value.y, field.slope_x.y, field.slope_y.y};
                 },
                 of_isotropic(test::isotropic_slope(frequency), {{2}}, {3}));
@@ -319,7 +322,7 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
     for (const auto& [name, place, normal] :
          {Where{"in space, at a node", node}, Where{"in space, elsewhere", other},
           Where{"at a pole", node, {0, 0, 1}}, Where{"between two frames", middle, {0.6f, 0, 0.8f}}}) {
-        Draw draw(42);
+        Random random(42);
         // The variance of the derivative along an axis or a tangent is pi^2 / 3 from the windows, plus 4/3
         // pi^2 F^2 in space or 2 pi^2 F^2 on a surface from the waves. One tangent is in the x-z plane, the
         // other is the y axis.
@@ -330,7 +333,7 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
         test::check_laws(
             quarter,
             [&, place = place, normal = normal] {
-                const Sample3d s = solid_sample(draw, place);
+                const Sample3d s = solid_sample(random, place);
                 return numbers_of(
                     on_surface ? n.gabor_field_surface_isotropic(place_of(n, s.place), normal, 1, s.seed)
                                : n.gabor_field_3d_isotropic(place_of(n, s.place), 1, s.seed));
@@ -343,7 +346,7 @@ TEST_CASE("isotropic noise in space and on surfaces and its gradient are normal 
 // sin(t) / t for a uniform shell, with t = 2 pi F |lag|.
 TEST_CASE("the covariance of isotropic noise is that of a uniform ring or shell of waves, in every direction",
           "[law]") {
-    Draw draw(35);
+    Random random(35);
     test::Largest plane, space;
     const auto check = [&](test::Largest& largest, double frequency, double turns, auto lag, double spectrum,
                            const auto& pair) {
@@ -365,8 +368,8 @@ TEST_CASE("the covariance of isotropic noise is that of a uniform ring or shell 
                       std::array{std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)},
                       std::cyl_bessel_j(0.0, 2 * pi * turns), [&](const auto& lag, float f) {
                           auto place =
-                              n.gabor_place({draw.cell(), draw.cell()}, draw.uniform<gabor_vec2>(0, 1));
-                          const std::uint32_t seed = draw.word();
+                              n.gabor_place({random.cell(), random.cell()}, random.uniform<gabor_vec2>(0, 1));
+                          const std::uint32_t seed = random.word();
                           const auto first = n.gabor_field_isotropic(place, f, seed).value;
                           place.local = place.local +
                                         gabor_vec2(static_cast<float>(lag[0]), static_cast<float>(lag[1]));
@@ -380,7 +383,7 @@ TEST_CASE("the covariance of isotropic noise is that of a uniform ring or shell 
                 check(space, frequency, turns, direction, std::sin(2 * pi * turns) / (2 * pi * turns),
                       [&](const Vector& lag, float f) {
                           const Sample3d s = solid_sample(
-                              draw, {draw.uniform(0, 1), draw.uniform(0, 1), draw.uniform(0, 1)});
+                              random, {random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)});
                           const auto first = n.gabor_field_3d_isotropic(place_of(n, s.place), f, s.seed);
                           const auto second =
                               n.gabor_field_3d_isotropic(place_of(n, moved(s, lag).place), f, s.seed);
@@ -393,12 +396,12 @@ TEST_CASE("the covariance of isotropic noise is that of a uniform ring or shell 
 // The value has variance 1, and the gradient has the covariance
 //     sum (grad h grad h^T + 4 pi^2 h^2 F F^T) / (sum h^2)^2.
 TEST_CASE("noise with a different wave at each node is normal at every point", "[law]") {
-    Draw draw(3);
+    Random random(3);
     for (const auto& [x, y] : {std::array{0.0f, 0.0f}, {0.5f, 0.5f}, {0.25f, -0.4f}, {-0.5f, 0.1f}}) {
         test::Lattice3::GaborWaves waves;
         double xx = 0, yy = 0, xy = 0;
         for (int k = 0; k < 9; ++k) {
-            waves.wave[k] = draw.uniform<gabor_vec2>(-1.5, 1.5);
+            waves.wave[k] = random.uniform<gabor_vec2>(-1.5, 1.5);
             const double dx = double{x} - std::floor(x + 0.5f) - k % 3 + 1;
             const double dy = double{y} - std::floor(y + 0.5f) - k / 3 + 1;
             const auto across = noise::lattice_window(3, dx / 1.5),
@@ -416,7 +419,7 @@ TEST_CASE("noise with a different wave at each node is normal at every point", "
         test::check_laws(
             quarter,
             [&, x = x, y = y] {
-                const auto field = n.gabor_field_waves(n.gabor_place({12, 12}, {x, y}), waves, draw.word());
+                const auto field = n.gabor_field_waves(n.gabor_place({12, 12}, {x, y}), waves, random.word());
                 return std::array{field.value.y, field.slope_x.y, field.slope_y.y};
             },
             {sum_of("noise", 1, {{0}}), sum_of("d/dx", sx, {{1}}), sum_of("d/dy", sy, {{2}}),

@@ -5,9 +5,9 @@
 
 using namespace gabor;
 using test::Differences;
-using test::Draw;
 using test::Largest;
 using test::place_of;
+using test::Random;
 
 namespace {
 
@@ -28,31 +28,31 @@ std::string to_string(const Sample& s) {
 }
 
 // Draws all arguments. The coordinates of p go up to 10^5 kernel radii.
-Sample drawn(Draw& draw, int taps) {
+Sample drawn(Random& random, int taps) {
     Sample s{};
-    s.place = test::any_lattice_place(draw, taps);
+    s.place = test::any_lattice_place(random, taps);
     for (int axis = 0; axis < 2; ++axis) {
-        const float reach = std::exp2(draw.uniform(0, 17));
-        s.p[axis] = draw.uniform(-reach, reach);
-        s.tile[axis] = draw.one_in(4) ? std::round(draw.uniform(1, 20)) : draw.uniform(0.1, 20);
+        const float reach = std::exp2(random.uniform(0, 17));
+        s.p[axis] = random.uniform(-reach, reach);
+        s.tile[axis] = random.one_in(4) ? std::round(random.uniform(1, 20)) : random.uniform(0.1, 20);
     }
-    s.frequency = draw.one_in(16) ? 0 : std::exp2(draw.uniform(-5, 6));
-    s.orientation = draw.uniform(-8, 8);
+    s.frequency = random.one_in(16) ? 0 : std::exp2(random.uniform(-5, 6));
+    s.orientation = random.uniform(-8, 8);
     for (int axis = 0; axis < 2; ++axis)
-        s.wave[axis] = draw.one_in(16) ? 0 : draw.uniform(-1, 1) * std::max(s.frequency, 1.0f);
-    s.sharpness = draw.one_in(16) ? 0 : draw.uniform(0, 4);
-    s.seed = draw.one_in(16) ? 0 : draw.word();
+        s.wave[axis] = random.one_in(16) ? 0 : random.uniform(-1, 1) * std::max(s.frequency, 1.0f);
+    s.sharpness = random.one_in(16) ? 0 : random.uniform(0, 4);
+    s.seed = random.one_in(16) ? 0 : random.word();
     return s;
 }
 
 template <typename Functions>
 void compare(Functions n) {
     constexpr int taps = Functions::taps;
-    Draw draw(taps);
+    Random random(taps);
     Differences of;
     int near_tiles = 0;
     for (int i = 0; i < 60000; ++i) {
-        const Sample s = drawn(draw, taps);
+        const Sample s = drawn(random, taps);
         // Rounding errors grow in proportion to frequency and orientation.
         const double tight =
             1.5e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
@@ -129,13 +129,13 @@ void compare(Functions n) {
 
 template <typename Functions>
 void check_repeats(Functions n) {
-    Draw draw(6);
+    Random random(6);
     Largest tiles, times;
     for (int i = 0; i < 10000; ++i) {
-        Sample s = drawn(draw, Functions::taps);
+        Sample s = drawn(random, Functions::taps);
         for (int axis = 0; axis < 2; ++axis) { // few bits, so that sums are exact
             s.tile[axis] = std::round(s.tile[axis] * 16) / 16 + 0.25f;
-            s.p[axis] = std::round(draw.uniform(-40, 40) * 1024) / 1024;
+            s.p[axis] = std::round(random.uniform(-40, 40) * 1024) / 1024;
         }
         const gabor_vec2 elsewhere(s.p.x + s.tile.x, s.p.y - 3 * s.tile.y);
         tiles.see(n.gabor_noise_tiled(elsewhere, s.tile, s.frequency, s.orientation, s.seed),

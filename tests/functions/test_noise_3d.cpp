@@ -17,22 +17,22 @@ test::Lattice3 n;
 struct Anywhere : Sample3d {
     noise::Place<3> here;
 
-    Anywhere(test::Draw& draw, float f, bool animated, bool periodic) {
-        place = test::any_place<3>(draw);
+    Anywhere(test::Random& random, float f, bool animated, bool periodic) {
+        place = test::any_place<3>(random);
         frequency = f;
-        direction = draw.uniform<gabor_vec3>(-3, 3);
-        normal = draw.uniform<gabor_vec3>(-3, 3);
-        const double reach = std::exp2(draw.uniform(0, 18));
-        p = draw.uniform<gabor_vec3>(-reach, reach);
+        direction = random.uniform<gabor_vec3>(-3, 3);
+        normal = random.uniform<gabor_vec3>(-3, 3);
+        const double reach = std::exp2(random.uniform(0, 18));
+        p = random.uniform<gabor_vec3>(-reach, reach);
         here = test::lattice_place(3, p);
-        seed = draw.word();
-        place.time = here.time = draw.uniform(-2, 2);
+        seed = random.word();
+        place.time = here.time = random.uniform(-2, 2);
         place.animated = here.animated = animated;
-        if (draw.one_in(4)) // near the normal, where the function switches to another direction
-            direction = normal + draw.uniform<gabor_vec3>(-0.3, 0.3);
+        if (random.one_in(4)) // near the normal, where the function switches to another direction
+            direction = normal + random.uniform<gabor_vec3>(-0.3, 0.3);
         for (std::size_t axis = 0; periodic && axis < 3; ++axis) {
-            place.period[axis] = 3 + static_cast<std::int32_t>(draw.word() % 9);
-            place.radius[axis] = 1.5f * draw.uniform(0.8, 1.25);
+            place.period[axis] = 3 + static_cast<std::int32_t>(random.word() % 9);
+            place.radius[axis] = 1.5f * random.uniform(0.8, 1.25);
         }
     }
 };
@@ -74,14 +74,14 @@ void see_gradient(Largest& largest, gabor_vec4 found, const noise::Field<3>& exp
 } // namespace
 
 TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][oracle]") {
-    test::Draw draw(21);
+    test::Random random(21);
     Differences of;
     for (int i = 0; i < 1 << 13; ++i) {
         // The frequencies cover 0.1 to 64 evenly in octaves.
         const int octave = i % 16;
         const bool animated = i / 16 % 4 == 1, periodic = i / 16 % 4 == 2;
         const float f = octave == 0 ? 0 : 0.1f * static_cast<float>(std::exp2(octave * 0.62));
-        const Anywhere s(draw, f, animated, periodic);
+        const Anywhere s(random, f, animated, periodic);
         const double tight = tolerance(f);
         const auto place = test::place_of(n, s.place);
         const Vector along = noise::unit(test::wide(s.direction)), normal = noise::unit(test::wide(s.normal));
@@ -130,7 +130,7 @@ TEST_CASE("noise in space and on surfaces agrees with the reference", "[space][o
                                                 surface_isotropic.field(s.here).value.imag(), tight, s);
         // Tiles are compared near the origin, where p is rounded by 10^-6. The wave turns by 2 pi F per
         // radius.
-        const auto p = draw.uniform<gabor_vec3>(-8, 8), tile = draw.uniform<gabor_vec3>(0.5, 9);
+        const auto p = random.uniform<gabor_vec3>(-8, 8), tile = random.uniform<gabor_vec3>(0.5, 9);
         of["gabor_noise_3d_tiled"].see(n.gabor_noise_3d_tiled(p, tile, f, s.direction, s.seed),
                                        wave.field(test::lattice_tile(3, p, tile)).value.imag(),
                                        1e-4 * (1 + f), s);

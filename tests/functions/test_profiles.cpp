@@ -7,9 +7,9 @@
 #include <vector>
 
 using namespace gabor;
-using test::Draw;
 using test::Largest;
 using test::place_of;
+using test::Random;
 using Profiles = std::array<double, 5>;
 
 namespace {
@@ -39,11 +39,11 @@ Profiles averaged(double phase, double duty, double width) {
 TEST_CASE("profiles of a phase average over the given width, and profiles of stripes over the width that "
           "their length implies",
           "[profiles]") {
-    Draw draw(3);
+    Random random(3);
     Largest by_width, by_stripes;
     for (int i = 0; i < 2000; ++i) {
-        const float phase = draw.uniform(-3, 3), duty = draw.uniform(0, 1);
-        const float width = draw.one_in(4) ? std::exp2(draw.uniform(-9, 0)) : draw.uniform(0, 1.2);
+        const float phase = random.uniform(-3, 3), duty = random.uniform(0, 1);
+        const float width = random.one_in(4) ? std::exp2(random.uniform(-9, 0)) : random.uniform(0, 1.2);
         const auto where = [&] { return fmt::format("phase {}, width {}, duty {}", phase, width, duty); };
         const double used = std::clamp(static_cast<double>(width), 0.001, 1.0);
         const Profiles expected = averaged(phase, duty, used);
@@ -70,18 +70,18 @@ TEST_CASE("profiles of a phase average over the given width, and profiles of str
 // The expected values are the means of z min(1 / |z|, sharpness) and of |z|, where z is the filtered value
 // plus sqrt(removed) times normal numbers.
 TEST_CASE("filtered stripes are the mean of stripes over the removed noise", "[profiles]") {
-    Draw draw(3);
+    Random random(3);
     test::Differences of;
-    std::mt19937 random(5);
+    std::mt19937 generator(5);
     std::normal_distribution<> normal;
     std::vector<std::complex<double>> normals(4000);
     for (std::complex<double>& z : normals)
-        z = {normal(random), normal(random)};
+        z = {normal(generator), normal(generator)};
     for (int i = 0; i < 200; ++i) {
-        const auto p = draw.uniform<gabor_vec2>(-9, 9), wave = draw.uniform<gabor_vec2>(-1.5, 1.5),
-                   dx = draw.uniform<gabor_vec2>(-0.3, 0.3), dy = draw.uniform<gabor_vec2>(-0.3, 0.3);
-        const std::uint32_t seed = draw.word();
-        const float sharpness = draw.uniform(1, 4);
+        const auto p = random.uniform<gabor_vec2>(-9, 9), wave = random.uniform<gabor_vec2>(-1.5, 1.5),
+                   dx = random.uniform<gabor_vec2>(-0.3, 0.3), dy = random.uniform<gabor_vec2>(-0.3, 0.3);
+        const std::uint32_t seed = random.word();
+        const float sharpness = random.uniform(1, 4);
         const auto where = [&] { return fmt::format("p ({}, {}), wave ({}, {})", p.x, p.y, wave.x, wave.y); };
         const gabor_vec4 found = n.gabor_stripes_filtered(p, dx, dy, wave, sharpness, seed);
         const auto lattice = noise::wave_noise(3, test::wide(wave), seed);
@@ -105,7 +105,7 @@ TEST_CASE("filtered stripes are the mean of stripes over the removed noise", "[p
         see(of["gabor_stripes_filtered, pixel of size 0"],
             n.gabor_stripes_filtered(p, {0, 0}, {0, 0}, wave, sharpness, seed), stripes_at(here), 2e-4,
             where);
-        const noise::Place<2> place = test::any_lattice_place(draw, 3);
+        const noise::Place<2> place = test::any_lattice_place(random, 3);
         const gabor_vec4 placed = n.gabor_stripes_filtered_at(
             place_of(n, place), wave, n.gabor_footprint({0, 0}, {0, 0}), sharpness, seed);
         see(of["gabor_stripes_filtered_at, pixel of size 0"], placed, stripes_at(place), 2e-4, where);

@@ -10,9 +10,9 @@
 
 using namespace gabor;
 using test::Differences;
-using test::Draw;
 using test::Largest;
 using test::place_of;
+using test::Random;
 
 namespace {
 
@@ -47,36 +47,36 @@ std::string to_string(const Sample& s) {
 }
 
 // Draws one wave, and a point with coordinates up to `reach`.
-Sample somewhere(Draw& draw, double reach, double frequency) {
+Sample somewhere(Random& random, double reach, double frequency) {
     Sample s;
-    s.p = draw.uniform<gabor_vec2>(-reach, reach);
+    s.p = random.uniform<gabor_vec2>(-reach, reach);
     s.frequency = static_cast<float>(frequency);
-    s.orientation = draw.uniform(-3, 3);
-    s.seed = draw.word();
+    s.orientation = random.uniform(-3, 3);
+    s.seed = random.word();
     return s;
 }
 
 } // namespace
 
 TEST_CASE("lobes and spreads on the lattice agree with the reference", "[spectrum][oracle]") {
-    Draw draw(31);
+    Random random(31);
     Differences of;
     for (int i = 0; i < 1 << 12; ++i) {
-        const float reach = std::exp2(draw.uniform(0, 8));
-        const bool most = draw.one_in(64); // needs more waves than the function sums
-        Sample s = somewhere(draw, reach, most ? 20 : draw.uniform(0, 6));
+        const float reach = std::exp2(random.uniform(0, 8));
+        const bool most = random.one_in(64); // needs more waves than the function sums
+        Sample s = somewhere(random, reach, most ? 20 : random.uniform(0, 6));
         for (int axis = 0; axis < 2; ++axis)
-            if (draw.one_in(4))
+            if (random.one_in(4))
                 s.p[axis] = std::round(s.p[axis]) / 1.5f;
-        s.orientation = draw.uniform(-8, 8);
-        s.frequency_spread = draw.word() % 2 ? draw.uniform(0, most ? 1 : 0.5) : 0;
-        s.orientation_spread = draw.uniform(most ? 1.4 : 0, pi / 2);
+        s.orientation = random.uniform(-8, 8);
+        s.frequency_spread = random.word() % 2 ? random.uniform(0, most ? 1 : 0.5) : 0;
+        s.orientation_spread = random.uniform(most ? 1.4 : 0, pi / 2);
         s.lobes.count = 6; // lobes beyond GABOR_LOBES are unused
         for (auto& lobe : s.lobes.lobe)
             lobe = n.gabor_lobe_elliptical(
-                draw.uniform(0, 8), draw.uniform(-8, 8),
-                {std::exp2(draw.uniform(-1.5, 1.5)), std::exp2(draw.uniform(-1.5, 1.5))},
-                &lobe != s.lobes.lobe && draw.one_in(8) ? 0 : draw.uniform(0.1, 3));
+                random.uniform(0, 8), random.uniform(-8, 8),
+                {std::exp2(random.uniform(-1.5, 1.5)), std::exp2(random.uniform(-1.5, 1.5))},
+                &lobe != s.lobes.lobe && random.one_in(8) ? 0 : random.uniform(0.1, 3));
         // A position near 256 is rounded by 1.5e-5, or by three times that in units of a radius of 0.35.
         const double size = std::max({1.0f, std::abs(s.p.x), std::abs(s.p.y)});
         const double tolerance = 1e-4 + 3e-6 * size * (1 + 6);
@@ -102,31 +102,31 @@ TEST_CASE("lobes and spreads on the lattice agree with the reference", "[spectru
 
 TEST_CASE("spreads, lobes and the filter agree with the reference in tiles, in far cells and at any time",
           "[spectrum][oracle]") {
-    Draw draw(37);
+    Random random(37);
     Differences of;
     for (int i = 0; i < 1 << 10; ++i) {
-        Sample s = somewhere(draw, 0, draw.uniform(0, 4));
-        s.orientation = draw.uniform(-8, 8);
-        s.frequency_spread = draw.word() % 2 ? draw.uniform(0, 0.5) : 0;
-        s.orientation_spread = draw.uniform(0, 0.5);
+        Sample s = somewhere(random, 0, random.uniform(0, 4));
+        s.orientation = random.uniform(-8, 8);
+        s.frequency_spread = random.word() % 2 ? random.uniform(0, 0.5) : 0;
+        s.orientation_spread = random.uniform(0, 0.5);
         s.lobes.count = 3;
         for (auto& lobe : s.lobes.lobe) {
             const bool standard = &lobe == s.lobes.lobe;
-            lobe = n.gabor_lobe_elliptical(draw.uniform(0, 4), draw.uniform(-3, 3),
-                                           {standard ? 1 : std::exp2(draw.uniform(-1, 1)),
-                                            standard ? 1 : std::exp2(draw.uniform(-1, 1))},
-                                           draw.uniform(0.1, 1));
+            lobe = n.gabor_lobe_elliptical(random.uniform(0, 4), random.uniform(-3, 3),
+                                           {standard ? 1 : std::exp2(random.uniform(-1, 1)),
+                                            standard ? 1 : std::exp2(random.uniform(-1, 1))},
+                                           random.uniform(0.1, 1));
         }
-        const gabor_vec2 period(draw.word() % 2 ? draw.uniform(3, 12) : 0,
-                                draw.word() % 2 ? draw.uniform(3, 12) : 0);
+        const gabor_vec2 period(random.word() % 2 ? random.uniform(3, 12) : 0,
+                                random.word() % 2 ? random.uniform(3, 12) : 0);
         auto place = n.gabor_place_tiled({0, 0}, period);
-        place.local = draw.uniform<gabor_vec2>(0, 1);
+        place.local = random.uniform<gabor_vec2>(0, 1);
         // Far cells are exact with a period, and without a period if all lobes have the same kernel radius.
         for (int axis = 0; axis < 2; ++axis)
-            place.cell[axis] =
-                static_cast<std::int32_t>(draw.word() % 2 ? draw.word() & 0x7fffff00u : draw.word() % 16);
+            place.cell[axis] = static_cast<std::int32_t>(random.word() % 2 ? random.word() & 0x7fffff00u
+                                                                           : random.word() % 16);
         place.animated = true;
-        place.time = draw.uniform(0, 1);
+        place.time = random.uniform(0, 1);
         s.place = {{place.cell.x, place.cell.y}, test::wide(place.local)};
         s.place.animated = true;
         s.place.time = place.time;
@@ -156,12 +156,12 @@ TEST_CASE("spreads, lobes and the filter agree with the reference in tiles, in f
 
 TEST_CASE("isotropic noise agrees with the reference in any cell, with any period, at any time",
           "[isotropic][oracle]") {
-    Draw draw(61);
+    Random random(61);
     Differences of;
     for (int i = 0; i < 1 << 13; ++i) {
-        Sample s = somewhere(draw, 16, draw.one_in(16) ? 0 : draw.uniform(-6, 6));
-        s.place = test::any_lattice_place(draw, 3);
-        s.tile = draw.uniform<gabor_vec2>(2, 7);
+        Sample s = somewhere(random, 16, random.one_in(16) ? 0 : random.uniform(-6, 6));
+        s.place = test::any_lattice_place(random, 3);
+        s.tile = random.uniform<gabor_vec2>(2, 7);
         const double few = 3 * test::tolerance(std::abs(s.frequency));
         // A position near 16 is rounded by 6e-7, which the waves multiply.
         const double far = few + 2e-5 * (1 + std::abs(s.frequency));
@@ -223,13 +223,13 @@ TEST_CASE("a spread over all directions has the same power in each direction wit
 
 TEST_CASE("a spread changes little with its frequency, even where lobes appear or vanish", "[spectrum]") {
     constexpr float step = 1e-5f;
-    Draw draw(39);
+    Random random(39);
     Largest change;
     for (int i = 0; i < 1 << 11; ++i) {
-        Sample s = somewhere(draw, 2, 0);
-        s.orientation_spread = draw.uniform(0.4, pi / 2);
+        Sample s = somewhere(random, 2, 0);
+        s.orientation_spread = random.uniform(0.4, pi / 2);
         const double quarters = s.orientation_spread / (pi / 2);
-        const double count = 1 + draw.word() % 20 + (draw.word() % 2 ? 0.8 : 1.0);
+        const double count = 1 + random.word() % 20 + (random.word() % 2 ? 0.8 : 1.0);
         s.frequency = static_cast<float>((count - 0.8 - 0.6 * quarters) / (4.44 * quarters)) - step / 2;
         const auto spread = [&](float frequency) {
             return n.gabor_noise_spread(s.p, frequency, s.orientation, 0, s.orientation_spread, s.seed);

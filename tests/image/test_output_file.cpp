@@ -27,13 +27,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void write(OutputFile& file, std::string_view text) {
-    file.write(std::as_bytes(std::span(text)));
-}
-
 void replace(const fs::path& path, std::string_view text) {
     OutputFile file(path);
-    write(file, text);
+    file.write(text);
     file.commit();
 }
 
@@ -102,7 +98,7 @@ TEST_CASE("A file appears under its name only after commit", "[output_file]") {
     const fs::path path = folder / "out";
 
     OutputFile file(path);
-    write(file, "complete");
+    file.write("complete");
     CHECK(folder.count() == 0);
     file.commit();
     CHECK(read_file(path) == "complete");
@@ -118,7 +114,7 @@ TEST_CASE("An older file stays until commit, which replaces it", "[output_file]"
     CHECK(read_file(path) == "a longer old content");
     {
         OutputFile file(path);
-        write(file, "new");
+        file.write("new");
         CHECK(read_file(path) == "a longer old content");
         file.commit();
     }
@@ -184,7 +180,7 @@ TEST_CASE("A device is written to and never replaced", "[output_file]") {
     CHECK(fs::is_character_file("/dev/null"));
 
     OutputFile full("/dev/full");
-    CHECK_THROWS_WITH(write(full, "too much"), "cannot write /dev/full: No space left on device");
+    CHECK_THROWS_WITH(full.write("too much"), "cannot write /dev/full: No space left on device");
     CHECK(fs::is_character_file("/dev/full"));
 }
 
@@ -195,8 +191,8 @@ TEST_CASE("A FIFO receives the data in order", "[output_file]") {
     const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
 
     OutputFile file(path);
-    write(file, "one ");
-    write(file, "two");
+    file.write("one ");
+    file.write("two");
     CHECK_NOTHROW(file.seek(7));
     CHECK_THROWS_AS(file.seek(0), std::runtime_error);
     file.commit();
@@ -229,7 +225,7 @@ TEST_CASE("A failing disk is not reported as an invalid request", "[output_file]
             return false;
         };
         OutputFile file(path);
-        if (!fails([&] { write(file, std::string(2000, 'x')); }))
+        if (!fails([&] { file.write(std::string(2000, 'x')); }))
             return 2;
         return fails([&] { file.commit(); }) ? 0 : 3; // even if the first failure was ignored
     });
@@ -281,7 +277,7 @@ TEST_CASE("A hidden file is used if the file system lacks unnamed files", "[outp
             return 3;
         replace(path, "old");
         OutputFile file(path);
-        write(file, "new");
+        file.write("new");
         if (folder.count() != 2 || read_file(path) != "old")
             return 4;
         file.commit();

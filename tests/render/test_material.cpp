@@ -13,8 +13,8 @@
 #include "render/material.hpp"
 #include "render/parameters.hpp"
 #include "render/renderer.hpp"
-#include "statistics/estimate.hpp"
 
+#include <boost/math/distributions/normal.hpp>
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -149,7 +149,8 @@ void compare(const Material& material, const std::vector<float>& numbers) {
     std::uniform_real_distribution<float> place(0, 30);
     std::uniform_real_distribution<double> unit(1e-9, 1);
     const auto offset = [&](int stratum) {
-        return side / 2 * static_cast<float>(statistics::normal_quantile((stratum + unit(random)) / strata));
+        return side / 2 *
+               static_cast<float>(quantile(boost::math::normal(), (stratum + unit(random)) / strata));
     };
     std::array<double, channels> sum{}, square{}, error{};
     int wrong = 0;

@@ -183,7 +183,6 @@ class Events(EventsTest):
         self.assertEqual(views, ["horizon", "sphere", "torus", "flat"])
         self.close()
 
-
     def test_the_mouse_turns_and_zooms_a_landscape(self):
         self.open("--window", "1000x700", self.preset("hills.json", **LANDSCAPE))
         before = self.document

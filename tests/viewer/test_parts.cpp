@@ -103,10 +103,6 @@ TEST_CASE("documents survive a round trip through JSON") {
                       Catch::Contains("output \"slope\": expected value, gradient"));
     for (const char* wrong : {R"({"viewer": {"camera": 7}})", R"({"viewer": {"contrast": "high"}})"})
         CHECK_THROWS_AS(document_from_json(wrong), RequestError);
-    // Versions before 2.0 also stored a comparison, which is ignored.
-    CHECK(
-        document_from_json(R"({"viewer": {"compared": {"recipe": "lattice-4"}, "contrast": 3}})").contrast ==
-        3);
 }
 
 TEST_CASE("every control that is shown has an effect") {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "statistics/estimate.hpp"
+#include "statistics/gaussianity.hpp"
 #include "vulkan/device.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "statistics/stationarity.hpp"
 
-#include "statistics/estimate.hpp"
+#include <boost/math/distributions/normal.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ Dispersion ProcessStationarity::variance() const {
 // The variance of n samples is nearly normal, with the relative variance (excess kurtosis + 2) / n.
 double ProcessStationarity::chance_interdecile() const {
     const double n = static_cast<double>(places_.front().count());
-    return 2 * normal_quantile(0.9) * std::sqrt((all().excess_kurtosis() + 2) / n);
+    return 2 * quantile(boost::math::normal(), 0.9) * std::sqrt((all().excess_kurtosis() + 2) / n);
 }
 
 double ProcessStationarity::largest_mean() const {
@@ -48,7 +48,7 @@ double ProcessStationarity::largest_mean() const {
 double ProcessStationarity::chance_largest_mean() const {
     const double n = static_cast<double>(places_.front().count());
     const double count = static_cast<double>(places_.size());
-    return normal_quantile(1 - 0.05 / (2 * count)) * std::sqrt(all().variance() / n);
+    return quantile(boost::math::normal(), 1 - 0.05 / (2 * count)) * std::sqrt(all().variance() / n);
 }
 
 } // namespace gabor::statistics

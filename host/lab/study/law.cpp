@@ -10,6 +10,7 @@
 #include "study/lattice.hpp"
 #include "study/measures.hpp"
 
+#include <boost/math/distributions/normal.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -210,7 +211,7 @@ Numbers covariance_row(std::span<const double, place_count> covariances, const s
     // The product of two normal variables has the variance 1 + correlation^2.
     const double chance = std::sqrt((1 + mean * mean) / static_cast<double>(instances));
     return {mean, std::sqrt(squares / crossing), chance, largest,
-            chance * statistics::normal_quantile(1 - 0.05 / (2 * crossing))};
+            chance * quantile(boost::math::normal(), 1 - 0.05 / (2 * crossing))};
 }
 
 Table stationary(const vulkan::Device& device, const Effort& effort) {

@@ -1,14 +1,19 @@
 #include "statistics/gaussianity.hpp"
 
+#include <boost/math/distributions/normal.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
 namespace gabor::statistics {
 
 namespace {
+
+const boost::math::normal normal;
 
 /// Computing T from the edges of b bins has a mean error of 1 / (6 b^2) and a random error of 0.2 / b. The
 /// standard deviation of T itself is sqrt(1/45) = 0.15 for a normal distribution.
@@ -20,7 +25,7 @@ class CdfTable {
   public:
     CdfTable() {
         for (std::size_t i = 0; i < values_.size(); ++i)
-            values_[i] = normal_cdf(static_cast<double>(i) / places_per_unit - limit);
+            values_[i] = cdf(normal, static_cast<double>(i) / places_per_unit - limit);
     }
 
     double operator()(double z) const {
@@ -38,37 +43,20 @@ class CdfTable {
 
 const CdfTable table;
 
+/// Returns the interval of a value whose variance would be null_variance + slope * max(truth, 0): every truth
+/// from which the value is at most 1.96 standard deviations away (Wilson's score interval, 1927).
+Estimate score_interval(double value, double null_variance, double slope) {
+    // Solves (truth - value)^2 = quantile^2 (null_variance + slope truth) for a positive truth.
+    constexpr double quantile = 1.96;
+    const double null_half = quantile * std::sqrt(null_variance);
+    const double shift = quantile * quantile * slope / 2;
+    const double half = std::sqrt(null_half * null_half + shift * (2 * value + shift));
+    const double low = value < null_half ? value - null_half : value + shift - half;
+    const double high = value < -null_half ? value + null_half : value + shift + half;
+    return {value, low, high};
+}
+
 } // namespace
-
-void count_uniform(std::span<const float> values, double mean, double deviation,
-                   std::span<std::uint64_t> counts) {
-    const double scale = 1 / deviation;
-    const double bins = static_cast<double>(counts.size());
-    for (const float value : values) {
-        const double z = (value - mean) * scale;
-        if (std::isnan(z))
-            throw std::domain_error("a sample is not a number");
-        const auto bin = static_cast<std::size_t>(table(z) * bins);
-        ++counts[std::min(bin, counts.size() - 1)];
-    }
-}
-
-std::vector<double> deviations(std::span<const std::uint64_t> counts) {
-    const double total = static_cast<double>(std::reduce(counts.begin(), counts.end(), std::uint64_t(0)));
-    const double per_bin = total / static_cast<double>(counts.size());
-    std::vector<double> result;
-    result.reserve(counts.size());
-    std::uint64_t below = 0;
-    for (const std::uint64_t count : counts) {
-        below += count;
-        result.push_back(static_cast<double>(below) - per_bin * static_cast<double>(result.size() + 1));
-    }
-    return result;
-}
-
-double integrate_product(std::span<const double> a, std::span<const double> b) {
-    return std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0) / static_cast<double>(a.size());
-}
 
 Gaussianity::Gaussianity(double deviation) : deviation_(deviation), counts_(bin_count) {}
 
@@ -78,11 +66,17 @@ void Gaussianity::add(double value) {
 }
 
 void Gaussianity::add(std::span<const float> values) {
-    count_uniform(values, 0, deviation_, counts_);
+    const double scale = 1 / deviation_;
+    for (const float value : values) {
+        if (std::isnan(value))
+            throw std::domain_error("a sample is not a number");
+        const auto bin = static_cast<std::size_t>(table(value * scale) * bin_count);
+        ++counts_[std::min(bin, bin_count - 1)];
+    }
 }
 
 void Gaussianity::merge(const Gaussianity& other) {
-    add_to(counts_, other.counts_);
+    std::ranges::transform(counts_, other.counts_, counts_.begin(), std::plus());
 }
 
 std::uint64_t Gaussianity::count() const {
@@ -103,12 +97,12 @@ Estimate Gaussianity::index(double deviation) const {
     const double bins = static_cast<double>(bin_count);
     // The edges of the bins as probabilities under the distribution with that deviation, and one past the
     // last.
-    std::vector<double> edges;
-    for (std::size_t i = 0; i <= bin_count; ++i) {
+    std::vector<double> edges{0};
+    for (std::size_t i = 1; i < bin_count; ++i) {
         const double u = static_cast<double>(i) / bins;
-        edges.push_back(deviation == 1 ? u : normal_cdf(normal_quantile(u) / deviation));
+        edges.push_back(deviation == 1 ? u : cdf(normal, quantile(normal, u) / deviation));
     }
-    edges.push_back(1 + 1 / bins);
+    edges.insert(edges.end(), {1, 1 + 1 / bins});
     double squares = 0;   // n^2 integral D^2
     double primitive = 0; // n H
     double mean = 0;
@@ -126,7 +120,7 @@ Estimate Gaussianity::index(double deviation) const {
     const double variance = mean_square - mean * mean;
 
     const double scale = cvm_scale / n;
-    const Estimate excess = score_interval(squares / n - 1.0 / 6, 1.0 / 45, 4 * variance / squares, 1.96);
+    const Estimate excess = score_interval(squares / n - 1.0 / 6, 1.0 / 45, 4 * variance / squares);
     return {scale * excess.value, scale * excess.low, scale * excess.high};
 }
 
