@@ -256,10 +256,14 @@ def tsl(shader):
 # ---- Files ---------------------------------------------------------------------------------------------------------
 
 def made(shader):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
-    library = Shader(common(shader), COMMON.relative_to(ROOT))
-    yield COMMON, library.text
+    """Yields the path and text of each file with code of the drop-ins. `shader` returns the syntax tree of a drop-in."""
+    yield COMMON, common(shader)
     yield TSL, tsl(shader)
+
+
+def packaged():
+    """Yields the path and text of each file of MaterialX's library that only its package has."""
+    library = Shader(COMMON.read_text(), COMMON.relative_to(ROOT))
     trees = [library, *(Shader(path.read_text(), path.relative_to(ROOT), library) for path in sorted(COMMON.parents[1].glob("*.glsl")))]
     for tree in trees:
         path = (ROOT / tree.path).relative_to(COMMON.parents[1])

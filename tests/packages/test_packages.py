@@ -256,13 +256,16 @@ class Node(Package):
         for name in tracked(source):
             wanted, packaged = (source / name).read_bytes().replace(b"@VERSION@", VERSION.encode()), (root / name).read_bytes()
             for original in self.included.get(name, []):
-                text = (SHADERS / original).read_bytes()
+                text = self.text(original)
                 self.assertTrue(self.quoted(text) in packaged, f"{name} lacks {original}")
                 packaged = packaged.replace(self.quoted(text), b"")
                 path = os.path.relpath(SHADERS / original, (source / name).parent)
                 wanted = wanted.replace(self.quoted(f'#include "{path}"\n'.encode()), b"")
             self.assertTrue(packaged == wanted, name)
             self.assertFalse(re.search(rb'#include "\.\.|@VERSION@', packaged), name)
+
+    def text(self, original):
+        return (SHADERS / original).read_bytes()
 
     def quoted(self, text):
         return text
@@ -354,11 +357,26 @@ class MaterialMaker(Node):
 
 
 class MaterialX(Node):
-    pass
+    def made(self, root):
+        """Checks that the translations to OSL and MDL have each function of the GLSL. tests/engines runs them."""
+        library = root / "libraries" / "gabor"
+        function = re.compile(r"^(?:export )?\w+ (mx_gabor\w+)\(", re.MULTILINE)
+        names = {path.stem: set(function.findall(path.read_text())) for path in (library / "genglsl").rglob("*.glsl")}
+        mdl, made = library / "genmdl" / "mx_gabor.mdl", []
+        self.assertLessEqual(set().union(*names.values()), set(function.findall(mdl.read_text())))
+        for path in (library / "genglsl").rglob("*.glsl"):
+            made.append((library / "genosl" / path.relative_to(library / "genglsl")).with_suffix(".osl"))
+            self.assertLessEqual(names[path.stem], set(function.findall(made[-1].read_text())))
+        return [str(path.relative_to(root)) for path in (mdl, *made)]
 
 
 class Osl(Node):
     included = dict.fromkeys(("gabor_noise.osl", "gabor_erosion.osl"), ["nodes/materialx/libraries/gabor/genosl/lib/mx_gabor.osl"])
+
+    def text(self, original):
+        """Returns a file of MaterialX's package, which the repository lacks."""
+        run(sys.executable, ROOT / "tools" / "package", "materialx", "--stage", self.folder / "materialx")
+        return (self.folder / original.removeprefix("nodes/")).read_bytes()
 
 
 class Shadertoy(Node):

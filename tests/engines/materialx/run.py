@@ -24,10 +24,12 @@ import numpy as np
 
 ENGINES = pathlib.Path(__file__).resolve().parents[1]
 DIALECTS = ENGINES.parent / "dialects"
-sys.path[:0] = [str(DIALECTS)]
+sys.path[:0] = [str(DIALECTS), str(ENGINES)]
 import metal  # noqa: E402
+from packaged import packaged  # noqa: E402
 
-NODE = ENGINES.parents[1] / "shaders" / "nodes" / "materialx"
+FOLDER = tempfile.TemporaryDirectory(prefix="gabor-")
+NODE = packaged("materialx", FOLDER.name)
 GENERATORS = {"glsl": glsl.GlslShaderGenerator, "essl": glsl.EsslShaderGenerator, "vulkan": glsl.VkShaderGenerator,
               "wgsl": glsl.WgslShaderGenerator, "msl": msl.MslShaderGenerator, "slang": slang.SlangShaderGenerator,
               "osl": osl.OslShaderGenerator, "mdl": mdl.MdlShaderGenerator}
