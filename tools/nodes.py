@@ -5,7 +5,7 @@ calls this module."""
 import itertools
 import pathlib
 
-from glsl import COMPARISONS, SHAPES, Printer, Refused, Shader, changes, without_comments
+from glsl import COMPARISONS, SHAPES, Printer, Refused, changes, without_comments
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 NODES = ROOT / "shaders" / "nodes"
@@ -267,13 +267,13 @@ def tsl(shader):
 
 # ---- Files ---------------------------------------------------------------------------------------------------------
 
-def made(shader):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
-    library = Shader(common(shader), COMMON.relative_to(ROOT))
+def made(shader, parsed):
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `parsed` that of a text."""
+    library = parsed(common(shader), COMMON.relative_to(ROOT))
     yield COMMON, library.text
     yield TSL, tsl(shader)
     nodes = sorted(COMMON.parents[1].glob("*.glsl"))
-    trees = [library, *(Shader(path.read_text(), path.relative_to(ROOT), library) for path in nodes)]
+    trees = [library, *(parsed(path.read_text(), path.relative_to(ROOT), library) for path in nodes)]
     for tree in trees:
         path = (ROOT / tree.path).relative_to(COMMON.parents[1])
         yield (LIBRARY / "genosl" / path).with_suffix(".osl"), title(tree, "OSL") + osl(tree)
