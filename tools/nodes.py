@@ -268,7 +268,7 @@ def tsl(shader):
 # ---- Files ---------------------------------------------------------------------------------------------------------
 
 def made(shader, parsed):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `parsed` that of a text."""
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, `parsed` that of a text."""
     library = parsed(common(shader), COMMON.relative_to(ROOT))
     yield COMMON, library.text
     yield TSL, tsl(shader)

@@ -98,14 +98,14 @@ using gabor_bvec2 = gabor_vector<bool, 2>;
 using gabor_bvec3 = gabor_vector<bool, 3>;
 using gabor_bvec4 = gabor_vector<bool, 4>;
 
-// Sets two or three components of a vector.
+// Sets two or three components of a vector, and returns them.
 template <typename T>
-GABOR_INLINE void gabor_cpp_assign(T& x, T& y, gabor_vector<T, 2> v) {
-    x = v.x, y = v.y;
+GABOR_INLINE gabor_vector<T, 2> gabor_cpp_assign(T& x, T& y, gabor_vector<T, 2> v) {
+    return {x = v.x, y = v.y};
 }
 template <typename T>
-GABOR_INLINE void gabor_cpp_assign(T& x, T& y, T& z, gabor_vector<T, 3> v) {
-    x = v.x, y = v.y, z = v.z;
+GABOR_INLINE gabor_vector<T, 3> gabor_cpp_assign(T& x, T& y, T& z, gabor_vector<T, 3> v) {
+    return {x = v.x, y = v.y, z = v.z};
 }
 
 // Returns a function's results for each component of its arguments.

@@ -31,7 +31,7 @@ loader.exec_module(translate)
 glsl = translate.glsl
 
 # Each snippet: its name, its GLSL (a text without try_value is the body of that function), the value of try_value at x, and the
-# languages that refuse it, with the reason.
+# languages that refuse it, with the reason, or None if only metal.py lacks it.
 SNIPPETS = [
     ("a function on one line", "float try_f(float x) { return 2.0 * x; } float try_value(float x) { return try_f(x); }", lambda x: 2 * x),
     ("an overload", "float try_f(float x) { return x; }\nfloat try_f(vec2 v) { return v.x + 10.0 * v.y; }\nfloat try_value(float x) { return try_f(x) + try_f(vec2(x, 1.0)); }",
@@ -52,7 +52,8 @@ SNIPPETS = [
      "TryOuter o = TryOuter(TryInner(vec2(x, 2.0)), x > 0.0); o.inner.v.xy = o.inner.v.yx; return o.on ? o.inner.v.x : o.inner.v.y; }", lambda x: 2 if x > 0 else x),
     ("macros", "#define TRY_HALF vec3(0.5)\n#define TRY_COUNT 3\n#define TRY_TWICE(x) (2.0 * (x))\n"
      "float try_value(float x) { return TRY_TWICE(x + 1.0) + dot(x * TRY_HALF, vec3(float(TRY_COUNT))); }", lambda x: 2 * (x + 1) + 4.5 * x),
-    ("a declaration with commas", "float a = x, b = 2.0 * a, c; c = a + b; vec2 d = vec2(c), e = d + 1.0; return e.y;", lambda x: 3 * x + 1),
+    ("a declaration with commas", "float a = x, b = 2.0 * a, c; c = a + b; vec3 d = vec3(0.0), e = d; e.zx = d.xy = vec2(x, c); return d.y + 10.0 * e.z;", lambda x: 13 * x,
+     {"metal": None}),
     ("a nested ternary", "return x < -1.0 ? x > -2.0 ? 1.0 : 2.0 : x < 1.0 ? 3.0 : 4.0;", lambda x: (1 if x > -2 else 2) if x < -1 else 3 if x < 1 else 4),
     ("loops without braces", "for (int i = 0; i < 3; ++i) for (int j = 0; j <= i; j++) if (i != j) x += float(10 * i + j); else x *= 2.0;\n"
      "int k = 5; while (k > 2) k -= 2; do x += float(k); while (++k < 3); return x;", lambda x: ((x * 2 + 10) * 2 + 20 + 21) * 2 + 1 + 2),
@@ -89,7 +90,7 @@ SNIPPETS = [
     ("constructors", "vec4 v = vec4(x, vec2(1.0, 2.0), 3.0); return dot(v, vec4(1.0, 2.0, vec2(3.0))) + vec3(x, v.yz).z + float(uint(true));", lambda x: x + 2 + 6 + 9 + 2 + 1),
     ("precision", "precision highp float;\nfloat try_value(float x) { return x; }", lambda x: x,
      dict.fromkeys(["hlsl", "metal", "hpp", "gdshaderinc"], ":1: precision outside of #ifdef GL_ES")),
-    ("four components", "return vec4(x, 1.0, 2.0, 3.0).wzyx.w;", lambda x: x, {"hpp": ":1: .wzyx, which", "metal": None}),  # metal_stdlib here lacks them
+    ("four components", "return vec4(x, 1.0, 2.0, 3.0).wzyx.w;", lambda x: x, {"hpp": ":1: .wzyx, which", "metal": None}),
 ]
 # What all languages refuse: GLSL that glslangValidator finds wrong, and GLSL that some language lacks.
 REFUSED = [
