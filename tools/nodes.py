@@ -1,10 +1,11 @@
-"""Generates the parts of shaders/nodes that are translations: TSL for three.js, and MaterialX's library in GLSL, OSL and MDL.
-The library has a few functions of gabor_noise.glsl, rewritten for languages without structs or unsigned integers. tools/translate
+"""Generates the parts of shaders/nodes that are translations: TSL for three.js, and MaterialX's library in GLSL, OSL
+and MDL, with a few functions of gabor_noise.glsl for languages without structs or unsigned integers. tools/translate
 calls this module."""
 
+import itertools
 import pathlib
 
-from glsl import SHAPES, Printer, Refused, Shader, changes, without_comments
+from glsl import COMPARISONS, SHAPES, Printer, Refused, changes, without_comments
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 NODES = ROOT / "shaders" / "nodes"
@@ -64,13 +65,14 @@ def common(shader):
 
 def title(tree, language):
     """Returns the header of a file's translation."""
-    return (f"// Generated from ../genglsl{'/lib' if 'tools/translate' in tree.text else ''} by tools/translate, for {language}: change "
-            f"that file, not this one.\n//\n{LICENSE}\n")
+    folder = "../genglsl/lib" if "tools/translate" in tree.text else "../genglsl"
+    return (f"// Generated from {folder} by tools/translate, for {language}: change that file, not this one.\n"
+            f"//\n{LICENSE}\n")
 
 
 class Integers(Printer):
-    """Replaces uint by int, which behaves identically except for >>. Copies parameters that a function changes, because OSL would
-    change the caller's variable, and MDL forbids it."""
+    """Replaces uint by int, which behaves identically except for >>. Copies parameters that a function changes, because
+    OSL would change the caller's variable, and MDL forbids it."""
 
     words = {"uint": "int"}
 
@@ -87,11 +89,10 @@ class Integers(Printer):
         self.replace(node, node.name.text.rstrip("u"))
 
     def function(self, node):
-        copied = [part for part in node.parameters if part in changes(node) and not part.out]
-        for part in copied:
+        for part in [part for part in node.parameters if part in changes(node) and not part.out]:
             self.after(part, "_")
-        self.edit(node.body.start + 1, node.body.start + 1, "".join(
-            f"\n    {self.word(part.type)} {part.name.text} = {part.name.text}_;" for part in copied))
+            copy = f"\n    {self.word(part.type)} {part.name.text} = {part.name.text}_;"
+            self.edit(node.body.start + 1, node.body.start + 1, copy)
 
 
 # ---- The Open Shading Language -------------------------------------------------------------------------------------
@@ -179,18 +180,20 @@ class Mdl(Integers):
 
 def mdl_variants():
     """Yields a node for each type, because MaterialX 1.39 does not import the MDL module for nodes inside graphs."""
-    for dim, place, direction in (("2d", "float2 texcoord", "float orientation"), ("3d", "float3 position", "float3 direction")):
-        inputs = f"{place}, float frequency, {direction}, int seed"
-        field = f"mx_gaborfield{dim}({', '.join(each.split()[1] for each in inputs.split(', '))})".replace("seed", "SEED")
-        parts = [field.replace("SEED", f"mx_gaborseed(seed, -{index})" if index else "seed") + ".x" for index in range(4)]
-        for kind, count, amplitude in (("float", 1, "float"), ("vector2", 2, "float2"), ("vector3", 3, "float3"),
-                                       ("vector4", 4, "float4"), ("color3", 3, "float3")):
-            for suffix, given in (("", amplitude), ("FA", "float"))[:2 if count > 1 else 1]:
-                value = parts[0] if count == 1 else f"float{count}(" + ",\n        ".join(parts[:count]) + ")"
-                value = f"amplitude * {value} + pivot"
-                value, result = (f"color({value})", "color") if kind == "color3" else (value, f"float{count}".rstrip("1"))
-                yield (f"export {result} mx_gabornoise{dim}_{kind}{suffix}({given} amplitude, float pivot, {inputs})\n"
-                       f"{{\n    return {value};\n}}\n")
+    kinds = ("float", 1), ("vector2", 2), ("vector3", 3), ("vector4", 4), ("color3", 3)
+    for dim, place, along in ("2d", "2 texcoord", " orientation"), ("3d", "3 position", "3 direction"):
+        inputs = f"float{place}, float frequency, float{along}, int seed"
+        given = ", ".join(each.split()[1] for each in inputs.split(", ")[:-1])
+        seeds = ["seed", *(f"mx_gaborseed(seed, -{index})" for index in (1, 2, 3))]
+        noises = [f"mx_gaborfield{dim}({given}, {seed}).x" for seed in seeds]
+        for (kind, count), suffix in itertools.product(kinds, ("", "FA")):
+            noise = ",\n        ".join(noises[:count])
+            type = f"float{count}".rstrip("1")
+            value = f"amplitude * {noise if count == 1 else f'{type}({noise})'} + pivot"
+            result, value = ("color", f"color({value})") if kind == "color3" else (type, value)
+            if count > 1 or not suffix:
+                yield (f"export {result} mx_gabornoise{dim}_{kind}{suffix}({'float' if suffix else type} amplitude, "
+                       f"float pivot, {inputs})\n{{\n    return {value};\n}}\n")
 
 
 def mdl(trees):
@@ -201,16 +204,17 @@ def mdl(trees):
 
 # ---- TSL, three.js's nodes in JavaScript -----------------------------------------------------------------------------
 
-METHODS = {"+": "add", "-": "sub", "*": "mul", "/": "div", "&": "bitAnd", "|": "bitOr", "^": "bitXor", "<<": "shiftLeft", ">>": "shiftRight",
-           "<": "lessThan", ">": "greaterThan", "<=": "lessThanEqual", ">=": "greaterThanEqual", "==": "equal", "!=": "notEqual"}
-NAMES = {"gabor_lobe_seed": "gabor_impl_lobe_seed"}  # the module has a public function of the first name
+METHODS = {sign: function for function, sign in COMPARISONS.items()} | {
+    "+": "add", "-": "sub", "*": "mul", "/": "div", "&": "bitAnd", "|": "bitOr", "^": "bitXor", "<<": "shiftLeft",
+    ">>": "shiftRight"}
+RENAMED = {"gabor_lobe_seed": "gabor_impl_lobe_seed"}  # the module has a public function of the first name
 
 
 def tsl_expression(node, alone=True):
     """Returns an expression in JavaScript, where operators are methods of nodes. If not alone, a method follows."""
-    parts = node.parts
+    first, *others = node.parts or [None]
     if node.kind == "group":
-        return tsl_expression(parts[0], alone)
+        return tsl_expression(first, alone)
     if node.kind == "number" and node.type == "uint":
         return f"uint({node.name.text[:-1]})"
     if node.kind == "number":
@@ -219,38 +223,46 @@ def tsl_expression(node, alone=True):
     if node.kind == "name":
         return node.name.text
     if node.kind == "member":
-        return f"{tsl_expression(parts[0])}.{node.name.text}"
+        return f"{tsl_expression(first)}.{node.name.text}"
     if node.kind == "unary" and node.sign.text == "-":
-        return f"-{tsl_expression(parts[0])}" if parts[0].kind == "number" else f"{tsl_expression(parts[0], False)}.negate()"
-    if node.kind == "call" or node.kind == "choice":
-        return f"{NAMES.get(node.name.text, node.name.text) if node.kind == 'call' else 'select'}({', '.join(map(tsl_expression, parts))})"
+        return f"-{tsl_expression(first)}" if first.kind == "number" else f"{tsl_expression(first, False)}.negate()"
+    if node.kind in ("call", "choice"):
+        name = RENAMED.get(node.name.text, node.name.text) if node.kind == "call" else "select"
+        return f"{name}({', '.join(map(tsl_expression, node.parts))})"
     if node.kind == "binary" and node.sign.text in METHODS:
-        return f"{tsl_expression(parts[0], False)}.{METHODS[node.sign.text]}({tsl_expression(parts[1])})"
+        return f"{tsl_expression(first, False)}.{METHODS[node.sign.text]}({tsl_expression(*others)})"
+    raise Refused(f"shaders/gabor_noise.glsl:{node.line}: this {node.kind} has no translation to TSL")
+
+
+def tsl_statement(node, changed):
+    """Returns a declaration, an assignment to a variable or a return statement; all others are refused."""
+    if node.kind == "return":
+        return f"    return {tsl_expression(*node.parts)};"
+    if node.kind == "variable" and node.value:
+        return f"    {'let' if node in changed else 'const'} {node.name.text} = {tsl_expression(node.value)}.toVar();"
+    if node.kind == "assign" and node.parts[0].kind == "name":
+        left, right = map(tsl_expression, node.parts)
+        value = f"{left}.{METHODS[node.sign.text[:-1]]}({right})" if node.sign.text != "=" else right
+        return f"    {left} = {value}.toVar();"
     raise Refused(f"shaders/gabor_noise.glsl:{node.line}: this {node.kind} has no translation to TSL")
 
 
 def tsl_function(function):
-    changed = changes(function)
+    changed, name = changes(function), function.name.text
     names = [part.name.text + "_" * (part in changed) for part in function.parameters]
-    yield f"const {NAMES.get(function.name.text, function.name.text)} = ({', '.join(names)}) => {{"
+    yield f"const {RENAMED.get(name, name)} = ({', '.join(names)}) => {{"
     yield from (f"    let {name[:-1]} = {name}.toVar();" for name in names if name.endswith("_"))
-    for part in [part for statement in function.body.parts for part in (statement.parts if statement.kind in ("declare", "expression") else [statement])]:
-        if part.kind == "return":
-            yield f"    return {tsl_expression(part.parts[0])};"
-        elif part.kind == "variable" and part.value:
-            yield f"    {'let' if part in changed else 'const'} {part.name.text} = {tsl_expression(part.value)}.toVar();"
-        elif part.kind == "assign" and part.parts[0].kind == "name":
-            left, right = map(tsl_expression, part.parts)
-            yield f"    {left} = {f'{left}.{METHODS[part.sign.text[0]]}({right})' if part.sign.text != '=' else right}.toVar();"
-        else:
-            tsl_expression(part)
+    for node in function.body.parts:
+        yield from [tsl_statement(part, changed) for part in (node.parts if node.kind == "declare" else [node])]
     yield "};\n"
 
 
 def tsl(shader):
     """Returns the module of TSL with the drop-in's constants and functions between its marker lines."""
     lines = [f"const {name} = {number.removesuffix('u')};" for name, number in constants(shader).items()] + [""]
-    return between(TSL, "From gabor_noise.glsl", "\n".join(lines + [line for function in taken(shader("gabor_noise")) for line in tsl_function(function)]))
+    for function in taken(shader("gabor_noise")):
+        lines += tsl_function(function)
+    return between(TSL, "From gabor_noise.glsl", "\n".join(lines))
 
 
 # ---- Files ---------------------------------------------------------------------------------------------------------
@@ -264,7 +276,8 @@ def made(shader):
 def packaged():
     """Yields the path and text of each file of MaterialX's library that only its package has."""
     library = Shader(COMMON.read_text(), COMMON.relative_to(ROOT))
-    trees = [library, *(Shader(path.read_text(), path.relative_to(ROOT), library) for path in sorted(COMMON.parents[1].glob("*.glsl")))]
+    nodes = sorted(COMMON.parents[1].glob("*.glsl"))
+    trees = [library, *(Shader(path.read_text(), path.relative_to(ROOT), library) for path in nodes)]
     for tree in trees:
         path = (ROOT / tree.path).relative_to(COMMON.parents[1])
         yield (LIBRARY / "genosl" / path).with_suffix(".osl"), title(tree, "OSL") + osl(tree)

@@ -3,6 +3,7 @@ rules give, or is refused in one line with its file and line. Nothing in between
 
 import importlib.machinery
 import importlib.util
+import itertools
 import math
 import os
 import pathlib
@@ -29,130 +30,110 @@ translate = importlib.util.module_from_spec(importlib.util.spec_from_loader("tra
 loader.exec_module(translate)
 glsl = translate.glsl
 
-# Each snippet: its name, its GLSL, and the value of try_value at x, or what is refused in all languages. Languages that refuse a
-# snippet that others translate follow.
+# Each snippet: its name, its GLSL (a text without try_value is the body of that function), the value of try_value at x, and the
+# languages that refuse it, with the reason, or None if only metal.py lacks it.
 SNIPPETS = [
-    ("a function on one line", "float try_f(float x) { return 2.0 * x; }\nfloat try_value(float x) { return try_f(x); }", lambda x: 2 * x),
-    ("several functions on one line", "float try_f(float x) { return x; } float try_g(float x) { return -try_f(x); }\n"
-     "float try_value(float x) { return try_g(x) + 1.0; }", lambda x: 1 - x),
-    ("an overload", "float try_f(float x) { return x; }\nfloat try_f(vec2 v) { return v.x + 10.0 * v.y; }\n"
-     "float try_value(float x) { return try_f(x) + try_f(vec2(x, 1.0)); }", lambda x: 2 * x + 10, {"wgsl": "an overload of it", "gdshaderinc": ":1: an overload"}),
-    ("a prototype", "float try_f(float x);\nfloat try_value(float x) { return try_f(x); }\nfloat try_f(float x) { return x * x; }", lambda x: x * x, {"gdshaderinc": ":1: a declaration"}),
-    ("+= of two components", "float try_value(float x) {\n    vec3 v = vec3(x, 2.0, 3.0);\n    v.xy += vec2(1.0, x);\n    v.zx *= 2.0;\n"
-     "    return v.x + 10.0 * v.y + 100.0 * v.z;\n}", lambda x: 2 * (x + 1) + 10 * (x + 2) + 600),
-    ("components of an array in a struct", "struct TryRow { vec4 node[2]; int count; };\nfloat try_value(float x) {\n    TryRow row;\n"
-     "    row.node[0] = vec4(1.0);\n    row.node[1] = vec4(x);\n    int i = 1;\n    row.node[i].xyz -= row.node[0].yzw * vec3(1.0, 2.0, 3.0);\n"
-     "    row.node[i].wz = row.node[i].xy;\n    return row.node[i].x + 10.0 * row.node[i].w + 100.0 * row.node[i].z;\n}",
-     lambda x: 11 * (x - 1) + 100 * (x - 2)),
-    ("a product within +=", "float try_value(float x) { vec2 v = vec2(x, 1.0); v.yx *= v + 1.0; return v.x + 10.0 * v.y; }",
-     lambda x: x * 2 + 10 * (x + 1)),
-    ("vectors that are equal", "float try_value(float x) {\n    vec2 v = vec2(floor(x), 1.0);\n    bool same = v == vec2(2.0, 1.0);\n"
-     "    if (v != vec2(2.0, 1.0) && same) return -1.0;\n    return ivec3(same ? 1 : 2) == ivec3(1) ? 5.0 : 6.0;\n}",
-     lambda x: 5 if math.floor(x) == 2 else 6),
-    ("an array constructor", "float try_value(float x) {\n    float a[2] = float[2](x, 1.0);\n    return a[0];\n}", ":2: an array constructor has"),
-    ("an array", "float try_value(float x) { float a[3]; for (int i = 0; i < 3; ++i) a[i] = x + float(i); return a[0] + a[1] * a[2]; }",
-     lambda x: x + (x + 1) * (x + 2)),
+    ("a function on one line", "float try_f(float x) { return 2.0 * x; } float try_value(float x) { return try_f(x); }", lambda x: 2 * x),
+    ("an overload", "float try_f(float x) { return x; }\nfloat try_f(vec2 v) { return v.x + 10.0 * v.y; }\nfloat try_value(float x) { return try_f(x) + try_f(vec2(x, 1.0)); }",
+     lambda x: 2 * x + 10, {"wgsl": ":2: try_f: an overload of it", "gdshaderinc": ":1: an overload"}),
+    ("+= of two components", "vec3 v = vec3(x, 2.0, 3.0);\nv.xy += vec2(1.0, x);\nv.zx *= v.yz + 1.0;\nreturn v.x + 10.0 * v.y + 100.0 * v.z;",
+     lambda x: 4 * (x + 1) + 10 * (x + 2) + 300 * (x + 3)),
+    ("components of an array in a struct", "struct TryRow { vec4 node[2]; int count; }; float try_value(float x) { TryRow row; int i = 1;\n"
+     "row.node[0] = vec4(1.0); row.node[1] = vec4(x); row.node[i].xyz -= row.node[0].yzw * vec3(1.0, 2.0, 3.0); row.node[i].wz = row.node[i].xy;\n"
+     "return row.node[i].x + 10.0 * row.node[i].w + 100.0 * row.node[i].z; }", lambda x: 11 * (x - 1) + 100 * (x - 2)),
+    ("vectors that are equal", "vec2 v = vec2(floor(x), 1.0);\nbool same = v == vec2(2.0, 1.0);\nif (floor(v) != vec2(2.0, 1.0) && same) return -1.0;\n"
+     "return ivec3(same ? 1 : 2) == ivec3(1) ? 5.0 : 6.0;", lambda x: 5 if math.floor(x) == 2 else 6),
+    ("an array", "float a[3]; for (int i = 0; i < 3; ++i) a[i] = x + float(i); return a[0] + a[1] * a[2];", lambda x: x + (x + 1) * (x + 2)),
     ("a struct on one line", "struct TryPair { float a; vec2 b; }; float try_f(TryPair pair) { return pair.a + pair.b.y; }\n"
      "float try_value(float x) { return try_f(TryPair(x, vec2(3.0))); }", lambda x: x + 3),
-    ("struct members with commas", "struct TryPair {\n    float a, b; // two\n    vec2 c;\n};\n"
-     "float try_value(float x) {\n    TryPair pair = TryPair(x, 2.0, vec2(x)), other = pair;\n    other.a += 1.0;\n"
-     "    return pair.a + pair.b * other.a + pair.c.y;\n}", lambda x: 2 * x + 2 * (x + 1)),
-    ("a struct in a struct", "struct TryInner { vec2 v; };\nstruct TryOuter { TryInner inner; bool on; };\n"
-     "float try_value(float x) {\n    TryOuter o = TryOuter(TryInner(vec2(x, 2.0)), x > 0.0);\n    o.inner.v.xy = o.inner.v.yx;\n"
-     "    return o.on ? o.inner.v.x : o.inner.v.y;\n}", lambda x: 2 if x > 0 else x),
-    ("a macro with arguments", "#define TRY_TWICE(x) (2.0 * (x))\nfloat try_value(float x) { return TRY_TWICE(x + 1.0); }", lambda x: 2 * (x + 1)),
-    ("a macro with a vector", "#define TRY_HALF vec3(0.5)\n#define TRY_COUNT 3\nfloat try_value(float x) { return dot(x * TRY_HALF, vec3(float(TRY_COUNT))); }",
-     lambda x: 4.5 * x),
-    ("a macro that is no expression", "#define TRY_LOOP for (int i = 0; i < 3; ++i)\nfloat try_value(float x) { TRY_LOOP x += 1.0; return x; }",
-     ":1: for has no translation|:1: 'int'"),
-    ("a declaration with commas", "float try_value(float x) { float a = x, b = 2.0 * a, c; c = a + b; vec2 d = vec2(c), e = d + 1.0; return e.y; }",
-     lambda x: 3 * x + 1),
-    ("a nested ternary", "float try_value(float x) { return x < -1.0 ? x > -2.0 ? 1.0 : 2.0 : x < 1.0 ? 3.0 : 4.0; }",
-     lambda x: (1 if x > -2 else 2) if x < -1 else 3 if x < 1 else 4),
-    ("loops without braces", "float try_value(float x) {\n    for (int i = 0; i < 3; ++i)\n        for (int j = 0; j <= i; j++)\n            if (i != j)\n"
-     "                x += float(10 * i + j);\n            else\n                x *= 2.0;\n    int k = 5;\n    while (k > 2) k -= 2;\n    do x += float(k); while (++k < 3);\n"
-     "    return x;\n}", lambda x: ((x * 2 + 10) * 2 + 20 + 21) * 2 + 1 + 2),
-    ("a switch", "float try_value(float x) {\n    switch (int(x)) { case 1: return 1.0; default: break; }\n    return 2.0;\n}", ":2: switch has"),
-    ("components as an out argument", "void try_f(out vec2 v) { v = vec2(1.0); }\nfloat try_value(float x) { vec3 v = vec3(x);\n    try_f(v.xy);\n    return v.x; }",
-     ":3: 'v.xy' as an out argument"),
-    ("a component as an out argument", "void try_f(inout float f) { f = 1.0; }\nfloat try_value(float x) { vec3 v = vec3(x); try_f(v.y); return v.x; }",
-     ":2: 'v.y' as an out argument"),
+    ("struct members with commas", "struct TryPair {\n    float a, b; // two\n    vec2 c;\n};\nfloat try_value(float x) {\n"
+     "TryPair pair = TryPair(x, 2.0, vec2(x)), other = pair; other.a += 1.0; return pair.a + pair.b * other.a + pair.c.y; }", lambda x: 4 * x + 2),
+    ("a struct in a struct", "struct TryInner { vec2 v; };\nstruct TryOuter { TryInner inner; bool on; };\nfloat try_value(float x) {\n"
+     "TryOuter o = TryOuter(TryInner(vec2(x, 2.0)), x > 0.0); o.inner.v.xy = o.inner.v.yx; return o.on ? o.inner.v.x : o.inner.v.y; }", lambda x: 2 if x > 0 else x),
+    ("macros", "#define TRY_HALF vec3(0.5)\n#define TRY_COUNT 3\n#define TRY_TWICE(x) (2.0 * (x))\n"
+     "float try_value(float x) { return TRY_TWICE(x + 1.0) + dot(x * TRY_HALF, vec3(float(TRY_COUNT))); }", lambda x: 2 * (x + 1) + 4.5 * x),
+    ("a declaration with commas", "float a = x, b = 2.0 * a, c; c = a + b; vec3 d = vec3(0.0), e = d; e.zx = d.xy = vec2(x, c); return d.y + 10.0 * e.z;", lambda x: 13 * x,
+     {"metal": None}),
+    ("a nested ternary", "return x < -1.0 ? x > -2.0 ? 1.0 : 2.0 : x < 1.0 ? 3.0 : 4.0;", lambda x: (1 if x > -2 else 2) if x < -1 else 3 if x < 1 else 4),
+    ("loops without braces", "for (int i = 0; i < 3; ++i) for (int j = 0; j <= i; j++) if (i != j) x += float(10 * i + j); else x *= 2.0;\n"
+     "int k = 5; while (k > 2) k -= 2; do x += float(k); while (++k < 3); return x;", lambda x: ((x * 2 + 10) * 2 + 20 + 21) * 2 + 1 + 2),
     ("global constants", "const float try_half = 0.5;\nconst int try_count = 2, try_next = try_count + 1;\nconst vec2 try_pair = vec2(1.0, try_half);\n"
-     "const uint try_word = 0x10u; // sixteen\nfloat try_value(float x) { float a[try_next]; a[try_count] = x * try_half; return a[2] + try_pair.y + float(try_word); }",
-     lambda x: 0.5 * x + 16.5),
-    ("a global variable", "float try_state;\nfloat try_value(float x) { return x; }", ":1: a global variable that is not const"),
-    ("inout of a struct", "struct TryPair { float a; vec2 b; };\nvoid try_f(inout TryPair pair, out vec2 old) {\n    old = pair.b;\n    pair.b.x += 1.0;\n    pair.a = 2.0;\n}\n"
-     "float try_value(float x) {\n    TryPair pair;\n    pair.a = x;\n    pair.b = vec2(x);\n    vec2 old;\n    try_f(pair, old);\n    return pair.a + pair.b.x + 10.0 * old.x;\n}",
-     lambda x: 2 + x + 1 + 10 * x),
-    ("a member as an out argument", "struct TryPair { float a; };\nvoid try_f(inout float f) { f += 1.0; }\n"
-     "float try_value(float x) { TryPair pair; try_f(pair.a); return pair.a; }", ":3: 'pair.a' as an out argument"),
-    ("parameters that change", "float try_f(float x, in vec2 v, const float k) { x += k; v *= x; return v.x + v.y; }\nfloat try_value(float x) { return try_f(x, vec2(x, 1.0), 2.0) + x; }",
-     lambda x: (x + 2) * (x + 1) + x),
-    ("a name in two scopes", "float try_value(float x) { float t = 1.0; { float t = 5.0; x += t; } for (int t = 0; t < 2; ++t) x += float(t); return x + t; }", lambda x: x + 7),
-    ("reserved words of other languages", "struct TryPair { float device; float register; };\nfloat try_f(float line, float kernel) { float point = line + kernel; return point; }\n"
+     "const uint try_word = 0x10u; // sixteen\nfloat try_value(float x) {\n"
+     "float a[try_next]; a[try_count] = x * try_half; return a[2] + try_pair.y + float(try_word); }", lambda x: 0.5 * x + 16.5),
+    ("inout of a struct", "struct TryPair { float a; vec2 b; };\nvoid try_f(inout TryPair pair, out vec2 old) { old = pair.b; pair.b.x += 1.0; pair.a = 2.0; }\n"
+     "float try_value(float x) { TryPair pair = TryPair(x, vec2(x)); vec2 old; try_f(pair, old); return pair.a + pair.b.x + 10.0 * old.x; }", lambda x: 2 + x + 1 + 10 * x),
+    ("parameters that change", "float try_f(float x, in vec2 v, const float k) { x += k; v *= x; return v.x + v.y; }\n"
+     "float try_value(float x) { return try_f(x, vec2(x, 1.0), 2.0) + x; }", lambda x: (x + 2) * (x + 1) + x),
+    ("a change in one expression", "float try_f(inout float f) { f += 1.0; return 2.0 * f; }\n"
+     "float try_value(float x) { float a = x, b = 3.0 * try_f(x) + a; return x + b; }", lambda x: x + 1 + 6 * (x + 1) + x),
+    ("a name in two scopes", "float t = 1.0; { vec2 t = vec2(5.0); x += t.y; } { float t = 2.0; x += t; } return x + t;", lambda x: x + 8),
+    ("reserved words of other languages", "struct TryPair { float device; float register; };\n"
+     "float try_f(float line, float kernel) { float point = line + kernel; return point; }\n"
      "float try_value(float thread) { TryPair pair = TryPair(thread, 2.0); return try_f(pair.device, pair.register); }", lambda x: x + 2),
-    ("directives within statements", "float try_value(float x) {\n#if TRY_NEVER == 5\n    if (x > 0.0)\n        x = 7.0;\n    else\n#endif\n        x += 1.0;\n"
-     "    return x\n#ifdef TRY_NEVER\n        + 100.0\n#endif\n        ; // end\n}", lambda x: x + 1),
-    ("two types in two branches", "float try_value(float x) {\n#ifdef TRY_NEVER\n    vec2 n = vec2(x);\n#else\n    float n = x;\n#endif\n    return n;\n}", ":5: a second n with another type"),
-    ("half a function in a branch", "#ifdef TRY_NEVER\nfloat try_value(vec2 x) {\n#else\nfloat try_value(float x) {\n#endif\n    return 1.0;\n}", ":4: "),
+    ("directives within statements", "\n#ifdef TRY_NEVER\n    if (x > 0.0)\n        x = 7.0;\n    else\n#endif\n        x += 1.0;\n"
+     "    return x\n#ifdef TRY_NEVER\n        + 100.0\n#endif\n        ; // end\n", lambda x: x + 1),
     ("comments", "/* a block\n   comment */ float try_value(float x /* it's */) { // vec2's \"quote\n    return x; /* float try_g() { */ }", lambda x: x),
-    ("numbers", "float try_value(float x) { return 1e1 + .5 + 2. * x + 1.5e-3 * 1.0E3 + 1.0e-7 * 1.0e7 + float(0xffu - 250u) + float(7 / 2); }", lambda x: 21 + 2 * x),
-    ("a long call", "float try_value(float x) {\n    return clamp(mix(x,\n                     2.0 * (x + 1.0), // twice\n                     0.5),\n                 -1.0, 3.0);\n}",
-     lambda x: min(max((x + 2 * (x + 1)) / 2, -1), 3)),
-    ("comparisons of components", "float try_value(float x) {\n    vec2 v = vec2(x, 1.0);\n    bvec2 low = lessThan(v, vec2(1.5, abs(x))), high = greaterThanEqual(v, vec2(0.0));\n"
-     "    return float(all(low)) + 2.0 * float(any(high)) + 4.0 * vec2(lessThanEqual(v, v)).x + 8.0 * float(all(notEqual(ivec3(1), ivec3(2))));\n}",
+    ("numbers", "return 1e1 + .5 + 2. * x + 1.5e-3 * 1.0E3 + 1.0e-7 * 1.0e7 + float(0xffu - 250u) + float(7 / 2);", lambda x: 21 + 2 * x),
+    ("a long call", "return clamp(mix(x,\n          2.0 * (x + 1.0), // twice\n          0.5),\n    -1.0, 3.0);", lambda x: min(max((x + 2 * (x + 1)) / 2, -1), 3)),
+    ("comparisons of components", "vec2 v = vec2(x, 1.0);\nbvec2 low = lessThan(v, vec2(1.5, abs(x))), high = greaterThanEqual(v, vec2(0.0));\n"
+     "return float(all(low)) + 2.0 * float(any(high)) + 4.0 * vec2(lessThanEqual(v, v)).x + 8.0 * float(all(notEqual(ivec3(1), ivec3(2))));",
      lambda x: (x < 1.5 and 1 < abs(x)) + 2 + 4 + 8),
-    ("atan", "float try_value(float x) { return atan(x) + atan(x, -1.0); }", lambda x: math.atan(x) + math.atan2(x, -1)),
-    ("integers", "float try_value(float x) {\n    int i = int(floor(x));\n    uint u = uint(i + 8);\n    ivec2 v = max(ivec2(abs(i), i), ivec2(1)) % ivec2(3);\n"
-     "    u ^= (u << 3u) | (u >> 1u) & ~2u;\n    return float(clamp(i, -2, 2)) + float(u % 7u) + float(v.x * 100 + v.y) + float(min(u, 5u));\n}",
-     lambda x: (lambda i, u: min(max(i, -2), 2) + u % 7 + max(abs(i), 1) % 3 * 100 + max(i, 1) % 3 + min(u, 5))(
-         math.floor(x), math.floor(x) + 8 ^ (math.floor(x) + 8 << 3 | math.floor(x) + 8 >> 1 & ~2))),
-    ("the rest of a vector by a number", "float try_value(float x) { ivec2 v = ivec2(floor(vec2(x + 8.0))) % 3; return float(v.x); }",
-     lambda x: math.floor(x + 8) % 3, {"wgsl": ":1: naga gives no translation: error: Function"}),
-    ("bits of a vector", "float try_value(float x) { return uintBitsToFloat(floatBitsToUint(vec2(x, 2.0 * x))).y + intBitsToFloat(floatBitsToInt(x)); }", lambda x: 3 * x),
-    ("a sign and splats", "float try_value(float x) { vec3 v = vec2(sign(x), 2.0).xxx; return dot(v.yy, vec2(1.0)) + length(vec4(v, 1.0)) + distance(v.xy, vec2(2.0)); }",
+    ("atan and pow", "return atan(x) + atan(x, -1.0) + pow(2.0, x);", lambda x: math.atan(x) + math.atan2(x, -1) + 2**x),
+    ("integers", "int i = int(floor(x));\nuint u = uint(i + 8);\nivec2 v = max(ivec2(abs(i), i), ivec2(1)) % ivec2(3);\n"
+     "u ^= (u << 3u) | (u >> 1u) & ~2u;\nreturn float(clamp(i, -2, 2)) + float(u % 7u) + float(v.x * 100 + v.y);",
+     lambda x: (lambda i, u: min(max(i, -2), 2) + (u ^ (u << 3 | u >> 1 & ~2)) % 7 + max(abs(i), 1) % 3 * 100 + max(i, 1) % 3)(
+         math.floor(x), math.floor(x) + 8)),
+    ("the rest of a vector by a number", "ivec2 v = ivec2(floor(vec2(x + 8.0))) % 3; return float(v.x);", lambda x: math.floor(x + 8) % 3, {"wgsl": ":1: naga: error: Function"}),
+    ("bits of a vector", "return uintBitsToFloat(uvec2(1065353216u, 1073741824u)).y * x;", lambda x: 2 * x),
+    ("functions of vectors", "vec3 v = vec3(vec2(sign(x), 2.0).xx, x < 0.0 ? -1.0 : 1.0);\nreturn dot(v.yy, vec2(1.0)) + length(vec4(v, 1.0)) + distance(v.xy, vec2(2.0));",
      lambda x: 2 * math.copysign(1, x) + 2 + math.sqrt(2) * (2 - math.copysign(1, x))),
-    ("constructors", "float try_value(float x) { vec4 v = vec4(x, vec2(1.0, 2.0), 3.0); return dot(v, vec4(1.0, 2.0, vec2(3.0))) + vec3(x, v.yz).z + float(uint(true)); }",
-     lambda x: x + 2 + 6 + 9 + 2 + 1),
-    ("a shorter vector", "float try_value(float x) {\n    vec3 v = vec3(x);\n    return vec2(v).x;\n}", r":3: vec2\(vec3\) has"),
-    ("an implicit conversion", "float try_value(float x) {\n    float y = 1;\n    return x + y;\n}", ":2: a conversion from int to float"),
-    ("numbers of two kinds", "float try_value(float x) { return 2 * x; }", r":1: int \* float has"),
-    ("a wrong result", "float try_value(float x) { return 1; }", ":1: a conversion from int to float"),
-    ("mod", "float try_value(float x) { return mod(x, 2.0); }", ":1: mod has"),
-    ("a matrix", "float try_value(float x) { mat2 m; return x; }", ":1: 'mat2'"),
-    ("a uniform", "uniform float try_scale;\nfloat try_value(float x) { return x * try_scale; }", ":1: 'uniform' has"),
-    ("a function that is not there", "float try_value(float x) {\n    return try_missing(x);\n}", ":2: try_missing has"),
-    ("a variable that is not there", "float try_value(float x) {\n\n    return y;\n}", ":3: 'y', which is not declared, has"),
-    ("a mix of booleans", "float try_value(float x) { return mix(vec2(x), vec2(1.0), bvec2(true)).x; }", r":1: mix\(vec2, vec2, bvec2\) has"),
-    ("structs that are equal", "struct TryPair { float a; };\nfloat try_value(float x) { return TryPair(x) == TryPair(1.0) ? 1.0 : 2.0; }", ":2: == of structs"),
-    ("a change of a component of components", "float try_value(float x) { vec3 v = vec3(x); v.xy.x = 1.0; return v.x; }", ":1: a change of 'v.xy.x'"),
-    ("a missing semicolon", "float try_value(float x) {\n    x += 1.0\n    return x;\n}", ":3: 'return' where"),
-    ("a missing brace", "float try_value(float x) {\n    return x;\n", ":3: 'the end of the file'"),
-    ("a strange character", "float try_value(float x) { return x @ 2.0; }", ":1: '@' where"),
+    ("constructors", "vec4 v = vec4(x, vec2(1.0, 2.0), 3.0); return dot(v, vec4(1.0, 2.0, vec2(3.0))) + vec3(x, v.yz).z + float(uint(true));", lambda x: x + 2 + 6 + 9 + 2 + 1),
     ("precision", "precision highp float;\nfloat try_value(float x) { return x; }", lambda x: x,
      dict.fromkeys(["hlsl", "metal", "hpp", "gdshaderinc"], ":1: precision outside of #ifdef GL_ES")),
-    ("discard", "float try_value(float x) { discard; return x; }", ":1: 'discard'"),
-    ("a += within an index", "float try_value(float x) { vec3 a[2]; a[0] = vec3(x); a[1] = a[0]; int i = 0; a[i++].xy += vec2(1.0); return a[0].x + float(i); }",
-     ":1: a change within a part of an expression"),
-    ("a change that && may skip", "bool try_f(inout float f) { f += 1.0; return true; }\nfloat try_value(float x) { if (x > 0.0 && try_f(x)) x += 1.0; return x; }",
-     ":2: a change within a part of an expression"),
+    ("four components", "return vec4(x, 1.0, 2.0, 3.0).wzyx.w;", lambda x: x, {"hpp": ":1: .wzyx, which", "metal": None}),
+]
+# What all languages refuse: GLSL that glslangValidator finds wrong, and GLSL that some language lacks.
+REFUSED = [
+    ("an implicit conversion", "\nfloat y = 1;\nreturn x + y;", ":2: .*cannot convert"),
+    ("a variable that is not there", "\n\nreturn y;", ":3: 'y' : undeclared"),
+    ("a missing semicolon", "x += 1.0\nreturn x;", ":2: .*syntax error"),
+    ("a prototype", "float try_f(float x);\nfloat try_value(float x) { return try_f(x); }\nfloat try_f(float x) { return x * x; }", ":1: ';' where { should be"),
+    ("an array constructor", "\nfloat a[2] = float[2](x, 1.0);\nreturn a[0];", ":2: 'float'"),
+    ("a macro that is no expression", "#define TRY_LOOP for (int i = 0; i < 3; ++i)\nfloat try_value(float x) { TRY_LOOP x += 1.0; return x; }", ":1: 'int'"),
+    ("a switch", "\nswitch (int(x)) { case 1: return 1.0; default: break; }\nreturn 2.0;", ":2: switch"),
+    ("discard", "discard; return x;", ":1: 'discard'"),
+    ("components as an out argument", "void try_f(out vec2 v) { v = vec2(1.0); }\nfloat try_value(float x) { vec3 v = vec3(x);\n    try_f(v.xy);\n    return v.x; }",
+     ":3: 'v.xy' as an out argument"),
+    ("a member as an out argument", "struct TryPair { float a; };\nvoid try_f(inout float f) { f += 1.0; }\n"
+     "float try_value(float x) { TryPair pair; try_f(pair.a); return pair.a; }", ":3: 'pair.a' as an out argument"),
+    ("one variable for two out arguments", "void try_f(out float a, out float b) { a = 1.0; b = 2.0; }\nfloat try_value(float x) { try_f(x, x); return x; }",
+     ":2: a use and a change of a variable"),
     ("two changes in one expression", "float try_f(inout float f) { f += 1.0; return f; }\nfloat try_value(float x) {\n    return try_f(x) - 2.0 * try_f(x);\n}",
      ":3: a use and a change of a variable"),
-    ("a change in one expression", "float try_f(inout float f) { f += 1.0; return 2.0 * f; }\nfloat try_value(float x) { float a = x, b = 3.0 * try_f(x) + a; return x + b; }",
-     lambda x: x + 1 + 6 * (x + 1) + x),
-    ("one variable for two out arguments", "void try_f(out float a, out float b) { a = 1.0; b = 2.0; }\nfloat try_value(float x) { try_f(x, x); return x; }",
-     ":2: 'x' as an out argument"),
-    ("a void check and a prototype of it", "void try_f(float x);\nfloat try_value(float x) { return x; }\nvoid try_f(float x) {\n}", lambda x: x, {"gdshaderinc": ":1: a declaration"}),
-    ("structs from a ternary", "struct TryPair { float a; };\nfloat try_value(float x) { return (x > 0.0 ? TryPair(x) : TryPair(1.0)).a; }", r":2: \? of Try"),
-    ("a copy of an array", "float try_value(float x) { float a[2], b[2]; a[0] = x; a[1] = x; b = a; return b[0]; }", ":1: a copy of an array"),
+    ("a += within an index", "vec3 a[2]; a[0] = vec3(x); a[1] = a[0]; int i = 0; a[i++].xy += vec2(1.0); return a[0].x + float(i);", ":1: a change within a part"),
+    ("a change that && may skip", "bool try_f(inout float f) { f += 1.0; return true; }\nfloat try_value(float x) { if (x > 0.0 && try_f(x)) x += 1.0; return x; }",
+     ":2: a change within a part of an expression"),
+    ("a change of a component of components", "vec3 v = vec3(x); v.xy.x = 1.0; return v.x;", ":1: a change of 'v.xy.x'"),
+    ("++ of a float", "x++; return x;", r":1: \+\+ of a float"),
+    ("a global variable", "float try_state;\nfloat try_value(float x) { return x; }", r":1: ';' where \( should be"),
+    ("two types in two branches", "\n#ifdef TRY_NEVER\n    vec2 n = vec2(x);\n#else\n    float n = x;\n#endif\n    return n;\n", ":5: a second n with another type"),
+    ("half a function in a branch", "#ifdef TRY_NEVER\nfloat try_value(vec2 x) {\n#else\nfloat try_value(float x) {\n#endif\n    return 1.0;\n}", ":4: "),
+    ("a shorter vector", "\nvec3 v = vec3(x);\nreturn vec2(v).x;", r":3: vec2\(vec3\)"),
+    ("two kinds of number in a vector", "return vec3(ivec2(1), x).z;", r":1: vec3\(ivec2, float\)"),
+    ("mod", "return mod(x, 2.0);", ":1: mod"),
+    ("a matrix", "mat2 m; return x;", ":1: 'mat2'"),
+    ("a uniform", "uniform float try_scale;\nfloat try_value(float x) { return x * try_scale; }", ":1: 'uniform'"),
+    ("a mix of booleans", "return mix(vec2(x), vec2(1.0), bvec2(true)).x;", r":1: mix\(vec2, vec2, bvec2\)"),
+    ("structs that are equal", "struct TryPair { float a; };\nfloat try_value(float x) { return TryPair(x) == TryPair(1.0) ? 1.0 : 2.0; }", ":2: == of structs"),
+    ("structs from a ternary", "struct TryPair { float a; };\nfloat try_value(float x) { return (x > 0.0 ? TryPair(x) : TryPair(1.0)).a; }", r":2: \? of structs"),
+    ("a copy of an array", "float a[2], b[2]; a[0] = x; a[1] = x; b = a; return b[0];", ":1: a whole array"),
     ("an array as a parameter", "float try_f(float a[2]) { return a[0]; }\nfloat try_value(float x) { float a[2]; return try_f(a); }", ":1: an array as a parameter"),
-    ("a struct from an array", "struct TryRow { float a[2]; };\nfloat try_value(float x) { float a[2]; a[0] = x; return TryRow(a).a[0]; }", ":2: a copy of an array"),
-    ("four components", "float try_value(float x) { return vec4(x, 1.0, 2.0, 3.0).wzyx.w; }", lambda x: x, {"hpp": ":1: .wzyx of vec4"}),
 ]
 
 
-def numbered(text, number):
-    """Gives the names of a snippet a number, so that all snippets fit into one program."""
+def snippet(text, number):
+    """Returns a whole text, with a number in its names so that all snippets fit into one program."""
+    text = text if "try_value" in text else f"float try_value(float x) {{ {text} }}"
     return re.sub(r"\b(try|Try|TRY)(?=[_A-Z])", rf"\g<1>{number}", text)
 
 
@@ -167,8 +148,8 @@ class Snippets(unittest.TestCase):
     def translated(self, number, text, ending):
         """Returns a snippet's translation without the header, or the reason of the refusal."""
         name = f"snippet{number}"
-        translate.DROP_INS[name], translate.TEXTURES[name] = [], self.folder / f"{name}.glsl"
-        translate.TEXTURES[name].write_text(text)
+        translate.DROP_INS[name], translate.TEXTURES[name] = None, self.folder / f"{name}.glsl"
+        translate.TEXTURES[name].write_text(snippet(text, number))
         try:
             if ending == "wgsl":
                 return translate.wgsl(name), None
@@ -177,18 +158,25 @@ class Snippets(unittest.TestCase):
             return None, str(refused)
 
     def accepted(self, ending):
-        """Yields the number, translation and function of each snippet that a language has, and checks the refusal of all others."""
+        """Yields the number, translation and function of each snippet that a language has, and checks refusals of others."""
         for number, (name, text, wanted, *exceptions) in enumerate(SNIPPETS):
             with self.subTest(name):
-                made, refused = self.translated(number, numbered(text, number), ending)
-                reason = wanted if isinstance(wanted, str) else exceptions[0].get(ending) if exceptions else None
+                made, refused = self.translated(number, text, ending)
+                reason = exceptions[0].get(ending, "") if exceptions else ""
                 if reason:
                     self.assertIsNone(made, f"{name} is translated")
-                    self.assertRegex(refused, numbered(reason, number))
-                    self.assertRegex(refused, rf"snippet{number}\.glsl:\d+: .* no translation[^\n]*$")
+                    self.assertRegex(refused, rf"snippet{number}\.glsl{reason.replace('try', f'try{number}')}[^\n]*$")
                 else:
                     self.assertIsNone(refused)
-                    yield number, made, wanted
+                    if reason is not None:
+                        yield number, made, wanted
+
+    def test_refused(self):
+        for number, (name, text, reason) in enumerate(REFUSED, 100):
+            with self.subTest(name):
+                made, refused = self.translated(number, text, "hlsl")
+                self.assertIsNone(made, f"{name} is translated")
+                self.assertRegex(refused, rf"snippet{number}\.glsl{reason}[^\n]*$")
 
     def check(self, values, accepted):
         for row, (number, _, wanted) in zip(values, accepted, strict=True):
@@ -202,7 +190,6 @@ class Snippets(unittest.TestCase):
 
     def test_metal(self):
         accepted = list(self.accepted("metal"))
-        accepted = [(number, *rest) for number, *rest in accepted if SNIPPETS[number][0] != "four components"]  # metal_stdlib here lacks them
         text = "#include <metal_stdlib>\nusing namespace metal;\n" + "\n".join(made for _, made, _ in accepted)
         self.check(self.run_cpp(metal.as_cpp(text), accepted, *metal.options(COMPILER)), accepted)
 
@@ -224,11 +211,15 @@ int main() {{
         values = subprocess.run([program], capture_output=True, text=True, check=True).stdout
         return np.array(values.split(), float).reshape(len(accepted), 256)
 
-    def run_spirv(self, text, ending, accepted, *command):
-        """Compiles a compute shader and runs it on the device, if there is one."""
+    def run_spirv(self, ending, x, start, end, command):
+        """Compiles a compute shader with all snippets, and runs it on the device, if there is one."""
+        accepted = list(self.accepted(ending)) if ending in LANGUAGES else [
+            (number, snippet(text, number), wanted) for number, (_, text, wanted, *_) in enumerate(SNIPPETS)]
+        text = "\n".join([*(made for _, made, _ in accepted), start])
+        text += "".join(f"    if (pixel.y == {row}u) {{ value = try{number}_value({x}); }}\n" for row, (number, *_) in enumerate(accepted))
         shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
-        shader.write_text(text)
-        said = subprocess.run([*command, shader, spirv], capture_output=True, text=True)
+        shader.write_text(text + end)
+        said = subprocess.run(["sh", "-c", command, shader, spirv], capture_output=True, text=True)
         self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
         subprocess.run(["spirv-val", "--target-env", "vulkan1.1", spirv], check=True)
         if not SCENE.exists():
@@ -236,74 +227,54 @@ int main() {{
         subprocess.run([SCENE, spirv, values], check=True, stdout=subprocess.DEVNULL)
         self.check(np.fromfile(values, "<f4").reshape(257, 256)[:len(accepted)], accepted)
 
-    def chosen(self, accepted, x):
-        return "".join(f"    if (pixel.y == {row}u) value = try{number}_value({x});\n" for row, (number, *_) in enumerate(accepted))
-
     def test_glsl(self):
         """The snippets themselves: their functions must be right."""
-        accepted = [(number, numbered(text, number), wanted) for number, (_, text, wanted, *_) in enumerate(SNIPPETS) if not isinstance(wanted, str)]
-        text = "#version 450\n" + "\n".join(text for _, text, _ in accepted) + f"""
+        self.run_spirv("comp", "(float(pixel.x) + 0.5) / 32.0 - 4.0", """
 layout(local_size_x = 8) in;
-layout(std430, binding = 0) writeonly buffer Values {{ float values[]; }};
-void main() {{
+layout(std430, binding = 0) writeonly buffer Values { float values[]; };
+void main() {
     uvec2 pixel = gl_GlobalInvocationID.xy;
     float value = 0.0;
-{self.chosen(accepted, "(float(pixel.x) + 0.5) / 32.0 - 4.0")}    values[pixel.y * 256u + pixel.x] = value;
-}}
-"""
-        self.run_spirv(text, "comp", accepted, "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
+""", "    values[pixel.y * 256u + pixel.x] = value;\n}\n", '(echo "#version 450"; cat "$0") | glslangValidator --stdin -S comp -V -o "$1"')
 
     def test_hlsl(self):
-        accepted = list(self.accepted("hlsl"))
-        text = "\n".join(made for _, made, _ in accepted) + f"""
+        self.run_spirv("hlsl", "(float(pixel.x) + 0.5) / 32.0 - 4.0", """
 RWStructuredBuffer<float> values : register(u0);
-[numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID) {{
+[numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID) {
     float value = 0.0;
-{self.chosen(accepted, "(float(pixel.x) + 0.5) / 32.0 - 4.0")}    values[pixel.y * 256 + pixel.x] = value;
-}}
-"""
-        self.run_spirv(text, "hlsl", accepted, "sh", "-c", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"')
+""", "    values[pixel.y * 256 + pixel.x] = value;\n}\n", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"')
 
+    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
     def test_wgsl(self):
-        if not shutil.which("naga"):
-            self.skipTest("naga is not installed")
-        accepted = list(self.accepted("wgsl"))
-        chosen = self.chosen(accepted, "(f32(pixel.x) + 0.5) / 32.0 - 4.0").replace(" value", " { value").replace("\n", " }\n")
-        text = "\n".join(made for _, made, _ in accepted) + f"""
+        self.run_spirv("wgsl", "(f32(pixel.x) + 0.5) / 32.0 - 4.0", """
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
-@compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {{
+@compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
     var value = 0.0;
-{chosen}    values[pixel.y * 256u + pixel.x] = value;
-}}
-"""
-        self.run_spirv(text, "wgsl", accepted, "sh", "-c", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"')
+""", "    values[pixel.y * 256u + pixel.x] = value;\n}\n", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"')
 
     def test_godot(self):
         """Godot's language has everything that is translated, so only small numbers change."""
         for number, made, _ in self.accepted("gdshaderinc"):
-            self.assertEqual(made.replace("(1.0 / 1.0e7)", "1.0e-7"), numbered(SNIPPETS[number][1], number))
+            self.assertEqual(made.replace("(1.0 / 1.0e7)", "1.0e-7"), snippet(SNIPPETS[number][1], number))
 
 
 class Functions(unittest.TestCase):
     def test_cpp_has_each_function_for_each_size(self):
-        """tools/vectors.hpp must have each function that it has, for vectors of all sizes."""
-        lines = []
-        for name in [name for name in glsl.FUNCTIONS if f"gabor_cpp_{name}" in translate.Cpp.known or name in glsl.COMPARISONS]:
-            kind = "bool" if name in ("all", "any") else {"u": "uint", "i": "int"}.get(name[0], "float") if "BitsToFloat" in name else "float"
-            count = {"clamp": 3, "mix": 3, "smoothstep": 3}.get(name, 2 if name in (
-                "min", "max", "pow", "step", "dot", "distance", "cross", *glsl.COMPARISONS) else 1)
-            for size in (1, 2, 3, 4):
-                if name == "cross" and size != 3 or size == 1 and (name in glsl.REDUCING | {"normalize"} or name in glsl.COMPARISONS):
-                    continue
-                given = ", ".join([glsl.TYPES[kind, size] + ("(true)" if kind == "bool" else "(x)")] * count)
-                lines.append(f"    {name}({given});")
-        for number in ("min(vec3(x), 1.0)", "max(vec2(x), 1.0)", "clamp(vec4(x), 0.0, 1.0)", "mix(vec3(x), vec3(1.0), 0.5)", "step(0.5, vec2(x))",
-                       "smoothstep(0.0, 1.0, vec4(x))", "atan(vec2(x), vec2(1.0))", "abs(-1)", "min(1, 2)", "max(1u, 2u)", "clamp(1, 2, 3)", "sign(-2)",
-                       "clamp(1u, 2u, 3u)", "abs(ivec3(-1))", "min(uvec2(1u), uvec2(2u))", "clamp(ivec4(1), ivec4(0), ivec4(2))"):
-            lines.append(f"    {number};")
-        tree = glsl.Shader("void gabor_all(float x) {\n" + "\n".join(lines) + "\n}\n", "all.glsl")
-        text = '#include "vectors.hpp"\n' + translate.Cpp(tree).text()
-        said = subprocess.run([COMPILER, "-std=c++11", "-fsyntax-only", "-Wno-unused", "-I", ROOT / "tools", "-x", "c++", "-"], input=text, capture_output=True, text=True)
+        """tools/vectors.hpp must have each function that is translated, for numbers, where GLSL ES has it, and vectors."""
+        counts = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys(["min", "max", "pow", "step", "dot", "distance", "cross", *glsl.COMPARISONS], 2)
+        lines = ["step(0.5, vec2(x)); smoothstep(0.0, 1.0, vec4(x)); mix(vec3(x), vec3(1.0), 0.5); atan(vec2(x), vec2(1.0)); sign(-2); abs(-1);",
+                 "abs(ivec3(-1)); min(1, 2); min(uvec2(1u), uvec2(2u)); max(1u, 2u); clamp(1, 2, 3); clamp(ivec4(1), ivec4(0), ivec4(2));"]
+        for name, size in itertools.product(glsl.FUNCTIONS, (1, 2, 3, 4)):
+            kind = {"all": "bool", "any": "bool", "uintBitsToFloat": "uint"}.get(name, "float")
+            of_vectors = name in {*glsl.REDUCING, *glsl.COMPARISONS, "normalize", "all", "any"}
+            if size == 3 or name != "cross" and (size > 1 or not of_vectors):
+                given = [glsl.TYPES[kind, size] + ("(true)" if kind == "bool" else "(x)")] * counts.get(name, 1)
+                lines.append(f"{name}({', '.join(given)});")
+            if name in ("min", "max", "clamp"):
+                lines.append(f"{name}({glsl.TYPES['float', size]}(x){', 1.0' * (counts[name] - 1)});")
+        tree = glsl.Shader("void gabor_all(float x) {" + "\n".join(lines) + "}\n", "all.glsl")
+        said = subprocess.run([COMPILER, "-std=c++11", "-fsyntax-only", "-Wno-unused", "-I", ROOT / "tools", "-x", "c++", "-"],
+                              input='#include "vectors.hpp"\n' + translate.Cpp(tree).text(), capture_output=True, text=True)
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertGreater(len(lines), 100)
 
@@ -316,7 +287,7 @@ class Nodes(unittest.TestCase):
                 with self.subTest(body, printer=printer), self.assertRaisesRegex(glsl.Refused, "mx.glsl:3: .*to OSL or MDL, has no translation"):
                     printer(tree)
         tree = glsl.Shader("float f(float x) {\n    for (int i = 0; i < 3; ++i) x += 1.0;\n    return x;\n}\n", "f.glsl")
-        with self.assertRaisesRegex(glsl.Refused, ":2: this declare has no translation to TSL|:2: this for has no"):
+        with self.assertRaisesRegex(glsl.Refused, ":2: this .* has no translation to TSL"):
             list(translate.nodes.tsl_function(tree.items[0]))
 
 
@@ -352,7 +323,7 @@ class Program(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             path = pathlib.Path(folder) / "gap.glsl"
             path.write_text("#define GABOR_TAPS 3\nfloat gap_a(float x) { return x; }\n#if GABOR_TAPS == 2\nfloat gap_b(float x) { return x; }\n#endif\n")
-            translate.DROP_INS["gap"], translate.TEXTURES["gap"] = [], path
+            translate.DROP_INS["gap"], translate.TEXTURES["gap"] = None, path
             with self.assertRaisesRegex(glsl.Refused, "gap.glsl:4: gap_b: naga or a condition leaves it out"):
                 translate.wgsl("gap")
             self.assertIn("fn gap_a", translate.wgsl("gap", ["GABOR_OTHER=1"]))
