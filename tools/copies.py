@@ -1,6 +1,5 @@
-"""Other files made from the drop-ins: the page and bundles that contain them, the program's table of the structs' members,
-and the benchmark's WGSL.
-tools/translate calls this module."""
+"""Other files made from the drop-ins: the page and bundles that contain them, and the program's table of their structs'
+members. tools/translate calls this module."""
 
 import math
 import pathlib
@@ -21,7 +20,6 @@ BUNDLES = {
 # The page that contains drop-ins: it opens from disk, where a browser cannot read other files.
 DEMO = ROOT / "docs" / "demo" / "index.html"
 IN_PAGE = re.compile(r'(<script type="text/plain" id="(gabor_\w+)\.glsl">\n)(?:.*\n)*?(</script>\n)')
-YARDSTICKS = ROOT / "host" / "lab" / "passes" / "bench" / "yardsticks.wgsl"  # noises that docs/benchmark.html compares with
 
 
 def struct_rows(*trees):
@@ -52,16 +50,10 @@ def struct_rows(*trees):
     return "\n".join(lines) + "\n"
 
 
-def made(shader, wgsl, missing):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in, and `wgsl` translates it, or raises
-    the exception `missing`."""
+def made(shader):
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
     yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(shader("gabor_materials"), shader("gabor_erosion"))
     yield DEMO, IN_PAGE.sub(lambda match: match[1] + shader(match[2]).text + match[3], DEMO.read_text())
-    try:
-        note = "// Generated from yardsticks.glsl by tools/translate and naga: change that file, not this one.\n\n"
-        yield YARDSTICKS, note + wgsl("yardsticks")
-    except missing:  # without naga, keep the existing text
-        pass
 
 
 def bundles(shader):

@@ -5,7 +5,7 @@ calls this module."""
 import itertools
 import pathlib
 
-from glsl import COMPARISONS, SHAPES, Printer, Refused, changes, without_comments
+from glsl import COMPARISONS, Printer, Refused, SHAPES, Shader, changes, without_comments
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 NODES = ROOT / "shaders" / "nodes"

@@ -27,4 +27,4 @@ def is_gcc(compiler):
 def options(compiler):
     """Returns compiler options that make literals without a suffix single precision, as in Metal."""
     single = ["-fsingle-precision-constant"] if is_gcc(compiler) else ["-Xclang", "-cl-single-precision-constant"]
-    return ["-std=c++20", *single, "-I", HERE, "-I", HERE.parents[1] / "tools"]
+    return ["-std=c++20", *single, "-I", HERE, "-I", HERE.parents[1] / "shaders" / "translations"]

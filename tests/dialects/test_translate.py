@@ -185,8 +185,8 @@ class Snippets(unittest.TestCase):
 
     def test_cpp(self):
         accepted = list(self.accepted("hpp"))
-        text = '#include "vectors.hpp"\n' + "\n".join(made.replace(translate.Cpp.prelude, "") for _, made, _ in accepted)
-        self.check(self.run_cpp(text, accepted, "-std=c++11", "-I", ROOT / "tools"), accepted)
+        text = '#include "gabor_vectors.hpp"\n' + "\n".join(made.replace(translate.Cpp.prelude, "") for _, made, _ in accepted)
+        self.check(self.run_cpp(text, accepted, "-std=c++11", "-I", translate.TRANSLATIONS), accepted)
 
     def test_metal(self):
         accepted = list(self.accepted("metal"))
@@ -260,7 +260,7 @@ RWStructuredBuffer<float> values : register(u0);
 
 class Functions(unittest.TestCase):
     def test_cpp_has_each_function_for_each_size(self):
-        """tools/vectors.hpp must have each function that is translated, for numbers, where GLSL ES has it, and vectors."""
+        """gabor_vectors.hpp must have each function that is translated, for numbers, where GLSL ES has it, and vectors."""
         counts = {"clamp": 3, "mix": 3, "smoothstep": 3} | dict.fromkeys(["min", "max", "pow", "step", "dot", "distance", "cross", *glsl.COMPARISONS], 2)
         lines = ["step(0.5, vec2(x)); smoothstep(0.0, 1.0, vec4(x)); mix(vec3(x), vec3(1.0), 0.5); atan(vec2(x), vec2(1.0)); sign(-2); abs(-1);",
                  "abs(ivec3(-1)); min(1, 2); min(uvec2(1u), uvec2(2u)); max(1u, 2u); clamp(1, 2, 3); clamp(ivec4(1), ivec4(0), ivec4(2));"]
@@ -273,8 +273,8 @@ class Functions(unittest.TestCase):
             if name in ("min", "max", "clamp"):
                 lines.append(f"{name}({glsl.TYPES['float', size]}(x){', 1.0' * (counts[name] - 1)});")
         tree = glsl.Shader("void gabor_all(float x) {" + "\n".join(lines) + "}\n", "all.glsl")
-        said = subprocess.run([COMPILER, "-std=c++11", "-fsyntax-only", "-Wno-unused", "-I", ROOT / "tools", "-x", "c++", "-"],
-                              input='#include "vectors.hpp"\n' + translate.Cpp(tree).text(), capture_output=True, text=True)
+        said = subprocess.run([COMPILER, "-std=c++11", "-fsyntax-only", "-Wno-unused", "-I", translate.TRANSLATIONS, "-x", "c++", "-"],
+                              input='#include "gabor_vectors.hpp"\n' + translate.Cpp(tree).text(), capture_output=True, text=True)
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertGreater(len(lines), 100)
 

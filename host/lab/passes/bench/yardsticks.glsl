@@ -1,5 +1,7 @@
 // The noises that gabor_noise is compared with, each written plainly, as a competent author would publish it. p is in
-// kernel radii, and `frequency` in waves per kernel radius. docs/benchmark.html times the same code in browsers.
+// kernel radii, and `frequency` in waves per kernel radius.
+//
+// docs/benchmark.html times the same code in browsers.
 
 // ---- Hashes ----
 
