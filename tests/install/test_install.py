@@ -40,6 +40,7 @@ INSTALLED = {
     "share/gabor-noise/shaders/passes/interface.h",
     "share/gabor-noise/shaders/passes/noise_channels.glsl",
     "share/gabor-noise/shaders/passes/recipe.glsl",
+    "share/gabor-noise/shaders/translations/gabor_vectors.hpp",
     *(f"share/gabor-noise/shaders/translations/gabor_{name}.{dialect}"
       for name in ("direction", "erosion", "materials", "noise", "noise_3d", "sparse", "spectrum")
       for dialect in ("gdshaderinc", "hlsl", "hpp", "metal", "wgsl")),
