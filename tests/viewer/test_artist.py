@@ -1,7 +1,6 @@
 """Tests what artists use most: materials, photographs and the file dialog."""
 
 import json
-import os
 import pathlib
 import sys
 import unittest
@@ -211,46 +210,6 @@ class Artist(EventsTest):
                     self.keys("Escape")
                 self.assertGreater((np.abs(seen[first] - seen[second]).max(axis=2) > 100).sum(), 20)
         self.close()
-
-    def test_a_desktop_shows_its_own_file_dialog(self):
-        self.preset("mine.json", frequency=3, width=64, height=64)
-        programs = self.folder / "bin"
-        programs.mkdir()
-        for name in ("zenity", "kdialog"):
-            (programs / name).write_text(f"""#!/bin/sh
-                echo {name} "$@" >> asked.txt
-                cat answer.txt
-                exit $(cat status.txt)""")
-            (programs / name).chmod(0o755)
-
-        def answers(status, path=""):
-            (self.folder / "status.txt").write_text(str(status))
-            (self.folder / "answer.txt").write_text(f"{path}\n")
-            (self.folder / "asked.txt").unlink(missing_ok=True)
-
-        def asked():
-            self.wait_for(lambda state: not state["asked"] and self.read("asked.txt"))
-            return self.read("asked.txt").decode()
-
-        for desktop in ("GNOME", "KDE"):
-            self.open(*WINDOW, XDG_CURRENT_DESKTOP=desktop, PATH=f"{programs}:{os.environ['PATH']}")
-            answers(0, self.folder / "mine.json")
-            self.keys("ctrl+o")
-            self.wait_for(lambda state: state["document"].get("frequency") == 3)
-            self.assertIn("kdialog --title Open --getopenfilename" if desktop == "KDE" else
-                          "zenity --file-selection --title=Open --filename=", asked())
-            self.assertIn("*.json *.exr", asked())
-            answers(1) # cancelled
-            self.keys("n", "ctrl+o")
-            asked()
-            self.frames(2)
-            self.assertIsNone(self.state["dialog"])
-            self.assertEqual(self.document["seed"], 1)
-            answers(255) # the desktop's dialog failed
-            self.keys("ctrl+o")
-            self.wait_for(lambda state: state["dialog"])
-            self.keys("Escape")
-            self.close()
 
 
 if __name__ == "__main__":
