@@ -110,13 +110,11 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
                  lobe_call(name, i, fitted.waves[i], colour.weights[i], complex);
 
     // A filter leaves (1 - removed)^n of the variance of degree n.
-    double variance = 0;
     std::array<double, 3> variances{};
     for (std::size_t c = 0; c < 3; ++c)
         for (const auto& row : colour.mixing)
             variances[c] += row[c] * row[c];
-    for (const double v : variances)
-        variance += v;
+    const double variance = variances[0] + variances[1] + variances[2];
     const auto share = [&](std::size_t n) {
         return vector(
             [&](std::size_t c) { return variances[c] / variance * degree_shares(colour.histogram[c])[n]; });

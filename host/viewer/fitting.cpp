@@ -2,7 +2,6 @@
 
 #include "fit/fit.hpp"
 #include "fit/glsl.hpp"
-#include "fit/warnings.hpp"
 #include "image/picture.hpp"
 
 #include <fmt/format.h>
