@@ -17,7 +17,7 @@ struct FileDialog {
     std::filesystem::path folder = {};
     std::string name = {};                        ///< text of the field
     std::function<void(const std::string&)> take; ///< called with the chosen path
-    bool folder_wanted = false; ///< whether an empty name chooses the folder
+    bool folder_wanted = false;                   ///< whether an empty name chooses the folder
 
     std::filesystem::path listed = {}; ///< folder of the two lists below
     std::vector<std::string> folders = {};

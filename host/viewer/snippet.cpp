@@ -232,8 +232,7 @@ std::string of_noise(const View& view) {
 
 // ---- Its colours ----
 
-// A GLSL function for the user's colour map. Positions are rounded to the 8 bits that the window's shader
-// has.
+// A GLSL function for the user's colour map. Its positions have 8 bits, as in the window's shader.
 std::string own_colours(const std::vector<ColourStop>& ramp) {
     const auto place = [](const ColourStop& stop) { return std::round(255 * double{stop.at}) / 255; };
     std::string text = glsl("vec3 viewer_own_colour(float t)\n{{\n    vec3 colour = {};\n", ramp[0].colour);
