@@ -1,7 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "fit/glsl.hpp"
-#include "fit/warnings.hpp"
 #include "image/output_file.hpp"
 
 #include <fmt/ranges.h>

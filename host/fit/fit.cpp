@@ -1,12 +1,15 @@
 #include "fit/fit.hpp"
 
 #include "fit/axis_spectrum.hpp"
-#include "fit/colour.hpp"
 #include "fit/greedy.hpp"
 #include "noise/lobe.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace gabor::fit {
 
@@ -83,6 +86,64 @@ std::vector<Wave> with_absolute_errors(const TargetSpectra& target, std::vector<
     return waves;
 }
 
+// Returns a factor for the values of each component, which have variance 1: the component's standard
+// deviation in the photograph to the power 0.8. Weak components therefore count for a little more than their
+// power, which preserves hues.
+Eigen::VectorXd component_scales(const Exemplar& exemplar) {
+    return exemplar.components.colwise().norm().array().pow(0.8).matrix().transpose();
+}
+
+// Changes the weights as little as possible so that the covariance of the components becomes the identity
+// matrix. This succeeds only partly with few waves: each has at most two independent components.
+void normalize(std::vector<Wave>& waves) {
+    const Eigen::Index components = waves.front().weight.size();
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(components, components);
+    for (const Wave& wave : waves)
+        covariance += (wave.weight * wave.weight.adjoint()).real();
+    // Limits gains to 4, in case the lobes contain almost nothing of a component.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+    const Eigen::VectorXd gains = solver.eigenvalues().cwiseMax(1.0 / 16).cwiseInverse().cwiseSqrt();
+    const Eigen::MatrixXd root =
+        solver.eigenvectors() * gains.asDiagonal() * solver.eigenvectors().transpose();
+    for (Wave& wave : waves)
+        wave.weight = root * wave.weight;
+}
+
+// The noise's colours: the weights of the waves in each component, and the photograph's mean and histograms.
+// A phase that all components share has no effect, so it is chosen to leave no quadrature in the first
+// component.
+noise::Colour colour_of(const Exemplar& exemplar, const std::vector<Wave>& waves) {
+    noise::Colour colour;
+    for (const Wave& wave : waves) {
+        // The wave is Re(W z) with z = quadrature + i noise. W is turned so that W_0 becomes -i |W_0|.
+        const std::complex<double> first = wave.weight[0];
+        const double length = std::abs(first);
+        const std::complex<double> turn =
+            std::complex<double>(0, -1) * (length > 0 ? std::conj(first) / length : std::complex<double>(1));
+        auto& weights = colour.weights.emplace_back();
+        for (Eigen::Index c = 0; c < wave.weight.size(); ++c) {
+            const std::complex<double> w = wave.weight[c] * turn;
+            weights[static_cast<std::size_t>(c)] = {c == 0 ? 0 : w.real(), -w.imag()};
+        }
+    }
+    colour.linear = exemplar.linear;
+    colour.histogram.fill({0, 1, 0, 0, 0, 0});
+    for (std::size_t c = 0; c < exemplar.histograms.size(); ++c)
+        colour.histogram[c] = exemplar.histograms[c].polynomial();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Index channel = exemplar.channels == 1 ? 0 : static_cast<Eigen::Index>(i);
+        colour.mean[i] = exemplar.mean[channel];
+        for (Eigen::Index c = 0; c < exemplar.components.cols(); ++c)
+            colour.mixing[i][static_cast<std::size_t>(c)] = exemplar.components(channel, c);
+    }
+    return colour;
+}
+
+// Larger differences are visible in most textures.
+constexpr double l1_limit = 0.2;
+constexpr double low_limit = 0.4;
+constexpr double autocorrelation_limit = 0.2;
+
 } // namespace
 
 FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance) {
@@ -143,6 +204,39 @@ render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted) 
     }
     request.colour = fitted.colour;
     return request;
+}
+
+std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& fitted) {
+    std::vector<std::string> lines;
+    const FitError& error = fitted.error;
+    if (exemplar.transparent > 0)
+        lines.push_back(fmt::format("Left out {:.3g} % of the pixels: they are transparent.",
+                                    100 * exemplar.transparent));
+    if (exemplar.fireflies > 0)
+        lines.push_back(fmt::format("Left out {:.3g} % of the pixels: they are far brighter than all others.",
+                                    100 * exemplar.fireflies));
+    if (exemplar.structure > Structure::limit)
+        lines.push_back(fmt::format(
+            "The photograph has edges or objects, which no sum of waves can reproduce: the noise keeps the "
+            "colours and scales but loses the objects (the photograph's distance from normal is {:.1f}). To "
+            "keep them, blend pieces of the photograph and preserve its histogram: Heitz and Neyret 2018, "
+            "Deliot and Heitz 2019.",
+            exemplar.structure));
+    if (error.l1 > l1_limit)
+        lines.push_back(fmt::format(
+            "The noise differs visibly from the photograph: {} lobes cannot follow its spectrum (L1 {:.2f}).",
+            fitted.waves.size(), error.l1));
+    if (error.low > low_limit)
+        lines.push_back(
+            fmt::format("Large features may be too weak or too strong: the spectrum of waves longer "
+                        "than {} pixels is off by {:.2f} (L1).",
+                        window_side, error.low));
+    if (error.autocorrelation > std::max(autocorrelation_limit, 4 * error.chance))
+        lines.push_back(
+            fmt::format("Something in the photograph repeats or continues further than the noise can "
+                        "(autocorrelations differ by {:.2f}).",
+                        error.autocorrelation));
+    return lines;
 }
 
 } // namespace gabor::fit

@@ -6,6 +6,7 @@
 #include "noise/colour.hpp"
 #include "render/request.hpp"
 
+#include <string>
 #include <vector>
 
 namespace gabor::fit {
@@ -28,5 +29,9 @@ FittedNoise fit(const Exemplar& exemplar, int lobes, const Advance& advance);
 
 /// The request for a picture of the texture, with the exemplar's size and scale.
 render::Request request_of(const Exemplar& exemplar, const FittedNoise& fitted);
+
+/// Returns one sentence for each warning: pixels that were left out, and features of the photograph that the
+/// noise lacks.
+std::vector<std::string> warnings(const Exemplar& exemplar, const FittedNoise& fitted);
 
 } // namespace gabor::fit

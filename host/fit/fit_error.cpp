@@ -44,8 +44,8 @@ SpectrumRows low_rows(const SpectrumScale& scale) {
 
 Autocovariance autocovariance(const SpectrumScale& scale, const std::vector<Wave>& waves,
                               const Eigen::VectorXd& weights) {
-    Autocovariance result{Eigen::MatrixXd::Zero(scale.lags(), scale.lags()),
-                          Eigen::MatrixXd::Zero(scale.lags(), scale.lags())};
+    const auto zero = Eigen::MatrixXd::Zero(scale.lags(), scale.lags());
+    Autocovariance result{zero, zero};
     for (const Wave& wave : waves) {
         const double power = wave.weight.cwiseAbs2().dot(weights);
         const Eigen::VectorXcd x = axis_autocovariance(scale, 0, wave.frequency.x(), wave.radius.x());
@@ -58,15 +58,13 @@ Autocovariance autocovariance(const SpectrumScale& scale, const std::vector<Wave
 
 // Compares autocovariances at lags of at most half a window's side.
 double largest_difference(const SpectrumScale& scale, const Autocovariance& a, const Autocovariance& b) {
+    const Eigen::ArrayXXd apart =
+        (a.forward - b.forward).cwiseAbs().cwiseMax((a.backward - b.backward).cwiseAbs());
     double largest = 0;
     for (Eigen::Index y = 0; y < scale.lags(); ++y)
-        for (Eigen::Index x = 0; x < scale.lags() && std::hypot(x, y) < static_cast<double>(scale.lags());
-             ++x)
-            largest = std::max({largest,
-                                std::abs(a.forward(y, x) - b.forward(y, x)) /
-                                    (scale.lag_window[0][x] * scale.lag_window[1][y]),
-                                std::abs(a.backward(y, x) - b.backward(y, x)) /
-                                    (scale.lag_window[0][x] * scale.lag_window[1][y])});
+        for (Eigen::Index x = 0; x < scale.lags(); ++x)
+            if (std::hypot(x, y) < static_cast<double>(scale.lags()))
+                largest = std::max(largest, apart(y, x) / (scale.lag_window[0][x] * scale.lag_window[1][y]));
     return largest;
 }
 

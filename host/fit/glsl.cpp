@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 34> reserved{
 
 template <typename Of>
 std::string vector(Of of) {
-    return noise::vec3(of(std::size_t{0}), of(std::size_t{1}), of(std::size_t{2}));
+    return literal(std::array{of(std::size_t{0}), of(std::size_t{1}), of(std::size_t{2})});
 }
 
 // Splits the variance of a component with this polynomial by degree: if the polynomial is the sum of a_n
@@ -45,11 +45,12 @@ std::array<double, 6> degree_shares(const std::array<double, 6>& c) {
 std::string lobe_call(const std::string& name, std::size_t index, const Wave& wave,
                       const std::array<Colour::Weight, 3>& weights, bool complex) {
     const Eigen::Vector2d cycles = wave.frequency.cwiseProduct(wave.radius);
-    const auto of = [&](auto value) { return vector([&](std::size_t c) { return value(weights[c]); }); };
-    return fmt::format("{}_lobe(z, removed, p, d, filtered, {}, vec4({}, {}, {}, {}), {}{});", name, index,
-                       literal(wave.radius.x()), literal(wave.radius.y()), literal(cycles.x()),
-                       literal(cycles.y()), of([](const Colour::Weight& w) { return w.noise; }),
-                       complex ? ", " + of([](const Colour::Weight& w) { return w.quadrature; }) : "");
+    const auto of = [&](double Colour::Weight::*part) {
+        return vector([&](std::size_t c) { return weights[c].*part; });
+    };
+    const std::array kernel{wave.radius.x(), wave.radius.y(), cycles.x(), cycles.y()};
+    return fmt::format("{}_lobe(z, removed, p, d, filtered, {}, {}, {}{});", name, index, literal(kernel),
+                       of(&Colour::Weight::noise), complex ? ", " + of(&Colour::Weight::quadrature) : "");
 }
 
 bool has_quadrature(const Colour& colour) {
@@ -91,9 +92,8 @@ std::string colour_function(const std::string& name, const Colour& colour) {
 )",
         fmt::arg("name", name), fmt::arg("c0", coefficient(0)), fmt::arg("c1", coefficient(1)),
         fmt::arg("c2", coefficient(2)), fmt::arg("c3", coefficient(3)), fmt::arg("c4", coefficient(4)),
-        fmt::arg("c5", coefficient(5)),
-        fmt::arg("mean", noise::vec3(colour.mean[0], colour.mean[1], colour.mean[2])),
-        fmt::arg("x", column(0)), fmt::arg("y", column(1)), fmt::arg("z", column(2)));
+        fmt::arg("c5", coefficient(5)), fmt::arg("mean", literal(colour.mean)), fmt::arg("x", column(0)),
+        fmt::arg("y", column(1)), fmt::arg("z", column(2)));
 }
 
 std::string glsl_of(const std::string& name, const std::filesystem::path& image, const Exemplar& exemplar,
@@ -110,13 +110,11 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
                  lobe_call(name, i, fitted.waves[i], colour.weights[i], complex);
 
     // A filter leaves (1 - removed)^n of the variance of degree n.
-    double variance = 0;
     std::array<double, 3> variances{};
     for (std::size_t c = 0; c < 3; ++c)
         for (const auto& row : colour.mixing)
             variances[c] += row[c] * row[c];
-    for (const double v : variances)
-        variance += v;
+    const double variance = variances[0] + variances[1] + variances[2];
     const auto share = [&](std::size_t n) {
         return vector(
             [&](std::size_t c) { return variances[c] / variance * degree_shares(colour.histogram[c])[n]; });

@@ -31,8 +31,9 @@ Coefficients ends(double p) {
     const boost::math::normal normal;
     const double z = quantile(normal, p);
     const double density = pdf(normal, z);
-    const Coefficients he = hermite(z);
-    std::ranges::transform(he, values.begin(), [&](double h) { return h * density; });
+    values = hermite(z);
+    for (double& value : values)
+        value *= density;
     return values;
 }
 
@@ -72,22 +73,17 @@ std::array<double, 6> Histogram::polynomial() const {
             projected[n] += middle * (low[n - 1] - high[n - 1]);
         low = high;
     }
-    double factorial = 1;
-    for (std::size_t n = 2; n <= degree; ++n) {
-        factorial *= static_cast<double>(n);
-        projected[n] /= factorial;
-    }
+    constexpr Coefficients factorials{1, 1, 2, 6, 24, 120};
+    for (std::size_t n = 2; n <= degree; ++n)
+        projected[n] /= factorials[n];
 
     Coefficients a = projected;
     for (double t = 1; !rises(a); t -= 1.0 / 64)
         for (std::size_t n = 2; n <= degree; ++n)
             a[n] = projected[n] * std::pow(t, static_cast<double>(n - 1));
     double variance = 0;
-    factorial = 1;
-    for (std::size_t n = 1; n <= degree; ++n) {
-        factorial *= static_cast<double>(n);
-        variance += factorial * a[n] * a[n];
-    }
+    for (std::size_t n = 1; n <= degree; ++n)
+        variance += factorials[n] * a[n] * a[n];
     for (double& coefficient : a)
         coefficient /= std::sqrt(variance);
 

@@ -39,14 +39,10 @@ void Structure::add_row(std::span<const float> row) {
 }
 
 double Structure::excess() const {
-    // A derivative that is 0 everywhere has no kurtosis, and a negative excess only means that there are few
-    // waves.
-    double largest = 0;
-    for (const double value :
-         {across_.excess_kurtosis(), down_.excess_kurtosis(), 2 * std::abs(laplacian_.skewness())})
-        if (value > largest)
-            largest = value;
-    return largest;
+    // A derivative that is 0 everywhere has no kurtosis, which fmax passes over; a negative excess only means
+    // that there are few waves.
+    const double kurtosis = std::fmax(across_.excess_kurtosis(), down_.excess_kurtosis());
+    return std::fmax(0, std::fmax(kurtosis, 2 * std::abs(laplacian_.skewness())));
 }
 
 } // namespace gabor::fit

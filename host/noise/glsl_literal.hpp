@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
 
 namespace gabor::noise {
@@ -14,14 +15,13 @@ inline std::string literal(double value) {
     return text;
 }
 
-/// A literal for a vec2.
-inline std::string vec2(double x, double y) {
-    return fmt::format("vec2({}, {})", literal(x), literal(y));
-}
-
-/// A literal for a vec3.
-inline std::string vec3(double x, double y, double z) {
-    return fmt::format("vec3({}, {}, {})", literal(x), literal(y), literal(z));
+/// A literal for a vector of `size` floats.
+template <typename Number, std::size_t size>
+std::string literal(const std::array<Number, size>& vector) {
+    std::string components;
+    for (const Number component : vector)
+        components += (components.empty() ? "" : ", ") + literal(double{component});
+    return fmt::format("vec{}({})", size, components);
 }
 
 } // namespace gabor::noise

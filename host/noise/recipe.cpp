@@ -108,7 +108,7 @@ std::vector<Macro> macros(const Recipe& recipe) {
                 {"GABOR_RADIUS", literal(r.radius)},
                 {"GABOR_WEIGHT_FLOOR", literal(r.weight_floor)},
                 {"GABOR_PHASES", fmt::to_string(r.phases)},
-                {"GABOR_WINDOW", vec3(r.window[0], r.window[1], r.window[2])}};
+                {"GABOR_WINDOW", literal(r.window)}};
     };
     const std::vector<Macro> standard = all(recipe.is_lattice() ? known.front() : sparse_recipes().front());
     std::vector<Macro> macros = all(recipe);

@@ -53,7 +53,6 @@ class App {
     bool refine(Extent window);          ///< returns whether anything is left to do
     std::string value_under_pointer();
     float view_width() const; ///< width of the view in Dear ImGui's units
-    void fold_panel();
     void panels();
     void draw(const RenderTarget& target);
     void paint(vk::CommandBuffer commands, const Area& view);

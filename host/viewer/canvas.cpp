@@ -3,20 +3,8 @@
 #include "seconds.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gabor::viewer {
-
-namespace {
-
-constexpr int rows_at_once = 8; // the fewest rows to fill at a time: those of a work group
-
-} // namespace
-
-void Cost::add(double seconds, double values) {
-    if (values >= 4096)
-        cost_ = 0.7 * cost_ + 0.3 * std::max(seconds / values, 1e-12);
-}
 
 ValueGrid::ValueGrid(const vulkan::Device& device)
     : device_(device), values_(device, 4, render::values_memory(device)) {}
@@ -37,7 +25,7 @@ void ValueGrid::start(const render::Renderer& renderer) {
     job_.emplace(renderer.job(values_));
 }
 
-void ValueGrid::fill(const render::Renderer& renderer, int rows, Cost& cost) {
+void ValueGrid::fill(const render::Renderer& renderer, int rows, double& cost) {
     const int first = next_row_;
     const int filled = std::min(rows, extent_.height - first);
     const bool whole = first + filled == extent_.height;
@@ -49,7 +37,8 @@ void ValueGrid::fill(const render::Renderer& renderer, int rows, Cost& cost) {
     job_->wait();
     next_row_ = whole ? -1 : first + filled;
     // Does not use the device's clock, because lavapipe stops it before the work is done.
-    cost.add(seconds_since(before), static_cast<double>(filled) * extent_.width);
+    if (const double values = static_cast<double>(filled) * extent_.width; values >= 4096)
+        cost = 0.7 * cost + 0.3 * std::max(seconds_since(before) / values, 1e-12);
 }
 
 std::span<const float> ValueGrid::read() {
@@ -75,7 +64,7 @@ bool Canvas::refine(const Drawing& drawing, const Camera& camera, Extent extent,
     ValueGrid& behind = grids_[1 - front_];
     if (stride_ == 0 || drawing != drawing_ || camera != camera_ || extent != extent_) {
         load_paint(drawing.request.paint);
-        const double whole = cost_.per_value() * extent.width * extent.height;
+        const double whole = cost_ * extent.width * extent.height;
         const int coarsest = coarsest_stride(drawing, paint_, camera.zoom);
         int stride = 1;
         while (stride < coarsest && whole / (stride * stride) > seconds)
@@ -88,8 +77,9 @@ bool Canvas::refine(const Drawing& drawing, const Camera& camera, Extent extent,
     const int next = std::max(stride_ / 4, 1); // halving would compute a quarter more values
     if (!behind.filling())
         start(behind, next);
-    const double rows = seconds / (cost_.per_value() * behind.extent().width);
-    behind.fill(renderer_, std::max(rows_at_once, static_cast<int>(std::min(rows, 1e5))), cost_);
+    constexpr int least_rows = 8; // those of a work group
+    const double rows = seconds / (cost_ * behind.extent().width);
+    behind.fill(renderer_, std::max(least_rows, static_cast<int>(std::min(rows, 1e5))), cost_);
     if (!behind.filling()) {
         stride_ = next;
         front_ = 1 - front_;

@@ -9,16 +9,6 @@
 
 namespace gabor::viewer {
 
-/// Running average of the seconds per value; the first frames correct the initial guess.
-class Cost {
-  public:
-    void add(double seconds, double values);
-    double per_value() const { return cost_; }
-
-  private:
-    double cost_ = 1e-6;
-};
-
 /// A grid of values on the device, filled at once or row by row.
 class ValueGrid {
   public:
@@ -26,8 +16,9 @@ class ValueGrid {
 
     /// Starts over. `renderer` must keep its plan until the grid is filled.
     void start(const render::Renderer& renderer);
-    /// Fills up to `rows` more rows, and adds their time to `cost`.
-    void fill(const render::Renderer& renderer, int rows, Cost& cost);
+    /// Fills up to `rows` more rows, and adds their time to `cost`, a running average of the seconds per
+    /// value.
+    void fill(const render::Renderer& renderer, int rows, double& cost);
 
     bool filling() const { return next_row_ >= 0; }
     Extent extent() const { return extent_; }
@@ -80,8 +71,8 @@ class Canvas {
     std::array<ValueGrid, 2> grids_; ///< the grid shown, and a finer one that is being filled
     std::vector<std::string> channels_;
     std::size_t front_ = 0;
-    int stride_ = 0; ///< stride of the grid shown
-    Cost cost_;
+    int stride_ = 0;     ///< stride of the grid shown
+    double cost_ = 1e-6; ///< seconds per value; the first frames correct this guess
 };
 
 } // namespace gabor::viewer

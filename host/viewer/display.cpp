@@ -130,11 +130,10 @@ std::string reading(const Document& document, std::array<double, 2> from_middle,
     std::size_t i = 0;
     if (channels.front() == "R") {
         const bool linear = render::has_material(request);
-        text += text.empty() ? "#" : "\n#";
-        for (; i < 3; ++i)
-            text += fmt::format(
-                "{:02x}",
-                std::lround(255 * std::clamp(linear ? render::srgb(values[i]) : values[i], 0.0f, 1.0f)));
+        std::array<float, 3> shown{};
+        for (; i < shown.size(); ++i)
+            shown[i] = linear ? render::srgb(values[i]) : values[i];
+        text += (text.empty() ? "" : "\n") + hex(shown);
     }
     for (; i < channels.size(); ++i)
         if (channels[i].find('.') == std::string::npos && channels[i] != "A") // skips components of vectors

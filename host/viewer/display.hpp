@@ -1,7 +1,6 @@
 #pragma once
 
 #include "viewer/document.hpp"
-#include "viewer/extent.hpp"
 #include "vulkan/pass.hpp"
 
 #include "viewer/display_interface.h"

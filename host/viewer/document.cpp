@@ -3,7 +3,10 @@
 #include "render/load.hpp"
 #include "viewer/document_json.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace gabor::viewer {
 
@@ -19,6 +22,13 @@ Document without_viewpoint(const Document& document) {
 }
 
 } // namespace
+
+std::string hex(const std::array<float, 3>& colour) {
+    std::string text = "#";
+    for (const float part : colour)
+        text += fmt::format("{:02x}", std::lround(255 * std::clamp(part, 0.0f, 1.0f)));
+    return text;
+}
 
 void reset_orbit(render::View& view) {
     if (auto* body = std::get_if<render::Body>(&view))

@@ -26,6 +26,9 @@ struct ColourStop {
 };
 constexpr std::size_t most_stops = 8;
 
+/// A colour in sRGB, written as #rrggbb.
+std::string hex(const std::array<float, 3>& colour);
+
 constexpr float least_contrast = 0.5f;
 constexpr float most_contrast = 6;
 

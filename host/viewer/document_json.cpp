@@ -7,8 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <type_traits>
 
@@ -21,14 +19,14 @@ using nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 2> normal_maps{"OpenGL", "DirectX"};
 
-// Returns the index in `names` of the name stored under `key`.
-template <typename Names>
-std::size_t index_of(const json& object, const char* key, const Names& names) {
-    const json& value = object.at(key);
-    const auto found = value.is_string() ? std::ranges::find(names, value.get<std::string>()) : names.end();
-    if (found == names.end())
-        throw RequestError(fmt::format("{} {}: expected {}", key, value.dump(), fmt::join(names, ", ")));
-    return static_cast<std::size_t>(found - names.begin());
+// Visits each choice of the window: its key, the names of what can be chosen, and the chosen one's index.
+template <typename Document, typename Visit>
+void visit_choices(Document& document, Visit visit) {
+    visit("output", output_names, document.output);
+    visit("look", look_names, document.look);
+    visit("normals", normal_maps, document.directx_normals);
+    visit("colours", colour_names, document.colours);
+    visit("profile", profile_names, document.profile);
 }
 
 ordered_json json_of(const Camera& camera) {
@@ -66,12 +64,6 @@ std::vector<ColourStop> ramp_of(const json& stops) {
     return ramp;
 }
 
-std::string hex(const std::array<float, 3>& colour) {
-    return fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * std::clamp(colour[0], 0.0f, 1.0f)),
-                       std::lround(255 * std::clamp(colour[1], 0.0f, 1.0f)),
-                       std::lround(255 * std::clamp(colour[2], 0.0f, 1.0f)));
-}
-
 json json_of(const std::vector<ColourStop>& ramp) {
     json stops = json::array();
     for (const ColourStop& stop : ramp)
@@ -81,14 +73,16 @@ json json_of(const std::vector<ColourStop>& ramp) {
 
 void read_view(const json& view, Document& document) {
     const auto choice = [&](const char* key, const auto& names, auto& number) {
-        if (view.contains(key))
-            number = static_cast<std::remove_reference_t<decltype(number)>>(index_of(view, key, names));
+        if (!view.contains(key))
+            return;
+        const json& value = view[key];
+        const auto found =
+            value.is_string() ? std::ranges::find(names, value.get<std::string>()) : names.end();
+        if (found == names.end())
+            throw RequestError(fmt::format("{} {}: expected {}", key, value.dump(), fmt::join(names, ", ")));
+        number = static_cast<std::remove_reference_t<decltype(number)>>(found - names.begin());
     };
-    choice("output", output_names, document.output);
-    choice("look", look_names, document.look);
-    choice("normals", normal_maps, document.directx_normals);
-    choice("colours", colour_names, document.colours);
-    choice("profile", profile_names, document.profile);
+    visit_choices(document, choice);
     choice("environment", render::environments, document.request.environment);
     if (view.contains("ramp"))
         document.ramp = ramp_of(view["ramp"]);
@@ -106,19 +100,17 @@ void read_view(const json& view, Document& document) {
 
 std::string to_json(const Document& document) {
     ordered_json object = ordered_json::parse(render::to_json(document.request));
-    object["viewer"] = {{"output", output_names.at(static_cast<std::size_t>(document.output))},
-                        {"look", look_names.at(static_cast<std::size_t>(document.look))},
-                        {"normals", normal_maps.at(document.directx_normals)},
-                        {"colours", colour_names.at(static_cast<std::size_t>(document.colours))},
-                        {"profile", profile_names.at(static_cast<std::size_t>(document.profile))},
-                        {"contrast", document.contrast},
-                        {"camera", json_of(document.camera)}};
+    ordered_json& view = object["viewer"];
+    visit_choices(document, [&](const char* key, const auto& names, auto number) {
+        view[key] = names.at(static_cast<std::size_t>(number));
+    });
+    view["contrast"] = document.contrast;
+    view["camera"] = json_of(document.camera);
     if (document.ramp != Document().ramp)
-        object["viewer"]["ramp"] = json_of(document.ramp);
+        view["ramp"] = json_of(document.ramp);
     if (!render::has_material(document.request)) { // a material's request contains both
-        object["viewer"]["light"] = {document.request.light_azimuth, document.request.light_elevation};
-        object["viewer"]["environment"] =
-            render::environments.at(static_cast<std::size_t>(document.request.environment));
+        view["light"] = {document.request.light_azimuth, document.request.light_elevation};
+        view["environment"] = render::environments.at(static_cast<std::size_t>(document.request.environment));
     }
     return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -2,10 +2,9 @@
 
 #include "render/plan.hpp"
 #include "viewer/document.hpp"
-#include "viewer/extent.hpp"
+#include "viewer/window.hpp"
 
 #include <array>
-#include <cstdint>
 
 namespace gabor::viewer {
 

@@ -12,10 +12,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdlib>
 #include <cstring>
-#include <utility>
 
 namespace gabor::viewer {
 

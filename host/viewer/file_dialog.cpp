@@ -19,13 +19,8 @@ void ask(Session& session, FileDialog dialog, const std::filesystem::path& besid
     dialog.folder = std::filesystem::absolute(beside, unknown).parent_path();
     if (!std::filesystem::is_directory(dialog.folder, unknown))
         dialog.folder = std::filesystem::current_path(unknown);
-    if (session.desktop_dialog.is_open())
-        return;
     session.message = {};
-    if (session.desktop_dialog.open(dialog))
-        session.asked = std::move(dialog);
-    else
-        session.dialog = std::move(dialog);
+    session.dialog = std::move(dialog);
 }
 
 // Asks for a file with one of these endings, a photograph, or an EXR, which may be either.
@@ -113,8 +108,7 @@ void ask_where_to_save(Session& session) {
              [&session](const std::string& path) {
                  session.document().path = path;
                  save_preset(session);
-             },
-         .saves = true},
+             }},
         session.document().path);
 }
 
@@ -131,7 +125,6 @@ void ask_where_to_export(Session& session) {
                  (maps ? session.export_target.folder : session.export_target.path) = path;
                  start_export(session);
              },
-         .saves = !maps,
          .folder_wanted = maps},
         target.name());
 }
@@ -151,25 +144,7 @@ void answer_dialog(Session& session) {
     answered.take(path.string());
 }
 
-namespace {
-
-void poll_desktop_dialog(Session& session) {
-    if (!session.desktop_dialog.is_open())
-        return;
-    const std::optional<std::string> path = session.desktop_dialog.poll();
-    if (session.desktop_dialog.is_open())
-        return;
-    FileDialog asked = std::move(session.asked);
-    if (!path)
-        session.dialog = std::move(asked); // the desktop's dialog failed
-    else if (!path->empty())
-        asked.take(*path);
-}
-
-} // namespace
-
 void dialog_window(Session& session) {
-    poll_desktop_dialog(session);
     constexpr const char* id = "###file dialog";
     if (session.dialog && !ImGui::IsPopupOpen(id))
         ImGui::OpenPopup(id);

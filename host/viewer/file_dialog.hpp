@@ -9,8 +9,7 @@ namespace gabor::viewer {
 
 struct Session;
 
-/// A dialog that asks for a file. If the desktop has none, the viewer draws its own, which lists a folder and
-/// has a field for the name.
+/// A dialog that asks for a file: a list of a folder, and a field for the name.
 struct FileDialog {
     std::string title;
     std::string action;               ///< label of the button
@@ -18,8 +17,7 @@ struct FileDialog {
     std::filesystem::path folder = {};
     std::string name = {};                        ///< text of the field
     std::function<void(const std::string&)> take; ///< called with the chosen path
-    bool saves = false;
-    bool folder_wanted = false; ///< whether an empty name chooses the folder
+    bool folder_wanted = false;                   ///< whether an empty name chooses the folder
 
     std::filesystem::path listed = {}; ///< folder of the two lists below
     std::vector<std::string> folders = {};
@@ -36,7 +34,7 @@ void ask_where_to_export(Session& session);
 /// Enters the folder named in the field, or chooses the file.
 void answer_dialog(Session& session);
 
-/// Draws the dialog, or polls the desktop's dialog. Call it after drawing all other windows.
+/// Draws the dialog. Call it after drawing all other windows.
 void dialog_window(Session& session);
 
 } // namespace gabor::viewer

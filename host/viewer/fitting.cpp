@@ -2,17 +2,14 @@
 
 #include "fit/fit.hpp"
 #include "fit/glsl.hpp"
-#include "fit/warnings.hpp"
 #include "image/picture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
-#include <utility>
 
 namespace gabor::viewer {
 
@@ -25,10 +22,11 @@ static_assert(Fitter::most_lobes == fit::most_lobes);
 Photograph read_photograph(const std::string& path, const fit::Advance& advance) {
     const std::unique_ptr<image::PictureReader> reader = image::open_picture(path);
     const auto& [width, height, channels, alpha, linear] = reader->format();
-    Photograph photograph{.path = path, .extent = {width, height}, .grid = {}, .square = 1, .pixels = {}};
     const int square = (std::max(width, height) + largest_shown - 1) / largest_shown;
-    photograph.square = square;
-    photograph.grid = {std::max(width / square, 1), std::max(height / square, 1)};
+    Photograph photograph{.path = path,
+                          .grid = {std::max(width / square, 1), std::max(height / square, 1)},
+                          .square = square,
+                          .pixels = {}};
     const auto columns = static_cast<std::size_t>(photograph.grid.width);
     photograph.pixels.assign(3 * columns * static_cast<std::size_t>(photograph.grid.height), 0);
     std::vector<float> row(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels));

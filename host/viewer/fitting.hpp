@@ -2,7 +2,7 @@
 
 #include "render/request.hpp"
 #include "viewer/background.hpp"
-#include "viewer/extent.hpp"
+#include "viewer/window.hpp"
 
 #include <memory>
 #include <optional>
@@ -19,7 +19,6 @@ namespace gabor::viewer {
 /// A photograph as the window shows it: averaged over squares if it is larger than a screen.
 struct Photograph {
     std::string path;
-    Extent extent;             ///< size of the file, in pixels
     Extent grid;               ///< size of what is shown
     int square = 1;            ///< side of the averaged squares, in pixels
     std::vector<float> pixels; ///< red, green and blue, from 0 to 1

@@ -1,6 +1,8 @@
 #include "viewer/panels.hpp"
 
+#include "image/picture.hpp"
 #include "render/load.hpp"
+#include "viewer/embedded.hpp"
 
 #include <imgui.h>
 
@@ -8,6 +10,23 @@
 #include <cmath>
 
 namespace gabor::viewer {
+
+const PresetPictures& preset_pictures() {
+    static const PresetPictures pictures = [] {
+        const std::span<const unsigned char> jpeg = embedded("presets.jpg");
+        const auto reader = image::open_jpeg(
+            "presets.jpg",
+            {::fmemopen(const_cast<unsigned char*>(jpeg.data()), jpeg.size(), "rb"), std::fclose});
+        PresetPictures all;
+        all.extent = {reader->format().width, reader->format().height};
+        const std::size_t row = 3 * static_cast<std::size_t>(all.extent.width);
+        all.colours.resize(row * static_cast<std::size_t>(all.extent.height));
+        for (std::span<float> rest = all.colours; !rest.empty(); rest = rest.subspan(row))
+            reader->read_row(rest.first(row));
+        return all;
+    }();
+    return pictures;
+}
 
 Gallery gallery_window(Session& session, float width, float height) {
     if (!session.gallery)

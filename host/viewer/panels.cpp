@@ -9,7 +9,6 @@
 #include "viewer/display_interface.h"
 
 #include <fmt/format.h>
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -85,8 +84,7 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
                                [](double part) { return render::srgb(static_cast<float>(part)); });
         if (!ImGui::ColorEdit3(label.c_str(), shown.data(), ImGuiColorEditFlags_DisplayHex))
             return {};
-        return render::read(parameter, fmt::format("#{:02x}{:02x}{:02x}", std::lround(255 * shown[0]),
-                                                   std::lround(255 * shown[1]), std::lround(255 * shown[2])));
+        return render::read(parameter, hex(shown));
     }
     case Kind::lobes: // spectrum_panel edits these
         break;

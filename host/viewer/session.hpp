@@ -1,9 +1,9 @@
 #pragma once
 
-#include "viewer/desktop_dialog.hpp"
 #include "viewer/document.hpp"
 #include "viewer/drawing.hpp"
 #include "viewer/export.hpp"
+#include "viewer/file_dialog.hpp"
 #include "viewer/fitting.hpp"
 
 #include <functional>
@@ -77,8 +77,6 @@ struct Session {
 
     std::optional<Question> question;
     std::optional<FileDialog> dialog;
-    DesktopDialog desktop_dialog;
-    FileDialog asked; ///< what the desktop's dialog asks for
     Message message;
     Closing closing = Closing::no;
 };

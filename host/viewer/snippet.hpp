@@ -1,7 +1,7 @@
 #pragma once
 
 #include "viewer/document.hpp"
-#include "viewer/extent.hpp"
+#include "viewer/window.hpp"
 
 #include <string>
 

@@ -82,10 +82,9 @@ Swapchain::Swapchain(const vulkan::Device& device, GLFWwindow* window)
                              [](const vk::SurfaceFormatKHR& f) { return f.format == target_format; }))
         throw std::runtime_error(
             fmt::format("{} cannot show 8-bit BGRA pictures in this window", device.info().name));
-    int width = 0;
-    int height = 0;
-    glfwGetFramebufferSize(window, &width, &height);
-    rebuild({width, height});
+    Extent extent;
+    glfwGetFramebufferSize(window, &extent.width, &extent.height);
+    rebuild(extent);
 }
 
 Swapchain::~Swapchain() {

@@ -69,13 +69,9 @@ vulkan::Presentation Window::presentation() const {
             }};
 }
 
-bool Window::full_screen() const {
-    return glfwGetWindowMonitor(window_) != nullptr;
-}
-
 void Window::set_full_screen(bool full) {
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-    if (full == full_screen() || !monitor)
+    if (full == (glfwGetWindowMonitor(window_) != nullptr) || !monitor)
         return;
     if (full) {
         before_full_screen_ = windowed();
@@ -88,7 +84,7 @@ void Window::set_full_screen(bool full) {
 }
 
 Placement Window::placement() const {
-    return full_screen() ? before_full_screen_ : windowed();
+    return glfwGetWindowMonitor(window_) ? before_full_screen_ : windowed();
 }
 
 Placement Window::windowed() const {

@@ -1,11 +1,17 @@
 #pragma once
 
-#include "viewer/extent.hpp"
 #include "vulkan/device.hpp"
 
 struct GLFWwindow;
 
 namespace gabor::viewer {
+
+/// The size of a window, a view or a picture, in pixels.
+struct Extent {
+    int width = 0;
+    int height = 0;
+    bool operator==(const Extent&) const = default;
+};
 
 /// Position and size of a window, in the desktop's units.
 struct Placement {
@@ -28,7 +34,6 @@ class Window {
     GLFWwindow* handle() const { return window_; }
     vulkan::Presentation presentation() const;
     Placement placement() const; ///< placement of the window when it is not full screen
-    bool full_screen() const;
     void set_full_screen(bool full);
     Extent pixels() const; ///< size of the framebuffer
     bool shown() const;    ///< whether it is neither minimized nor hidden

@@ -2,7 +2,6 @@
 
 #include "../largest.hpp"
 #include "fit/axis_spectrum.hpp"
-#include "fit/colour.hpp"
 #include "fit/fit.hpp"
 #include "fit/structure.hpp"
 

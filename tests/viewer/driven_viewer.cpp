@@ -80,7 +80,6 @@ void tell(App& app, const Seen& seen) {
         {"fine", app.fine()},
         {"document", json::parse(to_json(session.history.now))},
         {"dialog", dialog(session)},
-        {"asked", session.desktop_dialog.is_open()},
         {"question", session.question ? json(session.question->text) : json()},
         {"message", session.message.text},
         {"path", session.history.now.path},

@@ -1,6 +1,6 @@
 #include "viewer/document.hpp"
 #include "viewer/document_json.hpp"
-#include "viewer/preset_pictures.hpp"
+#include "viewer/panels.hpp"
 #include "viewer/settings.hpp"
 #include "viewer/snippet.hpp"
 

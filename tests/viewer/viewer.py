@@ -43,7 +43,7 @@ class ViewerTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def environment(self, **changes):
-        merged = {"GABOR_VALIDATION": "1", **os.environ, "DISPLAY": self.display, "XDG_CURRENT_DESKTOP": None,
+        merged = {"GABOR_VALIDATION": "1", **os.environ, "DISPLAY": self.display,
                   "XDG_CONFIG_HOME": str(self.folder / "config"), **changes}
         return {name: value for name, value in merged.items() if value is not None}
 
