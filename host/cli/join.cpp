@@ -17,6 +17,18 @@ struct JoinOptions {
     bool half = false;
 };
 
+image::Rect join_picture(const JoinOptions& options, const image::Advance& advance) {
+    image::ExrReader reader(std::span(options.regions));
+    const image::ExrHeader& header = reader.header();
+    image::ExrWriter writer(options.output, header);
+    reader.read_bands([&](std::span<const float> band) {
+        writer.write_rows(band);
+        advance(band.size() / header.channels.size());
+    });
+    writer.commit();
+    return header.picture;
+}
+
 void join(const JoinOptions& options) {
     if (options.half && !options.texture)
         throw RequestError("--half requires --texture: plain pictures have 32-bit floats");
@@ -34,7 +46,7 @@ void join(const JoinOptions& options) {
     const auto advance = [&](std::uint64_t done) { progress.advance(done); };
     const image::Rect picture =
         options.texture ? render::join_texture(options.regions, options.output, options.half, advance)
-                        : image::join_exr(options.regions, options.output, advance);
+                        : join_picture(options, advance);
     fmt::print("{}: {} x {} pixels, from {} regions\n", options.output, picture.width, picture.height,
                options.regions.size());
 }

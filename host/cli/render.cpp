@@ -30,7 +30,6 @@ struct RenderOptions {
     std::optional<std::string> like;
     std::optional<std::string> preset;
     std::optional<std::string> frames;
-    std::string compression = "none"; // zip saves 2.5 % on noise and takes ten times as long
     std::optional<std::string> level;
     std::string device;
     std::optional<std::string> heightmap;
@@ -138,7 +137,7 @@ render::Files files_of(const RenderOptions& options) {
     if (options.elevation && !options.heightmap)
         throw RequestError("--elevation requires --heightmap");
 
-    render::Files files{.exr = {}, .png = {}, .compression = options.compression};
+    render::Files files;
     if (options.output) {
         const bool png = check_extension("-o", *options.output, {".exr", ".png"}, false) == ".png";
         (png ? files.png : files.exr) = *options.output;
@@ -219,8 +218,7 @@ void render_pictures(const RenderOptions& options) {
             if (*path)
                 *path = render::frame_path(**path, frame, frames);
         const auto advance = [&](std::uint64_t done) { progress->advance(done); };
-        options.texture ? render::render_texture(device, request, region, *here.exr,
-                                                 {options.compression, options.half}, advance)
+        options.texture ? render::render_texture(device, request, region, *here.exr, options.half, advance)
                         : render::render_file(device, request, region, here, advance);
         if (frame + 1 == frames)
             progress.reset();
@@ -275,9 +273,6 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
            fmt::format("Render one period of the animation in this many frames, from 1 to {}: "
                        "NAME.0001.exr, NAME.0002.exr ... [1]",
                        render::most_frames));
-    option("--compression", options->compression, "NAME",
-           fmt::format("Compression of the EXR: {} [{}]", fmt::join(image::compression_names(), ", "),
-                       options->compression));
     add_device_option(*command, options->device);
 
     parameters("Noise", render::Parameter::Group::noise);

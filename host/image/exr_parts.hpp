@@ -3,12 +3,8 @@
 // Shared by the files that read and write EXR.
 
 #include "image/exr.hpp"
-#include "image/output_file.hpp"
 
-#include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfThreading.h>
 
 #include <mutex>
@@ -35,28 +31,6 @@ Imf::FrameBuffer frame_buffer(Imf::PixelType type, const Value* values,
                                                    pixel * static_cast<std::size_t>(width)));
     return frame;
 }
-
-/// Lets OpenEXR write into an OutputFile. The destructor of Imf::OutputFile, which writes the table of
-/// offsets, swallows exceptions, but OutputFile::commit reports them.
-class ExrStream final : public Imf::OStream {
-  public:
-    explicit ExrStream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
-
-    void write(const char* bytes, int count) override {
-        file_.write({bytes, static_cast<std::size_t>(count)});
-    }
-    std::uint64_t tellp() override { return file_.position(); }
-    void seekp(std::uint64_t position) override { file_.seek(position); }
-
-  private:
-    OutputFile& file_;
-};
-
-/// Converts a header to OpenEXR's form.
-Imf::Header exr_header(const ExrHeader& header);
-
-/// Returns the name of a lossless method; empty for a lossy one.
-std::string_view exr_compression_name(Imf::Compression method);
 
 /// Throws RequestError for a truncated or damaged file; `how` is OpenEXR's message.
 [[noreturn]] void refuse_damaged_exr(const std::filesystem::path& path, std::string_view how);

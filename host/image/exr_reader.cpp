@@ -3,15 +3,13 @@
 #include "image/picture.hpp"
 
 #include <ImfChannelList.h>
+#include <ImfHeader.h>
 #include <ImfInputFile.h>
-#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
-#include <ImfVersion.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string>
 #include <tuple>
@@ -38,7 +36,7 @@ Rect to_rect(const Imath::Box2i& box) {
     throw RequestError(fmt::format("cannot join: {}", what));
 }
 
-std::unique_ptr<Imf::InputFile> open_file(const fs::path& path, int threads) try {
+std::unique_ptr<Imf::InputFile> open_exr(const fs::path& path, int threads) try {
     return std::make_unique<Imf::InputFile>(path.c_str(), threads);
 } catch (const Iex::BaseExc& error) {
     refuse_damaged_exr(path, error.what());
@@ -49,29 +47,37 @@ std::string described(const fs::path& path, const Imath::Box2i& window) {
     return fmt::format("'{}' ({},{},{},{})", path.string(), r.x, r.y, r.width, r.height);
 }
 
-// Returns a header's attributes in serialized form, without the data window.
-std::map<std::string, std::string> common_attributes(const Imf::Header& header) {
-    std::map<std::string, std::string> values;
-    for (auto i = header.begin(); i != header.end(); ++i) {
-        if (i.name() == std::string_view("dataWindow"))
-            continue;
-        Imf::StdOSStream stream;
-        i.attribute().writeValueTo(stream, Imf::EXR_VERSION);
-        values[i.name()] = stream.str();
-    }
-    return values;
+std::vector<std::string> names_of(const Imf::ChannelList& channels) {
+    std::vector<std::string> names;
+    for (auto i = channels.begin(); i != channels.end(); ++i)
+        names.emplace_back(i.name());
+    return names;
+}
+
+// Describes a file with all of its channels.
+ExrHeader description_of(const Imf::Header& header) {
+    const auto text = [&](const char* attribute) {
+        const auto* found = header.findTypedAttribute<Imf::StringAttribute>(attribute);
+        return found ? found->value() : std::string();
+    };
+    return {.picture = to_rect(header.displayWindow()),
+            .window = to_rect(header.dataWindow()),
+            .channels = names_of(header.channels()),
+            .parameters = text("gabor"),
+            .software = text("software"),
+            .colour_space = text("oiio:ColorSpace")};
 }
 
 void check_region(const fs::path& path, const Imf::Header& header) {
     if (!header.findTypedAttribute<Imf::StringAttribute>("gabor"))
         refuse_join(fmt::format("'{}' has no 'gabor' attribute; expected regions that gabor rendered",
                                 path.string()));
-    bool floats = !header.hasTileDescription() && !exr_compression_name(header.compression()).empty();
+    bool floats = !header.hasTileDescription();
     for (auto i = header.channels().begin(); i != header.channels().end(); ++i)
         floats &= i.channel() == Imf::Channel(Imf::FLOAT);
     if (!floats)
-        refuse_join(fmt::format("'{}' has tiles, lossy compression, or values other than 32-bit floats; "
-                                "expected regions of flat pictures",
+        refuse_join(fmt::format("'{}' has tiles or values other than 32-bit floats; expected regions of flat "
+                                "pictures",
                                 path.string()));
     const Imath::Box2i& picture = header.displayWindow();
     const Imath::Box2i& window = header.dataWindow();
@@ -79,27 +85,19 @@ void check_region(const fs::path& path, const Imf::Header& header) {
         refuse_join(fmt::format("{} is not within its picture", described(path, window)));
 }
 
-void check_same(const fs::path& path, const Imf::Header& header, const fs::path& first_path,
-                const std::map<std::string, std::string>& first) {
-    const auto own = common_attributes(header);
-    const auto [mine, others] = std::ranges::mismatch(own, first);
-    if (mine == own.end() && others == first.end())
-        return;
-    const bool missing = mine == own.end() || (others != first.end() && others->first < mine->first);
-    const std::string& name = (missing ? others : mine)->first;
-    const auto text = [&](const auto& attributes) {
-        const auto found = attributes.find(name);
-        return found == attributes.end() ? std::string("nothing") : found->second;
-    };
-    if (name == "software")
+void check_same(const fs::path& path, const ExrHeader& own, const fs::path& first_path,
+                const ExrHeader& first) {
+    const std::string_view difference = own.picture != first.picture         ? "the size of its picture"
+                                        : own.channels != first.channels     ? "its channels"
+                                        : own.parameters != first.parameters ? "its parameters"
+                                                                             : "";
+    if (!difference.empty())
+        refuse_join(fmt::format("'{}' differs from '{}' in {}; expected regions of one picture",
+                                path.string(), first_path.string(), difference));
+    if (own.software != first.software)
         refuse_join(fmt::format("'{}' was rendered by {}, '{}' by {}; expected regions from one version and "
                                 "driver, whose pixels agree",
-                                path.string(), text(own), first_path.string(), text(first)));
-    refuse_join(fmt::format("'{}' differs from '{}' in {}; expected regions of one picture", path.string(),
-                            first_path.string(),
-                            name == "gabor"           ? "its parameters"
-                            : name == "displayWindow" ? "the size of its picture"
-                                                      : "its " + name));
+                                path.string(), own.software, first_path.string(), first.software));
 }
 
 // Checks that each pixel of the picture is in exactly one region.
@@ -128,13 +126,6 @@ void check_cover(std::span<const ExrRegion> regions, const Imath::Box2i& picture
                     y));
 }
 
-std::vector<std::string> names_of(const Imf::ChannelList& channels) {
-    std::vector<std::string> names;
-    for (auto i = channels.begin(); i != channels.end(); ++i)
-        names.emplace_back(i.name());
-    return names;
-}
-
 std::string default_channel(const Imf::ChannelList& channels) {
     for (const char* name : {"Y", "R"})
         if (const Imf::Channel* found = channels.findChannel(name); found && found->type != Imf::UINT)
@@ -151,7 +142,7 @@ struct ExrReader::State {
     explicit State(const fs::path& path) {
         start_exr_threads();
         const int threads = inspect_exr(path);
-        std::unique_ptr<Imf::InputFile> file = open_file(path, threads);
+        std::unique_ptr<Imf::InputFile> file = open_exr(path, threads);
         header = file->header();
         regions.push_back({path, header.dataWindow(), threads, std::move(file)});
     }
@@ -168,17 +159,14 @@ struct ExrReader::State {
 
 ExrReader::State::State(std::span<const fs::path> paths) {
     start_exr_threads();
-    std::map<std::string, std::string> attributes;
     for (const fs::path& path : paths) {
         const int threads = inspect_exr(path);
-        const Imf::Header own = open_file(path, 0)->header();
+        const Imf::Header own = open_exr(path, 0)->header();
         check_region(path, own);
-        if (regions.empty()) {
+        if (regions.empty())
             header = own;
-            attributes = common_attributes(own);
-        } else {
-            check_same(path, own, paths.front(), attributes);
-        }
+        else
+            check_same(path, description_of(own), paths.front(), description_of(header));
         regions.push_back({path, own.dataWindow(), threads, nullptr});
     }
     std::ranges::sort(regions, {}, [](const ExrRegion& region) {
@@ -207,17 +195,9 @@ ExrHeader ExrReader::State::header_of(std::vector<std::string> channels) const {
                     "channel '{}' is subsampled; only channels with a value for every pixel are supported",
                     name));
     }
-    const auto text = [&](const char* attribute) {
-        const auto* found = header.findTypedAttribute<Imf::StringAttribute>(attribute);
-        return found ? found->value() : std::string();
-    };
-    return {.picture = to_rect(header.displayWindow()),
-            .window = to_rect(header.dataWindow()),
-            .channels = std::move(channels),
-            .compression = exr_compression_name(header.compression()),
-            .parameters = text("gabor"),
-            .software = text("software"),
-            .colour_space = text("oiio:ColorSpace")};
+    ExrHeader description = description_of(header);
+    description.channels = std::move(channels);
+    return description;
 }
 
 // Reads rows `first` to `last`. Rows must be read in order.
@@ -228,7 +208,7 @@ void ExrReader::State::read(const Imf::FrameBuffer& frame, int first, int last) 
         if (region.window.max.y < first || region.window.min.y > last)
             continue;
         if (!region.file)
-            region.file = open_file(region.path, region.threads);
+            region.file = open_exr(region.path, region.threads);
         try {
             region.file->setFrameBuffer(frame);
             region.file->readPixels(std::max(region.window.min.y, first),
@@ -256,13 +236,6 @@ ExrReader::ExrReader(std::span<const fs::path> paths, const std::vector<std::str
 
 ExrReader::~ExrReader() = default;
 ExrReader::ExrReader(ExrReader&&) noexcept = default;
-
-std::vector<std::pair<fs::path, Rect>> ExrReader::regions() const {
-    std::vector<std::pair<fs::path, Rect>> regions;
-    for (const ExrRegion& region : state_->regions)
-        regions.emplace_back(region.path, to_rect(region.window));
-    return regions;
-}
 
 bool ExrReader::has_channel(const std::string& name) const {
     return state_->header.channels().findChannel(name) != nullptr;

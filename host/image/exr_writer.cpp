@@ -1,8 +1,11 @@
 #include "error.hpp"
 #include "image/exr_parts.hpp"
+#include "image/output_file.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfFloatAttribute.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
@@ -11,29 +14,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 namespace gabor::image {
 
 namespace {
 
-// Only methods that are lossless for 32-bit floats.
-constexpr std::array<std::string_view, 5> names = {"none", "rle", "zips", "zip", "piz"};
-constexpr std::array methods = {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION,
-                                Imf::ZIP_COMPRESSION, Imf::PIZ_COMPRESSION};
-constexpr int zip_level = 1; // on noise, twice as fast as the default, and files are no larger
 constexpr int tile_side = 64;
 constexpr std::uint64_t magic_and_version = 8; // bytes before the header
 constexpr const char* average_name = "oiio:AverageColor";
-
-Imf::Compression compression_method(std::string_view name) {
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end())
-        throw RequestError(
-            fmt::format("unknown compression '{}'; expected {}", name, fmt::join(names, ", ")));
-    return methods[static_cast<std::size_t>(found - names.begin())];
-}
 
 // Formats the channels' means as text of a fixed length, so that `commit` can overwrite it in the header.
 std::string average_text(const std::vector<double>& sums, double pixels) {
@@ -55,12 +44,9 @@ Imath::Box2i box(const Rect& window) {
     return {{window.x, window.y}, {window.x + window.width - 1, window.y + window.height - 1}};
 }
 
-} // namespace
-
 Imf::Header exr_header(const ExrHeader& description) {
     Imf::Header header(box(description.picture), box(description.window));
-    header.compression() = compression_method(description.compression);
-    header.zipCompressionLevel() = zip_level;
+    header.compression() = Imf::NO_COMPRESSION;
     const bool half = description.texture && description.texture->half;
     for (const std::string& channel : description.channels)
         header.channels().insert(channel, Imf::Channel(half ? Imf::HALF : Imf::FLOAT));
@@ -83,14 +69,32 @@ Imf::Header exr_header(const ExrHeader& description) {
     return header;
 }
 
-std::span<const std::string_view> compression_names() {
-    return names;
+// Returns the path. Throws RequestError for a pipe, because the table of offsets is not written in order.
+const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_fifo(path, ignored))
+        throw RequestError(
+            fmt::format("cannot write {}: it is a pipe; expected the path of a file", path.string()));
+    return path;
 }
 
-std::string_view exr_compression_name(Imf::Compression method) {
-    const auto found = std::ranges::find(methods, method);
-    return found == methods.end() ? "" : names[static_cast<std::size_t>(found - methods.begin())];
-}
+} // namespace
+
+// Lets OpenEXR write into an OutputFile. The destructor of Imf::OutputFile, which writes the table of
+// offsets, swallows exceptions, but OutputFile::commit reports them.
+class ExrStream final : public Imf::OStream {
+  public:
+    explicit ExrStream(OutputFile& file) : OStream(file.path().c_str()), file_(file) {}
+
+    void write(const char* bytes, int count) override {
+        file_.write({bytes, static_cast<std::size_t>(count)});
+    }
+    std::uint64_t tellp() override { return file_.position(); }
+    void seekp(std::uint64_t position) override { file_.seek(position); }
+
+  private:
+    OutputFile& file_;
+};
 
 struct ExrWriter::State {
     State(const std::filesystem::path& path, const ExrHeader& of)

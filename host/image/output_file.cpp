@@ -226,12 +226,4 @@ OutputFolder::~OutputFolder() {
         fs::remove(path_, ignored); // fails unless it is empty
 }
 
-const std::filesystem::path& not_a_pipe(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_fifo(path, ignored))
-        throw RequestError(
-            fmt::format("cannot write {}: it is a pipe; expected the path of a file", path.string()));
-    return path;
-}
-
 } // namespace gabor::image

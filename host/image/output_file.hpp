@@ -64,7 +64,4 @@ class OutputFolder {
     bool created_;
 };
 
-/// Returns the path. Throws RequestError for a pipe: formats that are not written in order need a file.
-const std::filesystem::path& not_a_pipe(const std::filesystem::path& path);
-
 } // namespace gabor::image

@@ -8,7 +8,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace gabor::render {
 
@@ -40,7 +39,6 @@ struct Files {
     std::optional<std::filesystem::path> png;            ///< a picture to look at
     std::optional<std::filesystem::path> heightmap = {}; ///< heights of the terrain view
     std::optional<Elevation> elevation = {}; ///< range of the heightmap; by default the full possible range
-    std::string_view compression = "none";
     /// If set, converts a band to the red, green and blue values (0 to 1) that the PNG shows.
     std::function<std::span<const float>(std::span<const float>)> colours = {};
     bool normals = false; ///< whether `colours` needs normals: see Viewport

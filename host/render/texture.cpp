@@ -65,15 +65,13 @@ std::vector<float> halved(std::span<const float> level, int width, int height, s
 namespace {
 
 image::ExrWriter make_writer(const std::filesystem::path& path, const Request& request,
-                             const image::Rect& region, const TextureFormat& format,
-                             const std::string& made_by) {
+                             const image::Rect& region, bool half, const std::string& made_by) {
     const image::Rect whole{0, 0, region.width, region.height};
     image::ExrHeader header = exr_header(request, whole, made_by);
     header.picture = whole;
-    header.compression = format.compression;
     const bool tile = std::get<Plane>(request.view).tileable && region.width == request.width &&
                       region.height == request.height;
-    header.texture = image::ExrHeader::Texture{format.half, tile};
+    header.texture = image::ExrHeader::Texture{half, tile};
     return {path, header};
 }
 
@@ -98,10 +96,9 @@ void write_levels(const image::Rect& region, std::size_t channels, const Sink& w
 } // namespace
 
 void render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                    const std::filesystem::path& path, const TextureFormat& format,
-                    const image::Advance& advance) {
+                    const std::filesystem::path& path, bool half, const image::Advance& advance) {
     const std::size_t channels = render::channels(request).size();
-    image::ExrWriter writer = make_writer(path, request, region, format, software(device));
+    image::ExrWriter writer = make_writer(path, request, region, half, software(device));
 
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / channels);
@@ -136,8 +133,7 @@ image::Rect join_texture(std::span<const std::filesystem::path> regions, const s
         throw RequestError(fmt::format("cannot join: '{}' is not filtered; {}", first.string(), accepted));
     check_texture(request, whole.picture);
     const std::vector<std::string> names = channels(request);
-    image::ExrWriter writer =
-        make_writer(output, request, whole.picture, {whole.compression, half}, whole.software);
+    image::ExrWriter writer = make_writer(output, request, whole.picture, half, whole.software);
     const auto write = [&](std::span<const float> values) {
         advance(values.size() / names.size());
         writer.write_rows(values);

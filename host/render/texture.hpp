@@ -4,15 +4,8 @@
 
 #include <filesystem>
 #include <span>
-#include <string_view>
 
 namespace gabor::render {
-
-/// The format of a texture file.
-struct TextureFormat {
-    std::string_view compression = "none";
-    bool half = false; ///< 16-bit floats
-};
 
 /// Throws RequestError unless `region` can be a texture: the view must be flat, the sides powers of two, and
 /// the region one of the equal tiles that make up the picture.
@@ -28,10 +21,10 @@ Request texture_level(Request request, int level);
 std::vector<float> halved(std::span<const float> level, int width, int height, std::size_t channels);
 
 /// Renders `region` of a checked request as a mip-mapped texture. Each drawn level is filtered for its own
-/// pixel size, not averaged from the previous level. `advance` is as for render_file.
+/// pixel size, not averaged from the previous level. `half` stores 16-bit floats. `advance` is as for
+/// render_file.
 void render_texture(const vulkan::Device& device, const Request& request, const image::Rect& region,
-                    const std::filesystem::path& path, const TextureFormat& format,
-                    const image::Advance& advance);
+                    const std::filesystem::path& path, bool half, const image::Advance& advance);
 
 /// The approximate number of pixels in all levels.
 constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {
@@ -39,8 +32,8 @@ constexpr std::uint64_t texture_pixels(std::uint64_t of_first_level) {
 }
 
 /// Assembles the drawn levels of a texture, each whole or in regions, into the file that render_texture would
-/// have written. Keeps the regions' compression. Returns the rectangle of the picture. Throws RequestError if
-/// a file is not a level of the picture, or if a level is missing.
+/// have written. Returns the rectangle of the picture. Throws RequestError if a file is not a level of the
+/// picture, or if a level is missing.
 image::Rect join_texture(std::span<const std::filesystem::path> regions, const std::filesystem::path& output,
                          bool half, const image::Advance& advance);
 

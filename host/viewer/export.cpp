@@ -88,7 +88,6 @@ std::vector<render::Files> files_of(const ExportTarget& target) {
         each.exr = render::frame_path(exr, frame, frames);
         if (target.png && target.as != ExportAs::texture)
             each.png = render::frame_path(png, frame, frames);
-        each.compression = image::compression_names()[target.compression];
     }
     return files;
 }
@@ -187,8 +186,7 @@ void Exporter::run(const Document& document, const ExportTarget& target, const r
     } else if (target.as == ExportAs::maps) {
         render::render_maps(device, request, target.folder, {.directx = target.directx}, advance);
     } else if (target.as == ExportAs::texture) {
-        render::render_texture(device, request, whole(request), *all.front().exr,
-                               {all.front().compression, target.half}, advance);
+        render::render_texture(device, request, whole(request), *all.front().exr, target.half, advance);
     } else {
         std::optional<FileColours> colours;
         for (int frame = 0; frame < frames; ++frame) {

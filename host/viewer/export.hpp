@@ -41,9 +41,8 @@ struct ExportTarget {
     bool coloured = false; ///< whether the noise has the colours of a photograph
     bool png = true;       ///< write a PNG beside each EXR, except for a texture
     int frames = 24;
-    bool half = false;           ///< store a texture as 16-bit floats
-    bool directx = false;        ///< with maps, also write normals whose green points down
-    std::size_t compression = 0; ///< compression of EXRs: an index in image::compression_names()
+    bool half = false;    ///< store a texture as 16-bit floats
+    bool directx = false; ///< with maps, also write normals whose green points down
 
     /// Returns this target with `path`, `folder`, `as`, `of_noise` and `coloured` set for the document.
     ExportTarget of(const Document& document) const;

@@ -335,9 +335,6 @@ void export_panel(Session& session) {
     if (as == ExportAs::maps && render::has_material(request)) {
         ImGui::Checkbox("DirectX normals", &target.directx);
         tooltip("Also write normal_directx.png, whose green points down");
-    } else if (as != ExportAs::maps) {
-        choose("compression", target.compression, image::compression_names());
-        tooltip("Lossless compression of the EXR; smaller files take longer to write");
     }
     if (as == ExportAs::texture)
         ImGui::Checkbox("16-bit floats", &target.half);

@@ -10,7 +10,7 @@ import unittest
 
 from program import ProgramTest, start
 
-REQUEST = ("render", "-o", "out.exr", "--png", "out.png", "--size=2200x2200", "--compression=none") # two bands
+REQUEST = ("render", "-o", "out.exr", "--png", "out.png", "--size=2200x2200") # two bands
 ROUNDS = int(os.environ.get("GABOR_ROUNDS", 10))
 
 

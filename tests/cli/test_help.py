@@ -31,7 +31,7 @@ class Help(ProgramTest):
                               "--region", "--tileable", "--time", "--frames", "--frequency-spread",
                               "--orientation-spread", "--lobes", "--preset", "--paint", "--filter", "--view",
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
-                              "--png", "--texture", "--half", "--level", "--compression", "--device", "--yaw", "--pitch",
+                              "--png", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
                               "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent",
                               "--maps", "--directx", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
@@ -72,7 +72,7 @@ class Help(ProgramTest):
                  **dict.fromkeys(("--light-azimuth", "--light-elevation", "--environment"), ["--material=sand"]),
                  "--extent": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent": "0,1"}
-        for command, number in ("render", 27), ("erode", 18):
+        for command, number in ("render", 26), ("erode", 18):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
             for option, value, view in found:

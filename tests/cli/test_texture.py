@@ -85,7 +85,7 @@ class Joined(TextureTest):
         return regions
 
     def test_levels_become_the_texture(self):
-        for width, height, options, half in ((128, 64, [*NOISE, "--scale=16", "--compression=zip"], ["--half"]),
+        for width, height, options, half in ((128, 64, [*NOISE, "--scale=16"], ["--half"]),
                                              (32, 64, [*NOISE, "--scale=8", "--tileable"], []),
                                              (16, 16, [*NOISE, "--scale=6", "--phasor", "--gradient"], [])):
             self.succeed("render", "--texture", f"--size={width}x{height}", *options, *half, "-o", "texture.exr")
@@ -141,15 +141,6 @@ class Attributes(TextureTest):
         self.assertEqual(self.files()["again.exr"], self.files()["texture.exr"])
         self.assertTrue(text(texture, "gabor").startswith("{"))
         self.assertTrue(text(texture, "software").startswith("gabor "))
-
-    def test_compressed(self):
-        self.texture(128, 128)
-        self.succeed("render", "--like=texture.exr", "--texture", "--compression=zip", "-o", "zip.exr")
-        self.succeed("stats", "texture.exr", "--json=a.json")
-        self.succeed("stats", "zip.exr", "--json=b.json")
-        files = self.files()
-        self.assertEqual(files["a.json"], files["b.json"])
-        self.assertLess(len(files["zip.exr"]), len(files["texture.exr"]))
 
 
 class Refused(TextureTest):

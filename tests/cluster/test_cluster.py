@@ -29,7 +29,7 @@ OPTIONS = "--scale=8 --frequency=1.5 --orientation-spread=90 --seed=7"
 CONFIGURATION = f"""
 gabor: {{gabor}}
 gabor-lab: {{lab}}
-pictures: {{{{grain: {{{{size: 600x500, strips: 4, options: {OPTIONS} --compression=zip}}}}}}}}
+pictures: {{{{grain: {{{{size: 600x500, strips: 4, options: {OPTIONS}}}}}}}}}
 textures: {{{{bark: {{{{size: 128x128, strips: 5, half: true, options: --tileable --scale=8}}}}}}}}
 frames: {{{{water: {{{{size: 64x64, frames: 2, options: {OPTIONS}}}}}}}}}
 udims: {{{{skin: {{{{size: 64x64, across: 1, down: 2, options: {OPTIONS}}}}}}}}}
@@ -79,7 +79,7 @@ class FarmTest(ProgramTest):
     def assert_as_on_one_machine(self):
         (self.folder / "one").mkdir()
         options = OPTIONS.split()
-        self.succeed("render", "--size=600x500", *options, "--compression=zip", "-o", "one/grain.exr")
+        self.succeed("render", "--size=600x500", *options, "-o", "one/grain.exr")
         self.succeed("render", "--texture", "--half", "--size=128x128", "--scale=8", "--tileable", "-o", "one/bark.exr")
         self.succeed("render", "--size=64x64", *options, "--frames=2", "-o", "one/water.exr")
         for number, y in ((1001, 64), (1011, 0)):
