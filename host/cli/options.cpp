@@ -62,7 +62,7 @@ render::Elevation parse_elevation(std::string_view text) {
 void add_parameter(CLI::App& command, ParameterOptions& options, const render::Parameter& parameter,
                    const render::Request& defaults) {
     // In the order of Kind.
-    constexpr std::array types{"", "NUMBER", "NUMBER", "ANGLE", "NAME", "FILE", "NAME", "FILE", "COLOUR"};
+    constexpr std::array types{"", "NUMBER", "NUMBER", "ANGLE", "NAME", "FILE", "FILE", "COLOUR"};
     const std::string name = render::option_name(parameter);
     CLI::Option* option =
         parameter.kind == Kind::flag

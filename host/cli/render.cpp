@@ -163,7 +163,7 @@ render::Files files_of(const RenderOptions& options) {
 std::string subject(const render::Request& request) {
     return render::has_terrain(request)    ? "terrain"
            : render::has_material(request) ? "material " + request.material
-                                           : "recipe " + noise::to_string(render::drawing_recipe(request));
+                                           : fmt::format("recipe {}", render::drawing_recipe(request).name);
 }
 
 // Renders a set of maps. Unless a scale is given, the shorter side spans 4 units of a material, 8 of terrain.

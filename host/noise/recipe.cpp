@@ -2,16 +2,12 @@
 
 #include "noise/glsl_literal.hpp"
 
-#include "error.hpp"
-
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdio>
+#include <stdexcept>
 #include <vector>
 
 namespace gabor::noise {
@@ -32,26 +28,6 @@ constexpr std::array known{
     Recipe{"paper", 2, 1.0f, 1.0f, 2, {1, 0, 0}, "the paper's advice"},
 };
 
-constexpr int most_impulses = 16;
-constexpr float largest_radius = 3;
-
-// Tells whether the sparse noise accepts these values.
-bool acceptable(const Recipe& recipe) {
-    const auto& c = recipe.window;
-    // A window without energy cannot be normalized.
-    const double energy = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
-    return recipe.impulses >= 1 && recipe.impulses <= most_impulses && recipe.radius >= 1 &&
-           recipe.radius <= largest_radius && recipe.weight_floor >= 0 && recipe.weight_floor <= 1 &&
-           recipe.phases >= 2 && recipe.phases <= 256 &&
-           std::has_single_bit(static_cast<unsigned>(recipe.phases)) && energy >= 0.01 && energy <= 100;
-}
-
-std::string fields(const Recipe& recipe) {
-    return fmt::format("N={},R={},A={},phases={},window={}:{}:{}", recipe.impulses, recipe.radius,
-                       recipe.weight_floor, recipe.phases, recipe.window[0], recipe.window[1],
-                       recipe.window[2]);
-}
-
 } // namespace
 
 std::span<const Recipe> recipes() {
@@ -67,37 +43,11 @@ std::string_view drop_in(const Recipe& recipe) {
     return recipe.is_lattice() ? "gabor_noise.glsl" : "gabor_sparse.glsl";
 }
 
-Recipe find_recipe(std::string_view text) {
-    const auto found = std::ranges::find(known, text, &Recipe::name);
-    if (found != known.end())
-        return *found;
-    Recipe own{"custom", 0, 0, 0, 0, {}, "given by its values"};
-    const std::string copy(text);
-    int length = 0;
-    const int read =
-        std::sscanf(copy.c_str(), "N=%d,R=%f,A=%f,phases=%d,window=%f:%f:%f%n", &own.impulses, &own.radius,
-                    &own.weight_floor, &own.phases, &own.window[0], &own.window[1], &own.window[2], &length);
-    if (read == 7 && static_cast<std::size_t>(length) == copy.size() && acceptable(own)) {
-        const auto same = std::ranges::find(sparse_recipes(), fields(own), fields);
-        return same == sparse_recipes().end() ? own : *same;
-    }
-    throw RequestError(fmt::format("'{}': expected {}", text, accepted_recipes()));
-}
-
-std::string accepted_recipes() {
-    std::vector<std::string_view> names;
-    std::ranges::transform(known, std::back_inserter(names), &Recipe::name);
-    return fmt::format(
-        "{}, or a recipe like {} with N from 1 to {}, R from 1 to {}, A from 0 to 1, and 2, 4, 8 ... "
-        "or 256 phases",
-        fmt::join(names, ", "), fields(sparse_recipes().front()), most_impulses, largest_radius);
-}
-
-std::string to_string(const Recipe& recipe) {
-    if (recipe.is_lattice())
-        return std::string(recipe.name);
-    const auto same = std::ranges::find(sparse_recipes(), fields(recipe), fields);
-    return same == sparse_recipes().end() ? fields(recipe) : std::string(same->name);
+const Recipe& find_recipe(std::string_view name) {
+    const auto found = std::ranges::find(known, name, &Recipe::name);
+    if (found == known.end())
+        throw std::out_of_range(fmt::format("no recipe is called '{}'", name));
+    return *found;
 }
 
 std::vector<Macro> macros(const Recipe& recipe) {

@@ -33,16 +33,8 @@ std::span<const Recipe> sparse_recipes();
 /// The drop-in's file in shaders/.
 std::string_view drop_in(const Recipe& recipe);
 
-/// Finds a recipe by its name, or by values as `to_string` writes them. A known recipe keeps its name. Throws
-/// RequestError, which lists what is accepted.
-Recipe find_recipe(std::string_view text);
-
-/// Describes what `find_recipe` accepts, for help texts and messages.
-std::string accepted_recipes();
-
-/// Returns the name of a known recipe, or the values of any other:
-/// "N=1,R=1,A=0.675,phases=256,window=3:-4.5:2.5".
-std::string to_string(const Recipe& recipe);
+/// The known recipe of that name. Throws std::out_of_range if there is none.
+const Recipe& find_recipe(std::string_view name);
 
 /// A macro to define before including the drop-in.
 struct Macro {

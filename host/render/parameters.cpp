@@ -226,9 +226,9 @@ std::vector<Parameter> noise_rows() {
             "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
             "material 4",
             in_request(&Request::scale)),
-        row("recipe", Kind::recipe, "", none, none, scopes::planar,
+        row("recipe", Kind::choice, "", none, none, scopes::planar,
             "Variant of the noise. `gabor recipes` describes them",
-            by_name([](const Request& r) { return noise::to_string(r.recipe); },
+            by_name([](const Request& r) { return r.recipe.name; },
                     [](Request& r, const std::string& name) { r.recipe = noise::find_recipe(name); }),
             names_of(noise::recipes())),
         single_lobe_row(of_lobe[0]),
@@ -507,8 +507,6 @@ void check_value(const Parameter& p, const Value& value) {
     } else if (p.kind == Kind::choice) {
         if (std::ranges::find(p.choices, std::get<std::string>(value)) == p.choices.end())
             refused();
-    } else if (p.kind == Kind::recipe) {
-        noise::find_recipe(std::get<std::string>(value));
     } else if (p.kind == Kind::lobes) {
         check_lobes(std::get<std::vector<Lobe>>(value));
     }
@@ -561,8 +559,6 @@ std::string accepted(const Parameter& p) {
         return "true or false";
     case Kind::choice:
         return fmt::format("{}", fmt::join(p.choices, ", "));
-    case Kind::recipe:
-        return noise::accepted_recipes();
     case Kind::text:
         return "a name";
     case Kind::colour:

@@ -34,7 +34,7 @@ struct Place {
 /// A row of the table that describes a Request. Command-line options, JSON, checks, their messages and the
 /// viewer's controls all come from these rows.
 struct Parameter {
-    enum class Kind { flag, integer, number, angle, choice, text, recipe, lobes, colour };
+    enum class Kind { flag, integer, number, angle, choice, text, lobes, colour };
     /// What a parameter describes. Those of materials are named MATERIAL.PARAMETER.
     enum class Group { picture, noise, view, light, terrain, erosion, material };
 
@@ -46,7 +46,7 @@ struct Parameter {
     Scope scope;           ///< the requests that have this parameter; in others it has no effect
     std::string_view help; ///< a sentence without its full stop
     Place place;
-    std::vector<std::string_view> choices = {}; ///< the accepted values of a choice or a recipe
+    std::vector<std::string_view> choices = {}; ///< the accepted values of a choice
     Group group = Group::picture;
 
     /// Returns the value, or nothing if the request has no such parameter.

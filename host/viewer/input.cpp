@@ -88,7 +88,7 @@ void next_choice(Session& session, std::string_view name) {
     auto at = static_cast<std::size_t>(std::ranges::find(all, std::get<std::string>(*parameter.get(now))) -
                                        all.begin());
     for (std::size_t i = 1; i < all.size(); ++i) {
-        at = at + 1 < all.size() ? at + 1 : 0; // a custom recipe is not in the list
+        at = (at + 1) % all.size();
         Document next = session.document();
         set_parameter(next, name, std::string(all[at]));
         if (next.request.material == now.material && next.request.paint == now.paint) {

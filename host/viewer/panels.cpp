@@ -56,15 +56,14 @@ std::optional<render::Value> edit(const render::Parameter& parameter, const rend
             return {};
         return number;
     }
-    case Kind::choice:
-    case Kind::recipe: {
+    case Kind::choice: {
         std::optional<render::Value> chosen;
         const std::string& now = std::get<std::string>(value);
         if (ImGui::BeginCombo(label.c_str(), now.c_str())) {
             for (const std::string_view name : parameter.choices) {
                 if (ImGui::Selectable(std::string(name).c_str(), name == now))
                     chosen = std::string(name);
-                if (parameter.kind == Kind::recipe)
+                if (parameter.name == "recipe")
                     tooltip(noise::find_recipe(name).summary);
             }
             ImGui::EndCombo();

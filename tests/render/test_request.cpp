@@ -28,8 +28,7 @@ Value another(const Parameter& parameter, const Value& value) {
     switch (parameter.kind) {
     case Parameter::Kind::flag:
         return !std::get<bool>(value);
-    case Parameter::Kind::choice:
-    case Parameter::Kind::recipe: {
+    case Parameter::Kind::choice: {
         const std::vector<std::string_view>& all = parameter.choices;
         return std::string(all.at(std::get<std::string>(value) == all[1] ? 2 : 1));
     }

@@ -21,7 +21,6 @@ NOISES = {
     "filtered": {"frequency": 9, "orientation": 25, "filter": True},
     "horizon": {"frequency": 2, "orientation": 60, "filter": True, "view": "horizon"},
     "tileable": {"recipe": "pure", "orientation": 40, "tileable": True},
-    "spelled out": {"recipe": "N=2,R=1.2,A=0.5,phases=64,window=1:0.5:0", "frequency": 3, "scale": 40},
 }
 PLANES = {
     **{name: (parameters, VALUE, 1, 2) for name, parameters in NOISES.items()},
