@@ -65,7 +65,7 @@ render::Request request_of(const ErodeOptions& options) {
         refuse("--extent", options.extent, "the width of the map, above 0");
     const render::Parameter& frequency = render::parameter("gully_frequency");
     frequency.place.put(request, std::get<double>(*frequency.get(request)) * 2 * preset_hill / width);
-    render::set(request, given_values(options.parameters));
+    render::set(request, given_values(options.parameters), render::option_name);
     return request;
 }
 

@@ -77,7 +77,8 @@ Work make_work(const RenderOptions& options) {
                   std::ranges::any_of(given, [](const auto& value) { return value.first->name == "scale"; });
     if (render::has_terrain(work.request) && !work.scaled) // show two hills
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
-    work.request.filter |= options.texture || options.level; // mip levels are filtered
+    // Mip levels are filtered. Terrain, which has no filter, is refused below.
+    work.request.filter |= (options.texture || options.level) && !render::has_terrain(work.request);
     render::check(work.request);
     if (options.level) {
         const image::Rect whole{0, 0, work.request.width, work.request.height};

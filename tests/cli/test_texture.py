@@ -147,6 +147,7 @@ class Refused(TextureTest):
     def test_wrong_requests(self):
         for words, options in {
             "power of two": ["--size=100x64"], "view flat": ["--size=64x64", "--view=horizon"],
+            "requires --view flat": ["--size=64x64", "--view=terrain"],
             "equal tiles": ["--size=256x256", "--region=32,0,64,64"], "a texture is an EXR": ["--size=64x64", "--png=a.png"],
             "conflicts with": ["--size=64x64", "--recipe=paper"],
         }.items():
