@@ -14,17 +14,19 @@ namespace gabor::cli {
 namespace {
 
 void print_devices() {
-    for (const vulkan::DeviceInfo& device : vulkan::devices()) {
-        fmt::print("{}  {}\n", device.index, device.name);
-        fmt::print("   kind            {}\n", device.kind);
-        fmt::print("   driver          {}\n", device.driver);
-        fmt::print("   Vulkan          {}\n", device.api);
-        fmt::print("   memory          {} MiB\n", device.memory >> 20);
-        fmt::print("   storage buffer  {} MiB at most\n", device.storage_buffer >> 20);
-        fmt::print("   workgroup       {} invocations at most, {} per subgroup\n", device.group_invocations,
-                   device.subgroup);
-        fmt::print("   GPU timing      {}\n", device.timestamps ? "yes" : "no");
-    }
+    for (const vulkan::DeviceInfo& device : vulkan::devices())
+        fmt::print(R"({}  {}
+   kind            {}
+   driver          {}
+   Vulkan          {}
+   memory          {} MiB
+   storage buffer  {} MiB at most
+   workgroup       {} invocations at most, {} per subgroup
+   GPU timing      {}
+)",
+                   device.index, device.name, device.kind, device.driver, device.api, device.memory >> 20,
+                   device.storage_buffer >> 20, device.group_invocations, device.subgroup,
+                   device.timestamps ? "yes" : "no");
 }
 
 void print_recipes(bool as_json) {

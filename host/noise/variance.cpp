@@ -1,6 +1,5 @@
 #include "noise/variance.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/hypergeometric_0F1.hpp>
 #include <boost/math/special_functions/sinc.hpp>
@@ -46,21 +45,6 @@ double variance(const Recipe& recipe, double frequency, double orientation, doub
         oscillating *= turned;
     }
     return density * power * (whole * whole - oscillating) / 2;
-}
-
-double window_slope_energy(const Recipe& lattice) {
-    // Hann's window, (1 + cos pi x) / 2.
-    if (lattice.taps > 2)
-        return std::numbers::pi * std::numbers::pi / 3;
-    // The window is cos t(x) with tan t = s / (1 - s), s = 3 x^2 - 2 x^3. The window shifted by 1 is sin t.
-    // The squares of both add up to 1, and the squares of their derivatives to t'^2.
-    return boost::math::quadrature::gauss<double, 30>::integrate(
-        [](double x) {
-            const double s = x * x * (3 - 2 * x);
-            const double turn = 6 * x * (1 - x) / (s * s + (1 - s) * (1 - s));
-            return turn * turn;
-        },
-        0.0, 1.0);
 }
 
 // Let H be the transform of Hann's window: the power at a distance q from the wave is 4/3 H^2. The noise's

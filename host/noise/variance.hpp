@@ -13,12 +13,7 @@ double window_energy(const Recipe& recipe, double a);
 /// phases turn 1 to 4 times either way.
 double variance(const Recipe& recipe, double frequency, double orientation, double time = 0);
 
-/// The integral of h'^2 over the integral of h^2 for a lattice's window, per kernel radius squared. The
-/// variance of the noise's derivative along x is this plus (2 pi F.x)^2. With `lattice-2` that variance
-/// depends on the position, and the sum is its mean over all positions.
-double window_slope_energy(const Recipe& lattice);
-
-/// Variances of a wave of the three-tap lattice along one axis.
+/// Variances of a wave of the lattice along one axis.
 struct AxisVariance {
     double noise;
     double slope; ///< variance of the slope, per kernel radius squared

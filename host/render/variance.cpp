@@ -18,12 +18,13 @@ struct Variances {
 };
 
 // Returns the variances of a wave and of its slope along one axis, with lengths in the wave's own kernel
-// radii. The slopes of the wave and of its windows are uncorrelated.
+// radii. The slopes of the wave and of its windows are uncorrelated; for Hann's window, the integral of h'^2
+// is pi^2 / 3 times that of h^2.
 noise::AxisVariance along_axis(const Request& request, double frequency, double deviation) {
     if (request.filter)
         return noise::filtered_variance(frequency, deviation);
     const double turn = 2 * std::numbers::pi * frequency;
-    return {1, turn * turn + noise::window_slope_energy(request.recipe)};
+    return {1, turn * turn + std::numbers::pi * std::numbers::pi / 3};
 }
 
 // Returns the sums of the variances of the lattice's waves in the plane, or nothing if the filter is on and
@@ -59,7 +60,7 @@ std::optional<double> known_variance(const Request& request, std::string_view ch
     const bool noise = channel == "Y";
     if (noise && !request.filter)
         return 1;
-    if (!flat || !request.paint.empty() || !request.recipe.is_lattice())
+    if (!flat || !request.paint.empty() || request.recipe.taps < 3)
         return {};
     const std::optional<Variances> all = variances(request);
     if (!all)

@@ -26,25 +26,6 @@ constexpr noise::Recipe sines{"sines", 3, 1.5f, 0.2f, 2, {0.5f, 1.5f, -1}, ""};
 
 } // namespace
 
-TEST_CASE("the energy of the lattice windows' slopes agrees with quadrature", "[noise]") {
-    const auto hann = [](double x) { return (1 + std::cos(pi * x)) / 2; };
-    const auto complementary = [](double x) {
-        const double s = x * x * (3 - 2 * std::abs(x));
-        return (1 - s) / std::hypot(1 - s, s);
-    };
-    for (const noise::Recipe& recipe : noise::recipes()) {
-        if (!recipe.is_lattice())
-            continue;
-        const std::function<double(double)> window =
-            recipe.taps == 2 ? std::function<double(double)>(complementary) : hann;
-        const auto slope = [&](double x) { return (window(x + 1e-5) - window(x - 1e-5)) / 2e-5; };
-        const double expected = integrate([&](double x) { return slope(x) * slope(x); }, 0, 1) /
-                                integrate([&](double x) { return window(x) * window(x); }, 0, 1);
-        INFO(recipe.name);
-        CHECK(noise::window_slope_energy(recipe) == Approx(expected).epsilon(1e-7));
-    }
-}
-
 TEST_CASE("the window's energy agrees with quadrature", "[noise]") {
     const noise::Recipe recipe =
         GENERATE(noise::find_recipe("one"), noise::find_recipe("pure"), noise::find_recipe("paper"), sines);
