@@ -106,26 +106,31 @@ fn gabor_noise_direction(p: vec2f, seed: u32) -> f32 {
     values[pixel.y * 256u + pixel.x] = CALL;
 }
 """
-# A fragment shader that draws each call as a band. COORDINATE is the pixel's position, and SHOWN the code that shows the noise.
-BANDS = """
+
+
+def bands(entry, pixel, shown):
+    """Returns a fragment shader that draws each call as a band. `pixel` is the pixel's position, and `shown` shows the noise."""
+    return """
 #define GABOR_LOBES 6
 #define GABOR_DIRECTION(p) (0.3 * (p))
 INCLUDES
-""" + SIX + """
-MAIN
-{
-    int row = int(COORDINATE.y);
-    vec2 p = vec2(COORDINATE.x, float(row % ROWS) + 0.5) / 32.0;
+""" + SIX + f"""
+{entry}
+{{
+    int row = int({pixel}.y);
+    vec2 p = vec2({pixel}.x, float(row % ROWS) + 0.5) / 32.0;
     vec3 q = vec3(p, 0.3);
     float noise = 0.0;
     CALLS
-    SHOWN
-}
+    {shown}
+}}
 """
-ES = BANDS.replace("MAIN", "out vec4 value;\nvoid main()").replace("COORDINATE", "gl_FragCoord").replace("SHOWN", "value = vec4(noise);")
-GODOT_SHADER = "shader_type canvas_item;\nrender_mode unshaded, blend_disabled;\n" + BANDS.replace("MAIN", "void fragment()").replace(
-    "COORDINATE", "FRAGCOORD").replace("0f", "0").replace("5f", "5").replace("SHOWN", """uint bits = floatBitsToUint(noise);
-    COLOR = vec4(uvec4(bits, bits >> 8u, bits >> 16u, bits >> 24u) & uvec4(255u)) / 255.0;""")
+
+
+ES = bands("out vec4 value;\nvoid main()", "gl_FragCoord", "value = vec4(noise);")
+GODOT_SHADER = "shader_type canvas_item;\nrender_mode unshaded, blend_disabled;\n" + bands(
+    "void fragment()", "FRAGCOORD", """uint bits = floatBitsToUint(noise);
+    COLOR = vec4(uvec4(bits, bits >> 8u, bits >> 16u, bits >> 24u) & uvec4(255u)) / 255.0;""").replace("0f", "0").replace("5f", "5")
 WARNINGS = "-Wall", "-Wextra", "-Werror"
 HEADERS = MACROS + "".join(f'#include "{file}.hpp"\n' for file in FILES)
 CPP_LOOP = """#include <fstream>
@@ -246,8 +251,9 @@ class Translations(unittest.TestCase):
     def test_godot(self):
         if not GODOT.exists():
             self.skipTest("Godot is not installed: tools/test-engines godot installs it")
-        includes = "".join(f'#include "res://{file}.gdshaderinc"\n' for file in FILES[:-1]) + self.path("sea", "gdshaderinc").read_text()
-        self.compare_bands(GODOT_SHADER.replace("INCLUDES", includes), "gdshader", "godot", GODOT, "canvas", "mobile", "vulkan")
+        includes = "".join(f'#include "res://{file}.gdshaderinc"\n' for file in FILES[:-1])
+        self.compare_bands(GODOT_SHADER.replace("INCLUDES", includes + self.path("sea", "gdshaderinc").read_text()), "gdshader",
+                           "godot", GODOT, "canvas", "mobile", "vulkan")
 
     def test_opengl_es(self):
         """Runs GLSL after a header that sets mediump, which is 16 bits on this driver. The files set highp
@@ -272,8 +278,8 @@ class Translations(unittest.TestCase):
     def test_cpp_vectors(self):
         """Checks that the compiler vectorizes a loop over points, that its noise equals the shader's within 1e-6, and that the
         lattice's hash words are equal. Without `+ unknown`, the shader compiler would fold constants and reorder products."""
-        values, said = run_cpp(self.folder, HEADERS + CPP_LOOP, *WARNINGS, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
-                                *["-fopt-info-vec"] * GCC)
+        values, said = run_cpp(self.folder, HEADERS + CPP_LOOP, *WARNINGS, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I",
+                               self.made, *["-fopt-info-vec"] * GCC)
         if GCC:
             self.assertRegex(said, "loop vectorized")
         noise, words = np.split(values, 2)

@@ -1,5 +1,5 @@
-"""What the scripts that draw the scene of reference.py share: its code in GLSL and C++, the drop-ins' texts, packages, and the
-report that tools/test-engines reads."""
+"""What the scripts that draw the scene of reference.py share: its code in GLSL, Slang and C++, the drop-ins' texts, packages,
+and the report that tools/test-engines reads."""
 
 import json
 import os

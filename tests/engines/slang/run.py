@@ -14,5 +14,6 @@ def compiled(source, spirv):
     subprocess.run([sys.executable, "-B", ROOT / "tests/dialects/slangc.py", source, "main", "compute", spirv], check=True)
 
 
-driver, values = calls_on_vulkan("slang", "slang", "import gabor_noise;" + SLANG, [call.replace("vec", "float") for call in CALLS.values()], compiled)
+calls = [call.replace("vec", "float") for call in CALLS.values()]
+driver, values = calls_on_vulkan("slang", "slang", "import gabor_noise;" + SLANG, calls, compiled)
 report(sys.argv[1], values, "Slang", slangpy.__version__, "a module, to SPIR-V", driver, functions=list(CALLS))
