@@ -2,7 +2,6 @@
 GABOR_SCENES is the folder with the compiled programs, and GABOR_DXC the DirectX shader compiler's library, for dxc, unity and
 unreal."""
 
-import json
 import os
 import pathlib
 import re
@@ -13,59 +12,12 @@ import metal
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent / "engines"))
-from packaged import packaged  # noqa: E402
+from scene import SHADERS, compute_shader, drop_in, in_cpp, on_vulkan, packaged, report  # noqa: E402
 
-SHADERS = HERE.parents[1] / "shaders"
-SCENES = pathlib.Path(os.environ["GABOR_SCENES"])
-
-dialect, values, drop_in, *macros = sys.argv[1:]
+dialect, path, name, *macros = sys.argv[1:]
+values = pathlib.Path(path)
 os.environ.setdefault("GABOR_VALIDATION", "1")
-
-
-def run(*command):
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
-
-
-def pasted(scene, text, ending):
-    """Writes the scene with the macros, and with the drop-in in place of its include; returns the file."""
-    include = re.search(r'#include "gabor_.*\n', scene)[0]
-    text = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + text
-    path = pathlib.Path(values).with_suffix(ending)
-    path.write_text(scene.replace(include, text))
-    return path
-
-
-def with_node(scene):
-    """Returns the scene's text with the files of the dialect's package in place of their includes."""
-    node = packaged(dialect, f"{values}.{dialect}")
-
-    def expanded(path):
-        return re.sub(r'^#include "(.*)"$', lambda match: expanded(node / match[1]), path.read_text(), flags=re.MULTILINE)
-    return expanded(HERE / scene)
-
-
-def drawn_by_vulkan():
-    spirv = f"{values}.spv"
-    if dialect == "glsl":
-        shader = pasted((HERE / "scene.comp").read_text(), (SHADERS / f"{drop_in}.glsl").read_text(), ".comp")
-        run("glslangValidator", "--quiet", "-V", "-S", "comp", "-o", spirv, shader)
-    elif dialect == "unreal":
-        shader = pathlib.Path(values).with_suffix(".hlsl")
-        shader.write_text(with_node("scene_unreal.hlsl"))
-        run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
-    else:
-        shader = pasted((HERE / "scene.hlsl").read_text(), (SHADERS / "translations" / f"{drop_in}.hlsl").read_text(),
-                        ".hlsl")
-        if dialect == "dxc":
-            run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
-        else:
-            run("glslangValidator", "--quiet", "-V", "-D", "-S", "comp", "-e", "main", "-o", spirv, shader)
-    driver = run(SCENES / "scene_vulkan", spirv, values).strip()
-    if dialect == "unreal":  # its node has no gabor_noise_at
-        drawn = pathlib.Path(values)
-        drawn.write_bytes(drawn.read_bytes()[:4 * 256 * 256])
-    return driver
-
+os.environ.setdefault("CXX", "c++")
 
 UNITY = {  # the same functions as in reference.FUNCTIONS
     "noise": "noise",
@@ -73,32 +25,48 @@ UNITY = {  # the same functions as in reference.FUNCTIONS
     "gradient": "noise + dot(gradient, float2(1.0, 2.0)) / 32.0",
     "stripes": "dot(stripes, float3(0.25, 0.5, 0.75))",
 }
+CPP = "i < 65536 ? gabor_noise(p, 4.0f, 0.7854f, 7u)" \
+      " : gabor_noise_at(gabor_ivec2(1000000000, -1000000000), p, gabor_kernel(4.0f, 0.7854f), 7u)"
 
 
-def drawn_by_unity():
-    shader, spirv, pictures = pathlib.Path(values).with_suffix(".hlsl"), f"{values}.spv", b""
-    scene = with_node("scene_unity.hlsl")
-    for value in UNITY.values():
-        shader.write_text(f"#define VALUE ({value})\n" + scene)
-        run(sys.executable, "-B", HERE / "dxc.py", shader, spirv)
-        driver = run(SCENES / "scene_vulkan", spirv, values).strip()
-        pictures += pathlib.Path(values).read_bytes()[:4 * 256 * 256]
-    pathlib.Path(values).write_bytes(pictures)
-    return driver
+def drawn(shader):
+    """Returns the driver's name and the values of a compute shader."""
+    source, spirv = values.with_suffix(".comp" if dialect == "glsl" else ".hlsl"), values.with_suffix(".spv")
+    source.write_text(shader)
+    if dialect in ("glsl", "hlsl"):
+        hlsl = ["-D", "-e", "main"] if dialect == "hlsl" else []
+        subprocess.run(["glslangValidator", "--quiet", "-V", "-S", "comp", *hlsl, "-o", spirv, source], check=True)
+    else:
+        subprocess.run([sys.executable, "-B", HERE / "dxc.py", source, spirv], check=True)
+    return on_vulkan(spirv, values)
 
 
-def drawn_by_cpp():
-    compiler = os.environ.get("CXX", "c++")
-    text, options = (SHADERS / "translations" / f"{drop_in}.{'hpp' if dialect == 'cpp' else 'metal'}").read_text(), ["-std=c++11"]
-    if dialect == "metal":
-        text, options = metal.as_cpp(text), metal.options(compiler)
-    program = pathlib.Path(values).with_suffix("")
-    run(compiler, "-O1", *options, "-o", program, pasted((HERE / "scene.cpp").read_text(), text, ".cpp"))
-    run(program, values)
-    return "CPU"
+def with_node(scene):
+    """Returns the scene's text with the files of the dialect's package in place of their includes."""
+    node = packaged(dialect, f"{values}.{dialect}")
+
+    def expanded(file):
+        return re.sub(r'^#include "(.*)"$', lambda match: expanded(node / match[1]), file.read_text(), flags=re.MULTILINE)
+    return expanded(HERE / scene)
 
 
-driver = drawn_by_cpp() if dialect in ("cpp", "metal") else drawn_by_unity() if dialect == "unity" else drawn_by_vulkan()
+driver, functions = "CPU", {}
+if dialect == "cpp":
+    picture = in_cpp(values.parent, drop_in(name, macros, "hpp"), [CPP], "-std=c++11", "-O1", "-I", SHADERS / "translations")
+elif dialect == "metal":
+    picture = in_cpp(values.parent, metal.as_cpp(drop_in(name, macros, "metal")), [CPP], "-O1", *metal.options(os.environ["CXX"]))
+elif dialect == "unity":
+    scene, functions = with_node("scene_unity.hlsl"), {"functions": list(UNITY)}
+    drivers, pictures = zip(*(drawn(f"#define VALUE ({value})\n{scene}") for value in UNITY.values()))
+    driver, picture = drivers[0], b"".join(bytes(each[:65536]) for each in pictures)
+elif dialect == "unreal":  # its node has no gabor_noise_at
+    driver, picture = drawn(with_node("scene_unreal.hlsl"))
+    picture = picture[:65536]
+elif dialect == "glsl":
+    driver, picture = drawn(compute_shader(name, macros))
+else:
+    scene = (HERE / "scene.hlsl").read_text()
+    driver, picture = drawn(scene.replace('#include "gabor_noise.hlsl"\n', drop_in(name, macros, "hlsl")))
 engine, version, language = {
     "glsl": ("Vulkan", "1.1", "GLSL 450"),
     "hlsl": ("Vulkan", "1.1", "HLSL by glslang"),
@@ -108,5 +76,4 @@ engine, version, language = {
     "unreal": ("Unreal's Custom node", "-", "HLSL by DXC"),
     "cpp": ("none: a C++ compiler", "-", "C++ 11"),
 }[dialect]
-functions = {"functions": list(UNITY)} if dialect == "unity" else {}
-print(json.dumps({"engine": engine, "version": version, "dialect": language, "driver": driver, **functions}))
+report(path, picture, engine, version, language, driver, **functions)

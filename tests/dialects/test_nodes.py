@@ -17,10 +17,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "engines"))
 import metal  # noqa: E402
 import reference  # noqa: E402
-from packaged import packaged  # noqa: E402
+from scene import SHADERS, in_cpp, packaged  # noqa: E402
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-NODES = ROOT / "shaders" / "nodes"
+NODES = SHADERS / "nodes"
 UNITY = NODES / "unity"
 
 
@@ -103,67 +102,51 @@ console.log(JSON.stringify(Object.keys(functions)));
 """
 
 
-# Writes quadrature and gradient in the plane, and noise and gradient in space, at the scene's points.
-BESIDE = """
-#include "gabor_noise.hpp"
-#include "gabor_spectrum.hpp"
-#include "gabor_noise_3d.hpp"
-#include <fstream>
-int main(int, char** argv)
-{
-    std::ofstream file(argv[1], std::ios::binary);
-    for (int i = 0; i < 256 * 256; ++i) {
-        const gabor_vec2 p((float(i % 256) + 0.5f) / 32.0f, (float(i / 256) + 0.5f) / 32.0f);
-        const gabor_vec3 plane = gabor_noise_gradient(p, 4.0f, 0.7854f, 7u);
-        const gabor_vec4 space = gabor_noise_3d_gradient(gabor_vec3(p, 0.3f), 4.0f, gabor_vec3(1.0f, 2.0f, 3.0f), 7u);
-        const float values[] = {gabor_noise_complex(p, 4.0f, 0.7854f, 7u).x, plane.y, plane.z, space.x, space.y, space.z, space.w};
-        file.write(reinterpret_cast<const char*>(values), sizeof values);
-    }
-}
+# The outputs of the shaders, which are C++ functions in the namespace osl, and those of the drop-ins.
+NOISE = """
+    vector gradient(0), gradient_3d(0);
+    float noise, value, phase, intensity, noise_3d, value_3d, phase_3d, intensity_3d;
+    const vector place = vector(p.x, p.y, 0.3f) * 0.25f, along(1, 2, 3);
+    osl::gabor_noise(place, 4, 4, 0.7854f, 7, 0, along, value, phase, intensity, noise, gradient);
+    osl::gabor_noise(place, 4, 4, 0.7854f, 7, 1, along, value_3d, phase_3d, intensity_3d, noise_3d, gradient_3d);
+    const gabor_vec3 plane = gabor_noise_gradient(p, 4.0f, 0.7854f, 7u);
+    const gabor_vec4 space = gabor_noise_3d_gradient(gabor_vec3(p, 0.3f), 4.0f, gabor_vec3(1.0f, 2.0f, 3.0f), 7u);
+"""
+EROSION = """
+    float height, ridge;
+    vector slope(0);
+    osl::gabor_erosion(vector(p.x, p.y, 0), 1, 7, 5, 1.5f, 0.12f, 2, 0.5f, 0.5f, 1.5f, 2, 0.1f, 0.1f, 0.5f, 1, height, slope, ridge);
+    const GaborTerrain expected = gabor_eroded(p, gabor_terrain(p, 7), gabor_erosion(), 7);
 """
 
 
 class ByHand(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.values = self.folder / "values.raw"
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
 
-    def compare(self, *command):
-        """Compares the pictures that a program writes, one per function, with the reference."""
-        said = subprocess.run([*command, self.values], check=True, stdout=subprocess.PIPE, text=True).stdout
-        functions = json.loads(said or '["noise"]')
-        for function, values in zip(functions, np.split(np.fromfile(self.values, "<f4"), len(functions))):
-            with self.subTest(function):
-                error, place = reference.largest_difference(function, values)
-                print(f"{function}: largest difference {error:.2g} at row and column {place}")
-                self.assertLess(error, 1e-5)
+    def compare(self, function, values):
+        error, place = reference.largest_difference(function, values)
+        print(f"{function}: largest difference {error:.2g} at row and column {place}")
+        self.assertLess(error, 1e-5)
 
-    def run_osl(self, name, scene):
-        """Returns the output of a scene that calls an OSL shader as a C++ function."""
-        shader, compiler = self.folder / "shader.hpp", os.environ.get("CXX", "c++")
+    def osl(self, name, drop_ins, code, values):
+        """Returns the values of expressions after code that calls an OSL shader as a C++ function."""
         text = (packaged("osl", self.folder / "osl") / name).read_text()
         text = re.sub(r" = [^\[\n]*\[\[.*\]\]", "", re.sub(r"^shader ", "void ", text, flags=re.MULTILINE))
         text = re.sub(r"output (\w+ \w+\[)", r"\1", text)  # arrays are passed by reference anyway
-        shader.write_text(re.sub(r"output (\w+) (\w+)", r"\1& \2", text))
-        subprocess.run([compiler, *metal.options(compiler), "-O1", "-fwrapv", f'-DGABOR_OSL="{shader}"', "-I",
-                        ROOT / "shaders" / "translations", HERE / scene, "-o", self.folder / "program"], check=True)
-        subprocess.run([self.folder / "program", self.values], check=True)
-        return np.fromfile(self.values, "<f4")
+        text = re.sub(r"output (\w+) (\w+)", r"\1& \2", text)
+        includes = "".join(f'#include "{file}.hpp"\n' for file in drop_ins)
+        return in_cpp(self.folder, f'#include "osl.hpp"\nnamespace osl {{\n{text}}}\n{includes}', values, "-O1", "-fwrapv", "-I",
+                      SHADERS / "translations", *metal.options(os.environ.get("CXX", "c++")), code=code)[:, :256].astype(float)
 
     def test_open_shading_language(self):
         """Compares the noise with the reference and the shader's other outputs with the translation to C++."""
-        values = self.run_osl("gabor_noise.osl", "scene_osl.cpp")
-        plane, space = values.reshape(-1, 2, 7).transpose(1, 2, 0).astype(float)
-        error, place = reference.largest_difference("lattice", plane[0].astype("<f4"))
-        print(f"largest difference {error:.2g} at row and column {place}")
-        self.assertLess(error, 1e-5)
-
-        subprocess.run([os.environ.get("CXX", "c++"), "-std=c++11", "-O1", "-x", "c++", "-", "-I", ROOT / "shaders" / "translations", "-o",
-                        self.folder / "beside"], input=BESIDE, text=True, check=True)
-        subprocess.run([self.folder / "beside", self.values], check=True)
-        expected = np.fromfile(self.values, "<f4").reshape(-1, 7).T.astype(float)
+        made = self.osl("gabor_noise.osl", ["gabor_noise", "gabor_spectrum", "gabor_noise_3d"], NOISE, [
+            *"noise gradient.x gradient.y gradient.z value phase intensity".split(),
+            *"noise_3d gradient_3d.x gradient_3d.y gradient_3d.z value_3d phase_3d intensity_3d".split(),
+            "gabor_noise_complex(p, 4.0f, 0.7854f, 7u).x", *"plane.y plane.z space.x space.y space.z space.w".split()])
+        plane, space, expected = np.split(made, 3)
+        self.compare("lattice", plane[0])
         self.assertLess(np.abs(plane[1:3] - expected[1:3]).max(), 2e-3)
         self.assertLess(np.abs(space[0] - expected[3]).max(), 3e-5)
         self.assertLess(np.abs(space[1:4] - expected[4:]).max(), 2e-3)
@@ -176,8 +159,9 @@ class ByHand(unittest.TestCase):
         self.assertTrue(((0 <= phase) & (phase <= 1)).all())
 
     def test_erosion_in_open_shading_language(self):
-        values = self.run_osl("gabor_erosion.osl", "scene_osl_erosion.cpp").reshape(-1, 2, 4).astype(float)
-        error = np.abs(values[:, 0] - values[:, 1]).max(axis=0)
+        outputs = "height ridge slope.x slope.y expected.height expected.ridge expected.slope.x expected.slope.y".split()
+        made, expected = np.split(self.osl("gabor_erosion.osl", ["gabor_noise", "gabor_erosion"], EROSION, outputs), 2)
+        error = np.abs(made - expected).max(axis=(1, 2))
         print(f"largest differences of height, ridge and slopes: {error}")
         self.assertTrue((error < [1e-5, 1e-3, 1e-3, 1e-3]).all())
 
@@ -189,7 +173,12 @@ class ByHand(unittest.TestCase):
         for name, text in {"functions.mjs": functions.read_text(), "three_tsl.mjs": (HERE / "three_tsl.mjs").read_text(), "scene.mjs": TSL,
                            "gabor_noise.mjs": source.replace('"three/tsl"', '"./three_tsl.mjs"')}.items():
             (self.folder / name).write_text(text)
-        self.compare("node", self.folder / "scene.mjs")
+        values = self.folder / "values.raw"
+        said = subprocess.run(["node", self.folder / "scene.mjs", values], check=True, stdout=subprocess.PIPE, text=True).stdout
+        names = json.loads(said)
+        for name, picture in zip(names, np.split(np.fromfile(values, "<f4"), len(names))):
+            with self.subTest(name):
+                self.compare(name, picture)
 
 
 if __name__ == "__main__":

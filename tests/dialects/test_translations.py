@@ -15,10 +15,9 @@ import metal
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-SHADERS = ROOT / "shaders"
-sys.path.insert(0, str(HERE.parent / "fit"))
-from textures import colour_noise, write_png
+sys.path[:0] = [str(HERE.parent / "engines"), str(HERE.parent / "fit")]
+from scene import ROOT, SHADERS, in_cpp, on_vulkan, run_cpp  # noqa: E402
+from textures import colour_noise, write_png  # noqa: E402
 
 # gabor fit writes the last one
 FILES = ["gabor_noise", "gabor_spectrum", "gabor_direction", "gabor_noise_3d", "gabor_erosion", "gabor_materials", "sea"]
@@ -52,7 +51,7 @@ CALLS = {  # each call, and its column in the matrix of docs/engines.md
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",
 }
 NEEDED = {"solid": 4, "surface": 4, "erosion": 5, "materials": 6, "fitted": 7}  # the number of FILES that a call needs; others need 3
-MAP = "#define GABOR_DIRECTION(p) (0.3f * (p))\n"
+MACROS = "#define GABOR_LOBES 6\n#define GABOR_DIRECTION(p) (0.3f * (p))\n"
 SIX = """
 GaborLobes six()
 {
@@ -107,54 +106,35 @@ fn gabor_noise_direction(p: vec2f, seed: u32) -> f32 {
     values[pixel.y * 256u + pixel.x] = CALL;
 }
 """
-ES = """#define GABOR_LOBES 6
-#define GABOR_DIRECTION(p) (0.3 * (p))
-INCLUDES
-""" + SIX + """
-out vec4 value;
-void main()
-{
-    int row = int(gl_FragCoord.y);
-    vec2 p = vec2(gl_FragCoord.x, float(row % ROWS) + 0.5) / 32.0;
-    vec3 q = vec3(p, 0.3);
-    float noise = 0.0;
-    CALLS
-    value = vec4(noise);
-}
-"""
-GODOT_SHADER = """shader_type canvas_item;
-render_mode unshaded, blend_disabled;
+
+
+def bands(entry, pixel, shown):
+    """Returns a fragment shader that draws each call as a band. `pixel` is the pixel's position, and `shown` shows the noise."""
+    return """
 #define GABOR_LOBES 6
 #define GABOR_DIRECTION(p) (0.3 * (p))
 INCLUDES
-""" + SIX.replace("0f", "0").replace("5f", "5") + """
-void fragment()
-{
-    int row = int(FRAGCOORD.y);
-    vec2 p = vec2(FRAGCOORD.x, float(row % ROWS) + 0.5) / 32.0;
+""" + SIX + f"""
+{entry}
+{{
+    int row = int({pixel}.y);
+    vec2 p = vec2({pixel}.x, float(row % ROWS) + 0.5) / 32.0;
     vec3 q = vec3(p, 0.3);
     float noise = 0.0;
     CALLS
-    uint bits = floatBitsToUint(noise);
-    COLOR = vec4(uvec4(bits, bits >> 8u, bits >> 16u, bits >> 24u) & uvec4(255u)) / 255.0;
-}
+    {shown}
+}}
 """
-HEADERS = "".join(f'#include "{file}.hpp"\n' for file in FILES)
-CPP = SIX + """
-int main(int, char** argv)
-{
-    typedef float (*Call)(gabor_vec2, gabor_vec3);
-    const Call calls[] = {CALLS};
-    std::ofstream file(argv[1], std::ios::binary);
-    for (Call call : calls)
-        for (int i = 0; i < 256 * 257; ++i) {
-            const gabor_vec2 p = (gabor_vec2(float(i % 256), float(i / 256)) + 0.5f) / 32.0f;
-            const float value = call(p, gabor_vec3(p, 0.3f));
-            file.write(reinterpret_cast<const char*>(&value), sizeof value);
-        }
-}
-"""
-CPP_LOOP = """
+
+
+ES = bands("out vec4 value;\nvoid main()", "gl_FragCoord", "value = vec4(noise);")
+GODOT_SHADER = "shader_type canvas_item;\nrender_mode unshaded, blend_disabled;\n" + bands(
+    "void fragment()", "FRAGCOORD", """uint bits = floatBitsToUint(noise);
+    COLOR = vec4(uvec4(bits, bits >> 8u, bits >> 16u, bits >> 24u) & uvec4(255u)) / 255.0;""").replace("0f", "0").replace("5f", "5")
+WARNINGS = "-Wall", "-Wextra", "-Werror"
+HEADERS = MACROS + "".join(f'#include "{file}.hpp"\n' for file in FILES)
+CPP_LOOP = """#include <fstream>
+#include <vector>
 void draw(float* row, int y)
 {
     for (int x = 0; x < 256; ++x)
@@ -179,27 +159,12 @@ COMPILER = os.environ.get("CXX", "c++")
 GCC = metal.is_gcc(COMPILER)
 
 
-def banded(shader, calls):
-    """Returns a shader that draws each call as a band of one picture."""
-    rows = 256 // len(calls)
-    chosen = "".join(f"if (row / {rows} == {i}) noise = {call};\n    " for i, call in enumerate(calls))
-    return shader.replace("ROWS", str(rows)).replace("CALLS", chosen)
-
-
-def bands(values, calls):
-    """Returns the picture's values, by call."""
-    rows = 256 // len(calls)
-    return dict(zip(calls, np.fromfile(values, "<f4").reshape(257, 256)[:rows * len(calls)].reshape(len(calls), -1)))
-
-
 class Translations(unittest.TestCase):
     DRAWN = {}  # the values that the GLSL shader draws, by call
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.made = pathlib.Path(folder.name)
+        cls.made = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="gabor-")))
         write_png(cls.made / "sea.png", colour_noise(160))
         subprocess.run([os.environ["GABOR_PROGRAM"], "fit", "sea.png", "-o", "sea.json", "--lobes", "3", "--glsl", "sea.glsl"],
                        cwd=cls.made, check=True, stdout=subprocess.DEVNULL)
@@ -216,32 +181,25 @@ class Translations(unittest.TestCase):
         return (self.made / "wgsl" if ending == "wgsl" else SHADERS / "translations") / f"{file}.{ending}"
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
 
     def drawn(self, source, ending, *compiler):
         """Returns the values of a shader. `compiler` is a command that takes the shader's file and the SPIR-V file."""
         shader, spirv, values = (self.folder / f"shader.{kind}" for kind in (ending, "spv", "raw"))
         shader.write_text(source)
         subprocess.run([*compiler, shader, spirv], check=True, stdout=subprocess.DEVNULL)
-        subprocess.run([pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", spirv, values], check=True,
-                       stdout=subprocess.DEVNULL)
-        return np.fromfile(values, "<f4")
+        return on_vulkan(spirv, values)[1]
 
     def glsl(self, call):
         if call not in self.DRAWN:
-            self.DRAWN[call] = self.drawn_glsl(call)
+            text = "#version 450\n" + self.pasted("glsl", call, GLSL.replace("CALL", call))
+            self.DRAWN[call] = self.drawn(text, "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
         return self.DRAWN[call]
 
-    def drawn_glsl(self, call):
-        text = "#version 450\n" + self.pasted("glsl", call, GLSL.replace("CALL", call))
-        return self.drawn(text, "comp", "sh", "-c", 'glslangValidator -V "$0" -o "$1"')
-
-    def compare(self, translated, calls=tuple(CALLS)):
+    def compare(self, translated):
         """Compares each call with GLSL; colours and heights less strictly, because they magnify differences in rounding."""
         errors = {}
-        for call in calls:
+        for call in CALLS:
             with self.subTest(call):
                 wanted = self.glsl(call)
                 self.assertGreater(wanted.std(), 0.5)
@@ -254,21 +212,22 @@ class Translations(unittest.TestCase):
             name = self._testMethodName.removeprefix("test_")
             (pathlib.Path(folder) / f"{name}.json").write_text(json.dumps(errors))
 
-    def pasted(self, ending, call, text, before="#define GABOR_LOBES 6\n" + MAP):
+    def pasted(self, ending, call, text, before=MACROS):
         files = FILES[:NEEDED.get(CALLS.get(call), 3)]
         return before + "".join(self.path(file, ending).read_text() for file in files) + text
 
+    def compare_hlsl(self, *compiler):
+        self.compare(lambda call: self.drawn(self.pasted("hlsl", call, HLSL.replace("CALL", call.replace("vec", "float"))), "hlsl",
+                                             *compiler))
+
     def test_hlsl_by_glslang(self):
-        command = ["sh", "-c", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"']
-        self.compare(lambda call: self.drawn(self.pasted("hlsl", call, HLSL.replace("CALL", call.replace("vec", "float"))),
-                                             "hlsl", *command))
+        self.compare_hlsl("sh", "-c", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"')
 
     def test_hlsl_by_dxc(self):
         if not DXC.exists():
             self.skipTest("libdxcompiler is not installed")
         os.environ["GABOR_DXC"] = str(DXC)
-        self.compare(lambda call: self.drawn(self.pasted("hlsl", call, HLSL.replace("CALL", call.replace("vec", "float"))),
-                                             "hlsl", sys.executable, "-B", HERE / "dxc.py"))
+        self.compare_hlsl(sys.executable, "-B", HERE / "dxc.py")
 
     def test_wgsl_by_naga(self):
         if not shutil.which("naga"):
@@ -279,35 +238,28 @@ class Translations(unittest.TestCase):
             self.pasted("wgsl", call, WGSL.replace("CALL", call.replace("vec2", "vec2f").replace("vec3", "vec3f")), before=""), "wgsl",
             *command))
 
+    def compare_bands(self, text, ending, engine, *arguments):
+        """Draws each call as a band of one picture, with a script of tests/engines."""
+        rows, shader, values = 256 // len(CALLS), self.folder / f"noise.{ending}", self.folder / "values.raw"
+        chosen = "".join(f"if (row / {rows} == {i}) noise = {call};\n    " for i, call in enumerate(CALLS))
+        shader.write_text(text.replace("ROWS", str(rows)).replace("CALLS", chosen))
+        subprocess.run([sys.executable, "-B", HERE.parent / "engines" / engine / "run.py", *arguments, values, shader], check=True,
+                       stdout=subprocess.DEVNULL)
+        bands = np.fromfile(values, "<f4")[:256 * rows * len(CALLS)].reshape(len(CALLS), -1)
+        self.compare(dict(zip(CALLS, bands)).get)
+
     def test_godot(self):
-        """Runs Godot itself: each call is a band of one picture."""
         if not GODOT.exists():
             self.skipTest("Godot is not installed: tools/test-engines godot installs it")
-        calls, shader, values = tuple(CALLS), self.folder / "noise.gdshader", self.folder / "values.raw"
         includes = "".join(f'#include "res://{file}.gdshaderinc"\n' for file in FILES[:-1])
-        shader.write_text(banded(GODOT_SHADER, calls).replace("INCLUDES", includes + self.path("sea", "gdshaderinc").read_text()))
-        subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "godot" / "run.py", GODOT, "canvas", "mobile", "vulkan",
-                        values, shader], check=True, stdout=subprocess.DEVNULL)
-        self.compare(bands(values, calls).get, calls)
+        self.compare_bands(GODOT_SHADER.replace("INCLUDES", includes + self.path("sea", "gdshaderinc").read_text()), "gdshader",
+                           "godot", GODOT, "canvas", "mobile", "vulkan")
 
     def test_opengl_es(self):
         """Runs GLSL after a header that sets mediump, which is 16 bits on this driver. The files set highp
         themselves."""
-        calls, shader, values = tuple(CALLS), self.folder / "noise.frag", self.folder / "values.raw"
-        shader.write_text(banded(ES, calls).replace("INCLUDES", "".join(self.path(file, "glsl").read_text() for file in FILES)))
-        subprocess.run([sys.executable, "-B", HERE.parent / "engines" / "gles" / "run.py", "precision mediump float;", values,
-                        shader], check=True, stdout=subprocess.DEVNULL)
-        self.compare(bands(values, calls).get, calls)
-
-    def cpp(self, source, *options):
-        """Returns the output of a C++ program and the compiler's messages."""
-        program, values = self.folder / "program", self.folder / "values.raw"
-        compiler = [COMPILER, "-Wall", "-Wextra", "-Werror", *options, "-x", "c++", "-", "-o", program]
-        source = "#include <fstream>\n#include <vector>\n#define GABOR_LOBES 6\n" + MAP + source
-        said = subprocess.run(compiler, input=source, text=True, stderr=subprocess.PIPE)
-        self.assertEqual(said.returncode, 0, said.stderr)
-        subprocess.run([program, values], check=True)
-        return np.fromfile(values, "<u4"), said.stderr
+        includes = "".join(self.path(file, "glsl").read_text() for file in FILES)
+        self.compare_bands(ES.replace("INCLUDES", includes), "frag", "gles", "precision mediump float;")
 
     def test_cpp(self):
         # Inlining everything would triple the compile time.
@@ -315,21 +267,19 @@ class Translations(unittest.TestCase):
 
     def test_metal(self):
         text = "".join(self.path(file, "metal").read_text() for file in FILES)
-        self.compare_cpp(metal.as_cpp(text), "float", "-O1", "-Wno-unused", *metal.options(COMPILER))
+        self.compare_cpp(MACROS + metal.as_cpp(text), "float", "-O1", "-Wno-unused", *metal.options(COMPILER))
 
     def compare_cpp(self, before, vector, *options):
         """Compares each call in a C++ program. `before` is the text before its main, `vector` the prefix of its vectors."""
         calls = [re.sub(r"\bvec", vector, re.sub(r"(\d\.\d+)", r"\1f", call)) for call in CALLS]
-        functions = (f"[](gabor_vec2 p, gabor_vec3 q) {{ return (void)p, (void)q, {call}; }}" for call in calls)
-        values, _ = self.cpp(before + CPP.replace("CALLS", ", ".join(functions)), *options)
-        drawn = dict(zip(CALLS, values.view("<f4").reshape(len(calls), -1)))
-        self.compare(lambda call: drawn[call])
+        drawn = in_cpp(self.folder, before + SIX, calls, *WARNINGS, *options, code="const gabor_vec3 q(p, 0.3f);")
+        self.compare(dict(zip(CALLS, drawn.reshape(len(calls), -1))).get)
 
     def test_cpp_vectors(self):
         """Checks that the compiler vectorizes a loop over points, that its noise equals the shader's within 1e-6, and that the
         lattice's hash words are equal. Without `+ unknown`, the shader compiler would fold constants and reorder products."""
-        values, said = self.cpp(HEADERS + CPP_LOOP, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I", self.made,
-                                *["-fopt-info-vec"] * GCC)
+        values, said = run_cpp(self.folder, HEADERS + CPP_LOOP, *WARNINGS, "-std=c++11", "-O3", "-I", SHADERS / "translations", "-I",
+                               self.made, *["-fopt-info-vec"] * GCC)
         if GCC:
             self.assertRegex(said, "loop vectorized")
         noise, words = np.split(values, 2)

@@ -31,25 +31,16 @@ class Device(ProgramTest):
             self.assert_failed(1, words, result, before)
         self.assertGreater(call, least, f"{function}: fewer calls than expected")
 
-    def render(self, function, words, least):
-        (self.folder / "old.exr").write_text("older")
-        for output in ("new.exr", "old.exr"):
-            self.fail_at_every_call(function, words, least, "render", "-o", output, *FOUR_BANDS)
-
-    def test_a_lack_of_memory_for_buffers_is_reported(self):
-        self.render("vkAllocateMemory", ["OutOfDeviceMemory"], 4)
-
-    def test_a_lack_of_memory_for_the_pipeline_is_reported(self):
-        self.render("vkCreateComputePipelines", ["OutOfDeviceMemory"], 1)
-
-    def test_a_lack_of_memory_for_the_device_is_reported(self):
-        self.render("vkCreateDevice", ["OutOfDeviceMemory"], 1)
-
-    def test_a_loss_when_work_is_submitted_is_reported(self):
-        self.render("vkQueueSubmit", ["DeviceLost"], 2)
-
-    def test_a_loss_while_rendering_is_reported(self):
-        self.render("vkWaitForFences", ["DeviceLost"], 2)
+    def test_a_lack_of_memory_or_a_loss_while_rendering_is_reported(self):
+        for function, words, least in (("vkAllocateMemory", ["OutOfDeviceMemory"], 4),
+                                       ("vkCreateComputePipelines", ["OutOfDeviceMemory"], 1),
+                                       ("vkCreateDevice", ["OutOfDeviceMemory"], 1), ("vkQueueSubmit", ["DeviceLost"], 2),
+                                       ("vkWaitForFences", ["DeviceLost"], 2)):
+            for output in ("new.exr", "old.exr"):
+                with self.subTest(function, output=output):
+                    (self.folder / "old.exr").write_text("older")
+                    (self.folder / "new.exr").unlink(missing_ok=True)
+                    self.fail_at_every_call(function, words, least, "render", "-o", output, *FOUR_BANDS)
 
     def test_a_loss_during_a_study_is_reported(self):
         result = gabor("study", "figure1", "--quick", "-o", ".", command=(LAB,), cwd=self.folder,

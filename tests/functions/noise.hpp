@@ -154,6 +154,20 @@ inline noise::Place<2> any_lattice_place(Random& random, int taps) {
     return place;
 }
 
+/// Arguments for the functions of noise in space.
+struct Sample3d {
+    noise::Place<3> place;
+    gabor_vec3 p{0, 0, 0}; ///< position in kernel radii, for functions that take no place
+    float frequency = 2;
+    gabor_vec3 direction{1, 0, 0}, normal{0, 0, 1};
+    std::uint32_t seed = 0;
+};
+
+inline std::string to_string(const Sample3d& s) {
+    return fmt::format("{}, position {}, frequency {}, direction {}, normal {}, seed {}", to_string(s.place),
+                       wide(s.p), s.frequency, wide(s.direction), wide(s.normal), s.seed);
+}
+
 /// The standard deviation of one component of the gradient of isotropic noise in the plane. The waves
 /// contribute 2 pi^2 F^2 to its square, and the windows pi^2 / 3.
 inline double isotropic_slope(double frequency) {

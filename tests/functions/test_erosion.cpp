@@ -5,6 +5,7 @@
 #include "reference/erosion.hpp"
 #include "statistics/moments.hpp"
 
+#include <bit>
 #include <optional>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct Sample {
     gabor_vec2 local{0, 0}, period{0, 0}, dx{0, 0}, dy{0, 0};
     std::optional<Terrain> base; // replaces the hills; exactly representable in floats
     std::uint32_t seed = 7;
-    noise::Erosion erosion; // exactly representable in floats
+    noise::Erosion erosion;
 
     noise::Ground ground() const { return {{column, row}, {local.x, local.y}, {period.x, period.y}}; }
     Sample beside(float x, float y) const {
@@ -49,20 +50,7 @@ struct Terrains {
 
     static Terrain wide(const GaborTerrain& t) { return {t.height, {t.slope.x, t.slope.y}, t.ridge}; }
     static auto erosion(const Sample& s) {
-        const noise::Erosion& e = s.erosion;
-        const auto narrow = [](double number) { return static_cast<float>(number); };
-        return typename Functions::GaborErosion{e.octaves,
-                                                e.frequency,
-                                                narrow(e.strength),
-                                                e.lacunarity,
-                                                narrow(e.gain),
-                                                narrow(e.onset),
-                                                narrow(e.detail),
-                                                narrow(e.uniformity),
-                                                narrow(e.ridge_rounding),
-                                                narrow(e.crease_rounding),
-                                                narrow(e.gully_weight),
-                                                narrow(e.branching)};
+        return std::bit_cast<typename Functions::GaborErosion>(s.erosion);
     }
     static auto ground(const Sample& s) {
         return typename Functions::GaborTerrainPlace{{s.column, s.row}, s.local, s.period};

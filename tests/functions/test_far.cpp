@@ -1,7 +1,7 @@
 // Tests points far from the origin with fused multiply-adds, which GPU compilers also use. Their different
 // rounding must not move a point out of its cell.
 
-#include "noise_3d.hpp"
+#include "noise.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Compares the filters in the plane, in space and on surfaces with quadrature of the double-precision
 // reference.
 
-#include "noise_3d.hpp"
+#include "noise.hpp"
 
 #include <vector>
 

@@ -2,8 +2,7 @@
 // normal at each point and jointly.
 
 #include "law.hpp"
-#include "noise_3d.hpp"
-#include "reference/normal_mean.hpp"
+#include "noise.hpp"
 
 #include <boost/math/distributions/normal.hpp>
 #include <fmt/ranges.h>

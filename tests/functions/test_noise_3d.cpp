@@ -1,6 +1,6 @@
 // Compares every function of gabor_noise_3d.glsl with the double-precision reference.
 
-#include "noise_3d.hpp"
+#include "noise.hpp"
 
 using namespace gabor;
 using test::Differences;

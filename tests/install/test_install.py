@@ -24,26 +24,14 @@ INSTALLED = {
     "lib/cmake/gabor-noise/gabor-noise-config.cmake",
     "lib/cmake/gabor-noise/gabor-noise-targets.cmake",
     "share/gabor-noise/LICENSE",
-    "share/gabor-noise/shaders/gabor_direction.glsl",
-    "share/gabor-noise/shaders/gabor_erosion.glsl",
-    "share/gabor-noise/shaders/gabor_noise.glsl",
-    "share/gabor-noise/shaders/gabor_noise_3d.glsl",
-    "share/gabor-noise/shaders/gabor_materials.glsl",
-    "share/gabor-noise/shaders/gabor_sparse.glsl",
-    "share/gabor-noise/shaders/gabor_spectrum.glsl",
-    "share/gabor-noise/shaders/passes/bake.comp",
-    "share/gabor-noise/shaders/passes/bake_colour.comp",
-    "share/gabor-noise/shaders/passes/bake_interface.h",
-    "share/gabor-noise/shaders/passes/colour.glsl",
-    "share/gabor-noise/shaders/passes/colour.h",
-    "share/gabor-noise/shaders/passes/constants.h",
-    "share/gabor-noise/shaders/passes/interface.h",
-    "share/gabor-noise/shaders/passes/noise_channels.glsl",
-    "share/gabor-noise/shaders/passes/recipe.glsl",
     "share/gabor-noise/shaders/translations/gabor_vectors.hpp",
-    *(f"share/gabor-noise/shaders/translations/gabor_{name}.{dialect}"
+    *(f"share/gabor-noise/shaders/passes/{name}"
+      for name in ("bake.comp", "bake_colour.comp", "bake_interface.h", "colour.glsl", "colour.h", "constants.h", "interface.h",
+                   "noise_channels.glsl", "recipe.glsl")),
+    *(f"share/gabor-noise/shaders/{place}_{name}.{dialect}"
       for name in ("direction", "erosion", "materials", "noise", "noise_3d", "sparse", "spectrum")
-      for dialect in ("gdshaderinc", "hlsl", "hpp", "metal", "wgsl")),
+      for place, dialect in (("gabor", "glsl"), *(("translations/gabor", dialect)
+                                                  for dialect in ("gdshaderinc", "hlsl", "hpp", "metal", "wgsl")))),
 }
 
 
@@ -56,9 +44,7 @@ def run(*command, **options):
 class Install(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="gabor-")))
         cls.prefix = cls.folder / "a prefix"
         cls.build = cls.folder / "a build"
         run(CMAKE, "--install", os.environ["GABOR_BUILD"], "--prefix", cls.prefix)

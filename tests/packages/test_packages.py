@@ -10,18 +10,15 @@ import shutil
 import struct
 import subprocess
 import sys
-import tarfile
 import tempfile
 import tomllib
 import unittest
-import zipfile
 
 import numpy as np
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-SHADERS = ROOT / "shaders"
-sys.path[:0] = [str(ROOT / "tests" / "engines"), str(ROOT / "tools")]
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("tests/engines", "tools")]
 import reference  # noqa: E402
+from scene import ROOT, SHADERS, in_cpp  # noqa: E402
 from version import VERSION  # noqa: E402
 
 DROP_INS = sorted(path for folder in ("", "translations") for path in (SHADERS / folder).glob("gabor_*"))
@@ -39,42 +36,47 @@ def guid(meta):
     return re.search(r"^guid: ([0-9a-f]{32})$", meta.read_text(), re.MULTILINE)[1]
 
 
+def named(paths, folder):
+    """Returns the names of the files among the paths, relative to the folder."""
+    return {str(path.relative_to(folder)) for path in paths if path.is_file()}
+
+
 def tracked(folder):
     """Returns the paths of a folder's files in the repository, relative to the folder."""
     listed = run("git", "-C", folder, "ls-files", "-z", "--cached", "--others", "--exclude-standard").split("\0")
-    return {name for name in listed if name and (folder / name).is_file()}
+    return named((folder / name for name in listed), folder)
 
 
-class Package(unittest.TestCase):
+def repository(folder, names):
+    """Makes a repository of copies of these files."""
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, folder / name)
+    run("git", "init", "-q", folder)
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
+
+
+class Package(Folder):
     tools, name = (), None
 
     def setUp(self):
+        super().setUp()
         if missing := [tool for tool in (*self.tools, "git") if not shutil.which(tool)]:
             self.skipTest(f"not installed: {', '.join(missing)}")
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
         name = self.name or type(self).__name__.lower()
         self.archives = [ROOT / line for line in run(sys.executable, "-B", ROOT / "tools" / "package", name).splitlines()]
 
     def unpack(self):
         """Unpacks the archive below self.folder."""
         archive, = self.archives
-        if archive.suffix == ".zip":
-            with zipfile.ZipFile(archive) as packed:
-                self.assertIsNone(packed.testzip())
-                packed.extractall(self.folder)
-        else:
-            with tarfile.open(archive) as packed:
-                packed.extractall(self.folder)
-        files = {str(path.relative_to(self.folder)) for path in self.folder.rglob("*") if path.is_file()}
+        shutil.unpack_archive(archive, self.folder)
+        files = named(self.folder.rglob("*"), self.folder)
         self.assertEqual([name for name in files if LEFTOVERS.search(name)], [])
         return files
-
-    def assert_noise(self, function, values):
-        error, place = reference.largest_difference(function, values)
-        print(f"{function}: largest difference {error:.2g} at row and column {place}")
-        self.assertLess(error, 1e-5)
 
 
 class Npm(Package):
@@ -95,12 +97,9 @@ class Npm(Package):
         (project / "package.json").write_text('{"private": true}')
         run("npm", "install", "--offline", "--no-audit", "--no-fund", self.archives[0], self.folder / "three-0.187.0.tgz", cwd=project)
         installed = project / "node_modules" / "gabor-noise"
-        names = {str(path.relative_to(installed)) for path in installed.rglob("*")}
-        self.assertEqual([name for name in names if LEFTOVERS.search(name)], [])
         three_nodes = SHADERS / "nodes" / "three"
-        self.assertEqual({name for name in names if (installed / name).is_file()},
-                         {"LICENSE", "README.md", "package.json", *(str(path.relative_to(ROOT)) for path in DROP_INS),
-                          *(str((three_nodes / name).relative_to(ROOT)) for name in tracked(three_nodes))})
+        self.assertEqual(named(installed.rglob("*"), installed), {"LICENSE", "README.md", "package.json", *named(DROP_INS, ROOT),
+                                                                  *named((three_nodes / name for name in tracked(three_nodes)), ROOT)})
         described = json.loads((installed / "package.json").read_text())
         self.assertEqual((described["version"], described["type"]), (VERSION, "module")) # Node.js 18 needs it to recognize modules
 
@@ -192,49 +191,34 @@ print(gabor_noise.__version__)
         with np.load(self.folder / "pictures.npz") as pictures:
             for function, values in pictures.items():
                 with self.subTest(function):
-                    self.assert_noise(function, values)
+                    error, place = reference.largest_difference(function, values)
+                    print(f"{function}: largest difference {error:.2g} at row and column {place}")
+                    self.assertLess(error, 1e-5)
         y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
-        expected = reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag
-        difference = np.abs(np.load(self.folder / "solid.npy")[:32] - expected)
-        print(f"solid: largest difference {difference.max():.2g}")
-        self.assertLess(difference.max(), 1e-5)
-        self.check_terrain()
+        solid = reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag
+        self.assert_close("solid", np.load(self.folder / "solid.npy")[:32], solid, 1e-5)
+        # Compares the terrain with the header that the module wraps; other tests compare the header with the reference.
+        parts = [f"{terrain}.{part}" for terrain in ("hills", "mountains", "badlands", "island")
+                 for part in ("height", "slope.x", "slope.y", "ridge")]
+        expected = in_cpp(self.folder, '#include "gabor_noise.hpp"\n#include "gabor_erosion.hpp"\n', parts, "-std=c++17", "-O1",
+                          "-ffp-contract=off", "-I", SHADERS / "translations", code=self.TERRAIN)[:, :256].reshape(4, 4, 256, 256)
+        self.assert_close("terrain", np.load(self.folder / "terrain.npy").transpose(0, 3, 1, 2), expected, 2e-5)
+
+    def assert_close(self, name, values, expected, bound):
+        difference = np.abs(values - expected)
+        print(f"{name}: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
+        self.assertLess(difference.max(), bound)
 
     TERRAIN = """
-#include "gabor_noise.hpp"
-#include "gabor_erosion.hpp"
-#include <cstdio>
-int main() {
-    for (int kind = 0; kind < 4; ++kind)
-        for (int i = 0; i < 256 * 256; ++i) {
-            const gabor_ivec2 cell(i % 256 / 32, i / 256 / 32);
-            const gabor_vec2 local((i % 32 + 0.5f) / 32, (i / 256 % 32 + 0.5f) / 32), none(0.0f);
-            const GaborTerrainPlace ground{cell, local, kind == 3 ? gabor_vec2(8.0f) : none};
-            GaborTerrain t = gabor_terrain_at(ground, none, none, 7u);
-            if (kind > 0)
-                t = gabor_eroded_at(ground, none, none, t, gabor_erosion(), 7u);
-            const GaborErosion badlands{3, 2, 0.2f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.2f, 0.3f, 0.7f, 0.8f};
-            if (kind == 2)
-                t = gabor_eroded_at(ground, none, none, t, badlands, 8u);
-            const float values[] = {t.height, t.slope.x, t.slope.y, t.ridge};
-            std::fwrite(values, 4, 4, stdout);
-        }
-}
+        const gabor_ivec2 cell(int(p.x), int(p.y));
+        const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
+        const GaborTerrainPlace ground{cell, local, none}, tile{cell, local, gabor_vec2(8.0f)};
+        const GaborErosion erosion = gabor_erosion(), rough{3, 2, 0.2f, 1.9f, 0.6f, 0.4f, 1.2f, 3, 0.2f, 0.3f, 0.7f, 0.8f};
+        const GaborTerrain hills = gabor_terrain_at(ground, none, none, 7u);
+        const GaborTerrain mountains = gabor_eroded_at(ground, none, none, hills, erosion, 7u);
+        const GaborTerrain badlands = gabor_eroded_at(ground, none, none, mountains, rough, 8u);
+        const GaborTerrain island = gabor_eroded_at(tile, none, none, gabor_terrain_at(tile, none, none, 7u), erosion, 7u);
 """
-
-    def check_terrain(self):
-        """Compares the module with the header that it wraps; other tests compare the header with the reference."""
-        compiler = shutil.which("c++")
-        if not compiler:
-            self.skipTest("no C++ compiler")
-        program = self.folder / "terrain"
-        run(compiler, "-x", "c++", "-std=c++17", "-O1", "-ffp-contract=off", "-I", ROOT / "shaders" / "translations", "-o", program,
-            "-", input=self.TERRAIN)
-        made = subprocess.run([program], stdout=subprocess.PIPE, check=True).stdout
-        expected = np.frombuffer(made, "<f4").reshape(4, 256, 256, 4)
-        difference = np.abs(np.load(self.folder / "terrain.npy") - expected)
-        print(f"terrain: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
-        self.assertLess(difference.max(), 2e-5)
 
 
 class Node(Package):
@@ -248,7 +232,7 @@ class Node(Package):
         source = SHADERS / "nodes" / (self.name or type(self).__name__.lower()) / self.part
         self.unpack()
         root = self.folder / self.place
-        files = {str(path.relative_to(root)) for path in root.rglob("*") if path.is_file()}
+        files = named(root.rglob("*"), root)
         self.assertEqual(files, tracked(source) | set(self.copied) | {"LICENSE"} | set(self.made(root)))
         self.assertLessEqual(set(self.included), files)
         for name, original in (self.copied | {"LICENSE": "../LICENSE"}).items():
@@ -379,18 +363,6 @@ class Osl(Node):
         return (self.folder / original.removeprefix("nodes/")).read_bytes()
 
 
-class Shadertoy(Node):
-    included = {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": ["gabor_noise.glsl", "gabor_erosion.glsl"]}
-
-
-class Slang(Node):
-    included = {"gabor_noise.slang": ["translations/gabor_noise.hlsl"]}
-
-
-class Three(Node):
-    pass
-
-
 class Unity(Node):
     place = "package"
     included = {"gabor_noise.hlsl": ["translations/gabor_noise.hlsl"]}
@@ -410,11 +382,14 @@ class Unity(Node):
             self.assertTrue((root / include).exists(), include)
 
 
-class Unreal(Node):
-    included = {"gabor_noise.ush": ["translations/gabor_noise.hlsl"]}
-
-
-NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Shadertoy, Slang, Three, Unity, Unreal]
+PLAIN = {  # nodes that need no more than Node checks: the texts that their files include
+    "shadertoy": {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": ["gabor_noise.glsl", "gabor_erosion.glsl"]},
+    "slang": {"gabor_noise.slang": ["translations/gabor_noise.hlsl"]},
+    "three": {},
+    "unreal": {"gabor_noise.ush": ["translations/gabor_noise.hlsl"]},
+}
+NODES = [Bevy, Blender, Cpp, Godot, MaterialMaker, MaterialX, Osl, Unity, *(type(name.title(), (Node,), {"included": included})
+                                                            for name, included in PLAIN.items())]
 
 
 class Folders(unittest.TestCase):
@@ -503,14 +478,9 @@ class Benchmark(Package):
 class Repository(unittest.TestCase):
     def npm_with(self, remote):
         """Returns package.json of npm's package in a repository with this remote."""
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        self.addCleanup(folder.cleanup)
-        root = pathlib.Path(folder.name)
-        for file in ("CMakeLists.txt", "package.json", "tools/package", "tools/version.py"):
-            (root / file).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / file, root / file)
+        root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
+        repository(root, ("CMakeLists.txt", "package.json", "tools/package", "tools/version.py"))
         (root / "shaders/nodes").mkdir(parents=True)
-        run("git", "init", "-q", root)
         if remote:
             run("git", "-C", root, "remote", "add", "origin", remote)
         run(sys.executable, "-B", root / "tools/package", "npm")
@@ -525,20 +495,15 @@ class Repository(unittest.TestCase):
             self.assertNotIn("repository", self.npm_with(remote))
 
 
-class Release(unittest.TestCase):
+class Release(Folder):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-        for name in tracked(ROOT):
-            if re.match(r"(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
-                        r"host/lab/passes/bench/|host/render/struct_rows)", name):
-                (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(ROOT / name, self.root / name)
-        run("git", "init", "-q", self.root)
+        super().setUp()
+        repository(self.folder, filter(re.compile(
+            "(?:CMakeLists.txt|CITATION.cff|CHANGELOG.md|shaders/|tools/|tests/golden/|docs/demo/|docs/benchmark.html|"
+            "host/lab/passes/bench/|host/render/struct_rows)").match, tracked(ROOT)))
 
     def release(self, *arguments):
-        return subprocess.run([sys.executable, "-B", self.root / "tools/release", *arguments], capture_output=True, text=True)
+        return subprocess.run([sys.executable, "-B", self.folder / "tools/release", *arguments], capture_output=True, text=True)
 
     def assert_refused(self, reason, *arguments):
         refused = self.release(*arguments)
@@ -546,7 +511,7 @@ class Release(unittest.TestCase):
         self.assertIn(reason, refused.stderr)
 
     def test_refuses_an_unfinished_tree(self):
-        changes, citation = self.root / "CHANGELOG.md", self.root / "CITATION.cff"
+        changes, citation = self.folder / "CHANGELOG.md", self.folder / "CITATION.cff"
         changes.write_text(f"# Changelog\n\n## {VERSION} (unreleased)\n")
         self.assert_refused(f"CHANGELOG.md begins with {VERSION} (unreleased), not {VERSION}")
         changes.write_text(f"# Changelog\n\n## {VERSION}\n")
@@ -560,12 +525,12 @@ class Release(unittest.TestCase):
             self.skipTest("needs naga")
         made = self.release("--set", "9.8.7")
         self.assertEqual(made.returncode, 0, made.stderr)
-        changed = {name for name in tracked(self.root) if (self.root / name).read_bytes() != (ROOT / name).read_bytes()}
+        changed = {name for name in tracked(self.folder) if (self.folder / name).read_bytes() != (ROOT / name).read_bytes()}
         naming = {str(path.relative_to(ROOT)) for path in [*DROP_INS, *(ROOT / "tests/golden").glob("*.txt")]
                   if re.search(r"GABOR_NOISE_VERSION|\Aversion ", path.read_text())}
         self.assertLessEqual({"CMakeLists.txt", "CITATION.cff", "docs/demo/index.html", *naming}, changed)
         for name in changed:
-            old, new = ((root / name).read_text().splitlines() for root in (ROOT, self.root))
+            old, new = ((root / name).read_text().splitlines() for root in (ROOT, self.folder))
             differences = [line for before, line in zip(old, new, strict=True) if before != line]
             self.assertEqual([line for line in differences if not re.search(r"9\.8\.7|90807|^// Digest", line)], [], name)
 

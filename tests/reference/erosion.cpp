@@ -40,9 +40,7 @@ Axis axis_at(std::int32_t cell, double local, float period, float nodes) {
 }
 
 std::int32_t line(const Axis& axis, std::int32_t offset) {
-    const auto index =
-        static_cast<std::int32_t>(static_cast<std::uint32_t>(axis.cell) + static_cast<std::uint32_t>(offset));
-    return axis.period == 0 ? index : ((index % axis.period) + axis.period) % axis.period;
+    return wrapped(wrapped(std::int64_t{axis.cell} + offset, 0), axis.period);
 }
 
 // The cubic B-spline at a distance d from its node, and its derivative.
@@ -105,12 +103,12 @@ Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const
         return std::lerp(erosion.crease_rounding, erosion.ridge_rounding, 0.5 + 0.5 * cosine);
     };
     Vector<2> steer = base.slope, gully_slope{};
-    double gully = base.ridge, depth = erosion.strength / erosion.frequency, width = 1;
+    double gully = base.ridge, depth = double{erosion.strength} / erosion.frequency, width = 1;
     double mask = 1, round = rounding(base.ridge);
     float frequency = erosion.frequency;
     for (int octave = 0; octave < erosion.octaves; ++octave) {
         const double steep = std::max(std::hypot(steer[0], steer[1]), 1e-9);
-        mask *= std::pow(mask_of(steep / std::max(erosion.onset, 1e-6), round), 2);
+        mask *= std::pow(mask_of(steep / std::max(double{erosion.onset}, 1e-6), round), 2);
         const Vector<2> wave{-steer[1] / steep * frequency, steer[0] / steep * frequency};
         // The filter is nearly Gaussian, with a deviation of half a pixel: what it keeps of a wave reaches 0
         // where a Gaussian keeps 2 %.
@@ -139,7 +137,7 @@ Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const
             const double side = z.imag() < 0 ? -two_pi : two_pi;
             steer[axis] -= side * kept * erosion.branching * erosion.gully_weight * depth * mask * wave[axis];
         }
-        mask *= erosion.detail / (1 + mask * (erosion.detail - 1));
+        mask *= erosion.detail / (1 + mask * (double{erosion.detail} - 1));
         round = rounding(z.real());
         mask *= mask_of((1 - kept) / 2 + std::abs(z.imag()), round * width);
         width *= erosion.lacunarity;

@@ -8,7 +8,7 @@
 namespace gabor::noise {
 
 /// Terrain, Erosion and Ground mirror the structs GaborTerrain, GaborErosion and GaborTerrainPlace of
-/// shaders/gabor_erosion.glsl.
+/// shaders/gabor_erosion.glsl. Erosion has the same layout.
 struct Terrain {
     double height = 0;
     Vector<2> slope{};
@@ -16,17 +16,17 @@ struct Terrain {
 };
 struct Erosion {
     int octaves = 5;
-    float frequency = 1.5f; ///< in single precision, because it selects the lattices
-    double strength = 0.12;
+    float frequency = 1.5f;
+    float strength = 0.12f;
     float lacunarity = 2;
-    double gain = 0.5;
-    double onset = 0.5;
-    double detail = 1.5;
-    double uniformity = 2;
-    double ridge_rounding = 0.1;
-    double crease_rounding = 0.1;
-    double gully_weight = 0.5;
-    double branching = 1;
+    float gain = 0.5f;
+    float onset = 0.5f;
+    float detail = 1.5f;
+    float uniformity = 2;
+    float ridge_rounding = 0.1f;
+    float crease_rounding = 0.1f;
+    float gully_weight = 0.5f;
+    float branching = 1;
 };
 struct Ground {
     std::array<std::int32_t, 2> cell{};

@@ -19,13 +19,13 @@ std::uint32_t next_word(std::uint32_t word) {
     return (word ^ word >> 15) * 0xd35a2d97u;
 }
 
+} // namespace
+
 std::int32_t wrapped(std::int64_t index, std::int32_t period) {
     const std::int64_t whole = std::int64_t{1} << 32;
     const std::int64_t modulus = period == 0 ? whole : period;
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(((index % modulus) + modulus) % modulus));
 }
-
-} // namespace
 
 std::uint32_t mix(std::uint32_t word, std::uint32_t salt) {
     word = (word ^ word >> 16) * 0x21f0aaadu + salt;

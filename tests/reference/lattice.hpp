@@ -16,6 +16,9 @@ namespace gabor::noise {
 constexpr std::uint32_t spread = 0x9e3779b1u;
 std::uint32_t mix(std::uint32_t word, std::uint32_t salt);
 
+/// The index of a node or cell modulo a period or, if that is 0, modulo 2^32.
+std::int32_t wrapped(std::int64_t index, std::int32_t period);
+
 /// The noise in N dimensions as a complex number, whose imaginary part is the noise itself, and its gradient
 /// per kernel radius.
 template <std::size_t N>

@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::uint32_t spread_impulses = 0x85ebca6bu;
 
-// Cells wrap modulo 2^32.
-std::int32_t shifted(std::int32_t cell, std::int64_t by) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(cell) + static_cast<std::uint32_t>(by));
-}
-
 // The window's value and derivative at x.
 struct Window {
     double value;
@@ -34,10 +29,6 @@ Window window(const Recipe& recipe, double x) {
         q.value += c * power;
     }
     return q;
-}
-
-std::int32_t wrapped(std::int32_t cell, std::int32_t period) {
-    return period == 0 ? cell : ((cell % period) + period) % period;
 }
 
 } // namespace
@@ -76,8 +67,8 @@ Field<2> Reference::field(const Place<2>& place) const {
         for (std::int64_t i = lowest(place.local[0], radius_x); i <= highest(place.local[0], radius_x); ++i) {
             for (int k = 0; k < recipe_.impulses; ++k) {
                 const std::uint32_t word =
-                    impulse_word(wrapped(shifted(place.cell[0], i), place.period[0]),
-                                 wrapped(shifted(place.cell[1], j), place.period[1]), k, seed_);
+                    impulse_word(wrapped(wrapped(place.cell[0] + i, 0), place.period[0]),
+                                 wrapped(wrapped(place.cell[1] + j, 0), place.period[1]), k, seed_);
                 const double x = (word >> 8 & 0x7fffff) * 0x1p-23;
                 const double y = (word & 0x7fffff) * 0x1p-23;
                 const auto phases = static_cast<std::uint32_t>(recipe_.phases);

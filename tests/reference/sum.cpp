@@ -1,7 +1,5 @@
 #include "reference/sum.hpp"
 
-#include "reference/normal_mean.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +9,37 @@ namespace gabor::noise {
 namespace {
 
 using std::numbers::pi;
+
+// A sample point for a function's mean under a normal density in the plane, with its weight.
+struct NormalPoint {
+    double u; // position along the first axis, in deviations
+    double v; // position along the second axis, in deviations
+    double weight;
+};
+
+// Points of the trapezoidal rule out to six deviations. Their spacing is at most `step`, in the unit of the
+// deviations, and at most two thirds of a deviation, at which the rule errs by less than 1e-15.
+std::vector<NormalPoint> normal_points(const std::array<double, 2>& deviations, double step) {
+    std::array<int, 2> half{};
+    for (std::size_t i = 0; i < 2; ++i)
+        if (deviations[i] >= 1e-7)
+            half[i] = std::max(9, static_cast<int>(std::ceil(6 * deviations[i] / step)));
+    std::vector<NormalPoint> points;
+    double weights = 0;
+    for (int j = -half[1]; j <= half[1]; ++j) {
+        for (int i = -half[0]; i <= half[0]; ++i) {
+            const double u = half[0] ? 6.0 * i / half[0] : 0;
+            const double v = half[1] ? 6.0 * j / half[1] : 0;
+            if (u * u + v * v > 36)
+                continue;
+            points.push_back({u, v, std::exp(-(u * u + v * v) / 2)});
+            weights += points.back().weight;
+        }
+    }
+    for (NormalPoint& point : points)
+        point.weight /= weights;
+    return points;
+}
 
 // Converts a place to a term's own kernel radii and nodes.
 template <std::size_t N>
@@ -44,6 +73,14 @@ double smoothstep(double low, double high, double x) {
 }
 
 } // namespace
+
+double hann_correlation(double x) {
+    x = std::abs(x);
+    if (x >= 2)
+        return 0;
+    const double turn = std::numbers::pi * x;
+    return ((2 - x) * (1 + 0.5 * std::cos(turn)) + 1.5 / std::numbers::pi * std::sin(turn)) / 3;
+}
 
 template <std::size_t N>
 std::array<Vector<N>, 2> principal_axes(const Vector<N>& dx, const Vector<N>& dy) {
@@ -156,27 +193,21 @@ std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, dou
     return lobes;
 }
 
-std::vector<SurfaceWave> surface_waves(const Vector<3>& normal, double frequency, const Vector<3>& direction,
-                                       std::uint32_t seed) {
+Sum<3> surface_noise(const Vector<3>& normal, double frequency, const Vector<3>& direction,
+                     std::uint32_t seed) {
     const Vector<3> axis = std::abs(direction[2]) < 0.7 ? Vector<3>{0, 0, 1} : Vector<3>{1, 0, 0};
     const Vector<3> other = cross(direction, axis);
     const Vector<3> along = sum(1, direction, -dot(direction, normal), normal);
     const Vector<3> instead = sum(1, other, -dot(other, normal), normal);
     const double first = smoothstep(1.0 / 16, 1.0 / 4, dot(along, along));
-    const double length = std::hypot(first, 1 - first);
-    std::vector<SurfaceWave> waves;
-    if (first > 0)
-        waves.push_back({first / length, scaled(frequency, unit(along)), lattice_lobe_seed(seed, 0)});
-    if (first < 1)
-        waves.push_back({(1 - first) / length, scaled(frequency, unit(instead)), lattice_lobe_seed(seed, 1)});
-    return waves;
-}
-
-Sum<3> surface_noise(const Vector<3>& normal, double frequency, const Vector<3>& direction,
-                     std::uint32_t seed) {
     Sum<3> sum;
-    for (const SurfaceWave& one : surface_waves(normal, frequency, direction, seed))
-        sum.add(one.weight, wave_noise(3, one.wave, one.seed));
+    const auto add = [&](const Vector<3>& wave, double weight, int index) {
+        if (weight > 0)
+            sum.add(weight / std::hypot(first, 1 - first),
+                    wave_noise(3, scaled(frequency, unit(wave)), lattice_lobe_seed(seed, index)));
+    };
+    add(along, first, 0);
+    add(instead, 1 - first, 1);
     return sum;
 }
 

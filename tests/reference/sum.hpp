@@ -40,6 +40,10 @@ class Sum {
     std::vector<Term> terms_;
 };
 
+/// The correlation between two points x apart along an axis, for noise with Hann's window h: the integral of
+/// h(t) h(t + x) divided by that of h^2.
+double hann_correlation(double x);
+
 /// The principal axes of the filter of Sum::filtered. Their lengths are its standard deviations.
 template <std::size_t N>
 std::array<Vector<N>, 2> principal_axes(const Vector<N>& dx, const Vector<N>& dy);
@@ -59,15 +63,7 @@ Sum<2> spectrum(const std::vector<SpectrumLobe>& lobes);
 std::vector<SpectrumLobe> spread_lobes(double frequency, double orientation, double frequency_spread,
                                        double orientation_spread, std::uint32_t seed);
 
-/// The wave vectors of gabor_noise_surface with their weights and seeds. Normals and directions have length
-/// 1.
-struct SurfaceWave {
-    double weight;
-    Vector<3> wave;
-    std::uint32_t seed;
-};
-std::vector<SurfaceWave> surface_waves(const Vector<3>& normal, double frequency, const Vector<3>& direction,
-                                       std::uint32_t seed);
+/// The noises of gabor_noise_surface and gabor_noise_surface_isotropic. Normals and directions have length 1.
 Sum<3> surface_noise(const Vector<3>& normal, double frequency, const Vector<3>& direction,
                      std::uint32_t seed);
 Sum<3> isotropic_surface_noise(const Vector<3>& normal, double frequency, std::uint32_t seed);

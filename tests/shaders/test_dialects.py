@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "engines"))
-from packaged import packaged  # noqa: E402
+from scene import packaged  # noqa: E402
 
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
 VALIDATOR = os.environ["GLSLANG_VALIDATOR"]
@@ -31,19 +31,10 @@ MAP = "vec2 gabor_map(vec2 p)\n{\n    return p.yx;\n}\n#define GABOR_DIRECTION(p
 SOURCES = {name: "".join((SHADERS / f"{file}.glsl").read_text() for file in files) for name, files in FILES.items()}
 
 LISTED = json.loads(subprocess.run([os.environ["GABOR_PROGRAM"], "recipes", "--json"], capture_output=True, check=True).stdout)
-RECIPES = {
-    "gabor_sparse": {
-        **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_sparse.glsl"},
-    },
-    "gabor_noise": {
-        **{recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == "gabor_noise.glsl"},
-    },
-    "gabor_spectrum": {"default": {}, "lobes": {"GABOR_LOBES": "6"}},
-    "gabor_noise_3d": {"default": {}},
-    "gabor_materials": {"default": {}},
-    "gabor_direction": {"default": {}},
-    "gabor_erosion": {"default": {}, "lattice-2": {"GABOR_TAPS": "2"}, "lattice-4": {"GABOR_TAPS": "4"}},
-}
+RECIPES = {name: {recipe["name"]: recipe["macros"] for recipe in LISTED if recipe["file"] == f"{name}.glsl"} or {"default": {}}
+           for name in FILES}
+RECIPES["gabor_spectrum"]["lobes"] = {"GABOR_LOBES": "6"}
+RECIPES["gabor_erosion"] |= {"lattice-2": {"GABOR_TAPS": "2"}, "lattice-4": {"GABOR_TAPS": "4"}}
 
 # Invalid values of macros, and the compiler's expected message.
 BAD_MACROS = {
@@ -107,9 +98,7 @@ def outermost(text):
 
 class Dialects(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
 
     def compile(self, source, stage, options):
         """Compiles and links without errors or warnings; returns the SPIR-V file, if requested."""
@@ -133,12 +122,11 @@ class Dialects(unittest.TestCase):
         before = "precision highp float;\nprecision highp int;\nuniform vec3 iResolution;\nuniform float iTime;\n" \
                  "uniform vec4 iMouse;\nout vec4 result;\n"
         after = "void main() { mainImage(result, gl_FragCoord.xy); }\n"
-        with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
-            texts = sorted(packaged("shadertoy", folder).glob("*.frag"))
-            self.assertGreaterEqual(len(texts), 2)
-            for path in texts:
-                with self.subTest(path.name):
-                    self.compile(f"#version 300 es\n{before}{path.read_text()}{after}", "frag", [])
+        texts = sorted(packaged("shadertoy", self.folder / "package").glob("*.frag"))
+        self.assertGreaterEqual(len(texts), 2)
+        for path in texts:
+            with self.subTest(path.name):
+                self.compile(f"#version 300 es\n{before}{path.read_text()}{after}", "frag", [])
 
     def test_an_error_names_a_bad_macro(self):
         *parts, stage, options = DIALECTS["300 es fragment"]
@@ -148,7 +136,7 @@ class Dialects(unittest.TestCase):
                     self.compile(shader(name, *parts, {macro: value}), stage, options)
 
     def test_a_missing_include_is_named(self):
-        (version, before, *_), stage, options = DIALECTS["450 fragment"][:4], *DIALECTS["450 fragment"][4:]
+        version, before, _, _, stage, options = DIALECTS["450 fragment"]
         for name in ("gabor_spectrum", "gabor_noise_3d", "gabor_materials", "gabor_erosion", "gabor_direction"):
             with self.subTest(name), self.assertRaisesRegex(AssertionError, r"Include gabor_noise . glsl \S*.*before"):
                 self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
@@ -162,9 +150,9 @@ class Dialects(unittest.TestCase):
                 with self.subTest(bundle.name, version=version):
                     text = bundle.read_text()
                     self.assertIn("SPDX-License-Identifier: MIT", text)
-                    use = "c = vec4(gabor_noise(gl_FragCoord.xy, 4.0, 0.7854, 7u));"
                     output = "layout(location = 0) out" if version == "450" else "out"
-                    self.compile(f"#version {version}\n{text}\n{output} vec4 c;\nvoid main()\n{{\n    {use}\n}}\n", "frag", [])
+                    self.compile(f"#version {version}\n{text}\n{output} vec4 c;\n"
+                                 "void main() { c = vec4(gabor_noise(gl_FragCoord.xy, 4.0, 0.7854, 7u)); }\n", "frag", [])
 
     def test_including_two_base_drop_ins_is_an_error(self):
         for both in (("gabor_sparse", "gabor_noise"), ("gabor_noise", "gabor_sparse")):

@@ -23,9 +23,7 @@ class StudyTest(ProgramTest):
     @classmethod
     def setUpClass(cls):
         """Runs the study `law` twice: the first run is interrupted after its first table, the second resumes it."""
-        folder = tempfile.TemporaryDirectory(prefix="gabor-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.law = pathlib.Path(folder.name)
+        cls.law = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="gabor-")))
         process = start("study", "law", "--quick", "-o", ".", cwd=cls.law)
         while process.poll() is None and not (cls.law / "law_places.json").exists():
             time.sleep(0.01)

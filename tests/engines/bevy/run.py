@@ -1,20 +1,15 @@
 """Imports functions from the modules in the package for Bevy, composes them with naga_oil as Bevy does, and runs them on
 Vulkan: run.py VALUES.raw"""
 
-import json
 import os
 import pathlib
 import re
 import subprocess
 import sys
-import tempfile
-
-import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
-from functions import CALLS, on_vulkan  # noqa: E402
-from packaged import packaged  # noqa: E402
+from scene import CALLS, calls_on_vulkan, report  # noqa: E402
 
 MODULES = "noise", "spectrum", "noise_3d", "materials", "erosion", "direction"  # each after those that it imports
 SCENE = """#import gabor_noise::noise::{gabor_kernel, gabor_noise, gabor_noise_animated, gabor_noise_complex, gabor_noise_four,
@@ -32,18 +27,12 @@ FUNCTIONS = {name: re.sub(r"vec(\d)\(", r"vec\1f(", call) for name, call in CALL
 }
 
 
-def drawn(value, folder):
-    source, spirv, values = (folder / name for name in ("scene.wgsl", "scene.spv", "values.raw"))
-    source.write_text(SCENE.replace("VALUE", value))
-    subprocess.run([os.environ["GABOR_COMPOSE"], spirv, source, *(folder / f"{module}.wgsl" for module in MODULES)], check=True)
+def compiled(source, spirv):
+    modules = (source.with_name(f"{module}.wgsl") for module in MODULES)
+    subprocess.run([os.environ["GABOR_COMPOSE"], spirv, source, *modules], check=True)
     subprocess.run(["spirv-opt", "-O", spirv, "-o", spirv], check=True)  # lavapipe compiles naga's loops slowly
-    return on_vulkan(spirv, values)
 
 
-with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
-    modules = packaged("bevy", folder)
-    drivers, pictures = zip(*(drawn(value, modules) for value in FUNCTIONS.values()))
-pathlib.Path(sys.argv[1]).write_bytes(np.concatenate(pictures).tobytes())
+driver, values = calls_on_vulkan("bevy", "wgsl", SCENE, FUNCTIONS.values(), compiled)
 version = re.search(r'naga_oil = \{ version = "([^"]*)', (HERE / "Cargo.toml").read_text())[1]
-print(json.dumps({"engine": "Bevy's naga_oil", "version": version, "dialect": "modules of WGSL", "driver": drivers[0],
-                  "functions": list(FUNCTIONS)}))
+report(sys.argv[1], values, "Bevy's naga_oil", version, "modules of WGSL", driver, functions=list(FUNCTIONS))

@@ -34,6 +34,29 @@ def script_node(tree, shader, folder, **inputs):
     return node
 
 
+def math(tree, operation, *inputs, kind="ShaderNodeMath"):
+    """Makes a math node and returns its output. The inputs are values or other nodes' outputs."""
+    node = tree.nodes.new(kind)
+    node.operation = operation
+    for value, put in zip(inputs, node.inputs):
+        if isinstance(value, bpy.types.NodeSocket):
+            tree.links.new(value, put)
+        else:
+            put.default_value = value
+    return node.outputs[0]
+
+
+def vector(tree, operation, *inputs):
+    return math(tree, operation, *inputs, kind="ShaderNodeVectorMath")
+
+
+def red_and_green(tree, *values):
+    colour = tree.nodes.new("ShaderNodeCombineColor")
+    for value, put in zip(values, colour.inputs):
+        tree.links.new(value, put)
+    return colour.outputs[0]
+
+
 def lit_by(tree, colour):
     """Makes the surface emit this colour, without tone mapping."""
     emission = tree.nodes.new("ShaderNodeEmission")
@@ -49,6 +72,20 @@ def plane(size, location):
     bpy.context.object.data.materials.append(material)
     material.node_tree.nodes.clear()
     return material.node_tree
+
+
+def seen_from_above():
+    """Makes a square of 256 x 256 units seen from above, one pixel per unit. Returns its material's node tree, and the column and
+    row of the pixel, since samples may be anywhere in it."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    tree = plane(256, (128, 128, 0))
+    bpy.ops.object.camera_add(location=(128, 128, 10))
+    scene = bpy.context.scene
+    scene.camera = bpy.context.object
+    scene.camera.data.type, scene.camera.data.ortho_scale = "ORTHO", 256
+    scene.cycles.pixel_filter_type = "BOX"
+    scene.cycles.filter_width = 0.01
+    return tree, vector(tree, "FLOOR", tree.nodes.new("ShaderNodeNewGeometry").outputs["Position"])
 
 
 def render(width, height, samples, folder, engine="CYCLES", osl=True):

@@ -2,64 +2,33 @@
 VALUES.raw. Needs a Python that has bpy. The amplitudes come from White Noise nodes. The script draws them too, and
 compares the noise with the equations applied to them."""
 
-import json
 import pathlib
 import sys
 import tempfile
 
 import bpy
 import numpy as np
-from cycles_scene import plane, render
+from cycles_scene import lit_by, math, red_and_green, render, seen_from_above, vector
 
 ENGINES = pathlib.Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ENGINES), str(ENGINES.parents[1] / "shaders" / "nodes" / "blender")]
 import gabor_noise  # noqa: E402
 import reference  # noqa: E402
+from scene import report  # noqa: E402
 
-engine, values = sys.argv[1], pathlib.Path(sys.argv[2])
+engine, values = sys.argv[1:]
 SEED = 7.0
 FIRST = -4  # the first column and row whose amplitude is drawn
 
 
 def drawn(folder, value, least, steps):
-    """Draws value(tree, (x, y)), which must exceed `least`, on a square of 256 x 256 units seen from above, one pixel per unit.
+    """Draws value(tree, (x, y)), which must exceed `least`, for the column and row of each pixel.
     Eevee's light has only 11 bits, so red carries whole steps of size 1 / `steps`, and green the rest."""
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    tree = plane(256, (128, 128, 0))
-    bpy.ops.object.camera_add(location=(128, 128, 10))
-    scene = bpy.context.scene
-    scene.camera = bpy.context.object
-    scene.camera.data.type, scene.camera.data.ortho_scale = "ORTHO", 256
-    pixel = tree.nodes.new("ShaderNodeVectorMath")
-    pixel.operation = "FLOOR"
-    tree.links.new(tree.nodes.new("ShaderNodeNewGeometry").outputs["Position"], pixel.inputs[0])
-    scaled = math(tree, "MULTIPLY_ADD", value(tree, pixel.outputs[0]), steps, -least * steps)
-    colour = tree.nodes.new("ShaderNodeCombineColor")
-    for operation, put in zip(("FLOOR", "FRACT"), colour.inputs):
-        tree.links.new(math(tree, operation, scaled), put)
-    emission = tree.nodes.new("ShaderNodeEmission")
-    tree.links.new(colour.outputs[0], emission.inputs["Color"])
-    tree.links.new(emission.outputs[0], tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
-    scene.cycles.pixel_filter_type = "BOX"
-    scene.cycles.filter_width = 0.01
+    tree, pixel = seen_from_above()
+    scaled = math(tree, "MULTIPLY_ADD", value(tree, pixel), steps, -least * steps)
+    lit_by(tree, red_and_green(tree, math(tree, "FLOOR", scaled), math(tree, "FRACT", scaled)))
     light = render(256, 256, 1, folder, "CYCLES" if engine == "cycles" else "BLENDER_EEVEE", osl=False).astype(float)
     return (light[..., 0] + light[..., 1]) / steps + least
-
-
-def math(tree, operation, value, *with_):
-    node = tree.nodes.new("ShaderNodeMath")
-    node.operation = operation
-    tree.links.new(value, node.inputs[0])
-    for number, put in zip(with_, node.inputs[1:]):
-        put.default_value = number
-    return node.outputs[0]
-
-
-def vector(tree, operation, value, with_):
-    node = tree.nodes.new("ShaderNodeVectorMath")
-    node.operation, node.inputs[1].default_value = operation, with_
-    tree.links.new(value, node.inputs[0])
-    return node.outputs[0]
 
 
 def amplitude(part):
@@ -93,10 +62,9 @@ with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
 nodes = (reference.law(white) / reference.DEVIATION) @ (1, 1j)
 x, y = np.meshgrid((np.arange(256) + 0.5) / 32, (np.arange(256) + 0.5) / 32)
 wanted = reference.complex_lattice((0, 0), 1.5 * x, 1.5 * y, amplitudes=lambda i, j: nodes[j - FIRST, i - FIRST])
-values.write_bytes(picture.astype("<f4").tobytes())
 law = {"mean": float(nodes.real.mean()), "variance": float((abs(nodes) ** 2).mean() / 2)} # from 2 x 65536 parts
 if abs(law["mean"]) > 0.02 or abs(law["variance"] - 1) > 0.02 or not 0.5 < picture[0].std() < 2:
     sys.exit(f"White Noise's amplitudes have the wrong distribution: {law}")
-print(json.dumps({"engine": f"Blender, {engine.title()}", "version": bpy.app.version_string, "dialect": "its own nodes",
-                  "driver": "CPU" if engine == "cycles" else "llvmpipe",
-                  "functions": {"noise": abs(picture[0] - wanted.imag).max(), "complex": abs(picture[1] - wanted.real).max()}}))
+report(values, picture.astype("<f4"), f"Blender, {engine.title()}", bpy.app.version_string, "its own nodes",
+       "CPU" if engine == "cycles" else "llvmpipe",
+       functions={"noise": abs(picture[0] - wanted.imag).max(), "complex": abs(picture[1] - wanted.real).max()})

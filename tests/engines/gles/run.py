@@ -3,37 +3,20 @@ run.py HEADER VALUES.raw DROP_IN [NAME=VALUE]
 or a custom shader, to which it adds the version and the header: run.py HEADER VALUES.raw SHADER.frag"""
 
 import ctypes
-import json
 import pathlib
 import sys
 from ctypes import byref, c_char_p, c_int, c_uint, c_void_p
 
-SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders"
-header, values, drop_in, *macros = sys.argv[1:]
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from scene import FRAGMENT, drop_in, report  # noqa: E402
+
+header, path, name, *macros = sys.argv[1:]
 
 VERTEX = """#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }
 """
-SCENE = """
-out vec4 value;
-void main()
-{
-    vec2 p = gl_FragCoord.xy / 32.0;
-    value = vec4(gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
-          : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u));
-}
-"""
-
-
-def fragment():
-    if drop_in.endswith(".frag"):
-        text = pathlib.Path(drop_in).read_text()
-    else:
-        text = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + \
-            (SHADERS / f"{drop_in}.glsl").read_text() + SCENE
-    return f"#version 300 es\n{header}\n{text}"
-
-
+scene = pathlib.Path(name).read_text() if name.endswith(".frag") else drop_in(name, macros) + FRAGMENT
+fragment = f"#version 300 es\n{header}\n{scene}"
 
 egl = ctypes.CDLL("libEGL.so.1")
 egl.eglGetProcAddress.restype = c_void_p
@@ -61,7 +44,7 @@ def make_context():
 def make_program():
     program = function("glCreateProgram", c_uint)()
     log = ctypes.create_string_buffer(4096)
-    for kind, source in ((0x8B31, VERTEX), (0x8B30, fragment())):
+    for kind, source in ((0x8B31, VERTEX), (0x8B30, fragment)):
         shader = function("glCreateShader", c_uint, c_uint)(kind)
         function("glShaderSource", None, c_uint, c_int, c_void_p, c_void_p)(
             shader, 1, (c_char_p * 1)(source.encode()), None)
@@ -95,7 +78,6 @@ def draw():
 
 make_context()
 make_program()
-pathlib.Path(values).write_bytes(bytes((ctypes.c_float * (256 * 257))(*draw())))
 text = function("glGetString", c_char_p, c_uint)
-print(json.dumps({"engine": "OpenGL ES", "version": text(0x1F02).decode().removeprefix("OpenGL ES "),
-                  "dialect": f"GLSL 300 es, {header}", "driver": text(0x1F01).decode()}))
+report(path, (ctypes.c_float * (256 * 257))(*draw()), "OpenGL ES", text(0x1F02).decode().removeprefix("OpenGL ES "),
+       f"GLSL 300 es, {header}", text(0x1F01).decode())

@@ -9,24 +9,22 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
-from packaged import packaged  # noqa: E402
+from scene import drop_in, packaged  # noqa: E402
 
-SHADERS = HERE.parents[2] / "shaders"
-root, kind, method, driver, values, drop_in, *macros = sys.argv[1:]
+root, kind, method, driver, values, name, *macros = sys.argv[1:]
 root = pathlib.Path(root)
 
 with tempfile.TemporaryDirectory(prefix="gabor-", dir=root / "tmp") as folder:
     project = pathlib.Path(folder)
     shutil.copytree(HERE, project, dirs_exist_ok=True)
     packaged("godot", project)
-    defines = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
-    for path in (SHADERS / "translations").glob("*.gdshaderinc"):
+    for path in (HERE.parents[2] / "shaders" / "translations").glob("*.gdshaderinc"):
         shutil.copy(path, project)
-    if drop_in.endswith(".gdshader"):
-        shutil.copy(drop_in, project / "noise.gdshader")
+    if name.endswith(".gdshader"):
+        shutil.copy(name, project / "noise.gdshader")
     else:
-        for path in (SHADERS / f"{drop_in}.glsl", SHADERS / "translations" / f"{drop_in}.gdshaderinc"):
-            (project / f"gabor_noise{path.suffix}").write_text(defines + path.read_text())
+        for ending in ("glsl", "gdshaderinc"):
+            (project / f"gabor_noise.{ending}").write_text(drop_in(name, macros, ending))
     result = subprocess.run(
         ["chroot", root, "xvfb-run", "-a", "godot", "--path", f"/{project.relative_to(root)}", "--audio-driver",
          "Dummy", "--rendering-method", method, "--rendering-driver", driver, "--", "values.raw", kind],

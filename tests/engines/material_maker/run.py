@@ -11,7 +11,7 @@ import numpy as np
 ENGINES = pathlib.Path(__file__).resolve().parents[1]
 sys.path += [str(ENGINES), str(ENGINES / "moderngl")]
 from draw import drawn  # noqa: E402
-from packaged import packaged  # noqa: E402
+from scene import packaged, report  # noqa: E402
 
 FRAGMENT = """
 out float value;
@@ -37,5 +37,4 @@ if value == output:
     sys.exit("the node's output has no gabor_unorm")
 
 pixels, driver = drawn("#version 330\n", model["global"] + FRAGMENT.replace("VALUE", value), (256, 256))
-pathlib.Path(sys.argv[1]).write_bytes(pixels)
-print(json.dumps({"engine": "Material Maker's node", "version": "-", "dialect": "GLSL 330", "driver": driver}))
+report(sys.argv[1], pixels, "Material Maker's node", "-", "GLSL 330", driver)

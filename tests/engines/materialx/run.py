@@ -4,7 +4,6 @@ Each function is a graph with one float as its output. moderngl draws the graphs
 targets, the nodes' functions are cut out of the generated code and run: essl, vulkan, wgsl and slang on Vulkan, msl and
 mdl as C++. First, all nodes are generated within a standard_surface and compiled if the target has a compiler here."""
 
-import json
 import os
 import pathlib
 import re
@@ -26,7 +25,7 @@ ENGINES = pathlib.Path(__file__).resolve().parents[1]
 DIALECTS = ENGINES.parent / "dialects"
 sys.path[:0] = [str(DIALECTS), str(ENGINES)]
 import metal  # noqa: E402
-from packaged import packaged  # noqa: E402
+from scene import SLANG, in_cpp, on_vulkan, packaged, report  # noqa: E402
 
 FOLDER = tempfile.TemporaryDirectory(prefix="gabor-")
 NODE = packaged("materialx", FOLDER.name)
@@ -37,86 +36,67 @@ COMPILER = os.environ.get("CXX", "c++")
 
 # ---- Documents -----------------------------------------------------------------------------------------------------
 
-WAVE = """<input name="frequency" type="float" value="4.0" />
-      <input name="orientation" type="float" value="45.000104" unittype="angle" unit="degree" />
-      <input name="seed" type="integer" value="7" />"""
-FLAT = f'<input name="texcoord" type="vector2" nodename="place" />{WAVE}'
-SOLID = '<input name="position" type="vector3" nodename="spot" /><input name="frequency" type="float" value="4.0" />' \
-        '<input name="direction" type="vector3" value="1, 2, 3" /><input name="seed" type="integer" value="7" />'
-PLACE = """<position name="position" type="vector3"><input name="space" type="string" value="world" /></position>
-    <floor name="pixel" type="vector3"><input name="in" type="vector3" nodename="position" /></floor>
-    <add name="middle" type="vector3"><input name="in1" type="vector3" nodename="pixel" />
-      <input name="in2" type="vector3" value="0.5, 0.5, 9.6" /></add>
-    <multiply name="spot" type="vector3"><input name="in1" type="vector3" nodename="middle" />
-      <input name="in2" type="float" value="0.03125" /></multiply>
-    <convert name="place" type="vector2"><input name="in" type="vector3" nodename="spot" /></convert>"""
+def port(element, text):
+    """Returns an input or output from its name, its type, and its value or @NODE or @NODE.OUTPUT."""
+    name, kind, value = text.split(" ", 2)
+    source, _, output = value.removeprefix("@").partition(".")
+    given = f'nodename="{source}"' + f' output="{output}"' * bool(output) if value[0] == "@" else f'value="{value}"'
+    return f'<{element} name="{name}" type="{kind}" {given} />'
+
+
+def node(category, name, kind, *inputs):
+    return f'<{category} name="{name}" type="{kind}">{"".join(port("input", each) for each in inputs)}</{category}>'
 
 
 def weighed(kind, of, weights):
-    """Returns the nodes for the dot product of a vector output with weights."""
-    return (f'<constant name="weights" type="{kind}"><input name="value" type="{kind}" value="{weights}" /></constant>'
-            f'<dotproduct name="weighed" type="float"><input name="in1" type="{kind}" {of} />'
-            f'<input name="in2" type="{kind}" nodename="weights" /></dotproduct>')
+    """Returns the nodes for the dot product of a vector with weights."""
+    return node("constant", "weights", kind, f"value {kind} {weights}") \
+        + node("dotproduct", "weighed", "float", f"in1 {kind} {of}", f"in2 {kind} @weights")
 
 
-def plus(of):
-    """Returns the node for the noise plus the weighted outputs."""
-    return (f'<add name="out" type="float"><input name="in1" type="float" {of} /><input name="in2" type="float" '
-            'nodename="weighed" /></add>')
+def out(*inputs):
+    """Returns the node for the sum of one or two numbers."""
+    return node("add", "out", "float", *(f"in{number} float {each}" for number, each in enumerate(inputs, 1)))
 
+
+FLAT = "texcoord vector2 @place", "frequency float 4.0", "orientation float 45.000104", "seed integer 7"
+SOLID = "position vector3 @spot", "frequency float 4.0", "direction vector3 1, 2, 3", "seed integer 7"
+PLACE = node("position", "position", "vector3", "space string world") + node("floor", "pixel", "vector3", "in vector3 @position") \
+    + node("add", "middle", "vector3", "in1 vector3 @pixel", "in2 vector3 0.5, 0.5, 9.6") \
+    + node("multiply", "spot", "vector3", "in1 vector3 @middle", "in2 float 0.03125") \
+    + node("convert", "place", "vector2", "in vector3 @spot")
+WAVE, STRIPES = (node(f"gabor{kind}2d", kind, "multioutput", *FLAT) for kind in ("wave", "stripes"))
 
 # The functions of reference.FUNCTIONS as graphs; the node "out" is the output.
 FUNCTIONS = {
-    "noise": f'<gabornoise2d name="out" type="float">{FLAT}</gabornoise2d>',
-    "complex": f'<gaborwave2d name="wave" type="multioutput">{FLAT}</gaborwave2d>'
-               '<add name="out" type="float"><input name="in1" type="float" nodename="wave" output="quadrature" />'
-               '<input name="in2" type="float" value="0" /></add>',
-    "gradient": f'<gaborwave2d name="wave" type="multioutput">{FLAT}</gaborwave2d>'
-                + weighed("vector2", 'nodename="wave" output="gradient"', "0.03125, 0.0625")
-                + plus('nodename="wave" output="noise"'),
-    "four": f'<gabornoise2d name="four" type="vector4">{FLAT}<input name="amplitude" type="vector4" value="0.25, 0.5, 0.75, 1" />'
-            '</gabornoise2d>' + weighed("vector4", 'nodename="four"', "1, 1, 1, 1")
-            + '<add name="out" type="float"><input name="in1" type="float" nodename="weighed" /></add>',
-    "solid": f'<gaborwave3d name="wave" type="multioutput">{SOLID}</gaborwave3d>'
-             + weighed("vector3", 'nodename="wave" output="gradient"', "0.015625, 0.03125, 0.046875")
-             + plus('nodename="wave" output="noise"'),
-    "stripes": f'<gaborstripes2d name="wave" type="multioutput">{FLAT}</gaborstripes2d>'
-               '<combine3 name="three" type="vector3"><input name="in1" type="float" nodename="wave" output="cosine" />'
-               '<input name="in2" type="float" nodename="wave" output="sine" />'
-               '<input name="in3" type="float" nodename="wave" output="intensity" /></combine3>'
-               + weighed("vector3", 'nodename="three"', "0.25, 0.5, 0.75")
-               + '<add name="out" type="float"><input name="in1" type="float" nodename="weighed" /></add>',
-    "brushed metal": '<gaborbrushedmetal name="metal" type="multioutput"><input name="texcoord" type="vector2" nodename="place" />'
-                     '<input name="seed" type="integer" value="7" /></gaborbrushedmetal>'
-                     '<extract name="red" type="float"><input name="in" type="color3" nodename="metal" output="base_color" />'
-                     '</extract><multiply name="weighed" type="float"><input name="in1" type="float" nodename="metal" '
-                     'output="height" /><input name="in2" type="float" value="200" /></multiply>' + plus('nodename="red"'),
+    "noise": node("gabornoise2d", "out", "float", *FLAT),
+    "complex": WAVE + out("@wave.quadrature", "0"),
+    "gradient": WAVE + weighed("vector2", "@wave.gradient", "0.03125, 0.0625") + out("@wave.noise", "@weighed"),
+    "four": node("gabornoise2d", "four", "vector4", *FLAT, "amplitude vector4 0.25, 0.5, 0.75, 1")
+            + weighed("vector4", "@four", "1, 1, 1, 1") + out("@weighed"),
+    "solid": node("gaborwave3d", "wave", "multioutput", *SOLID)
+             + weighed("vector3", "@wave.gradient", "0.015625, 0.03125, 0.046875") + out("@wave.noise", "@weighed"),
+    "stripes": STRIPES + node("combine3", "three", "vector3", "in1 float @stripes.cosine", "in2 float @stripes.sine",
+                              "in3 float @stripes.intensity") + weighed("vector3", "@three", "0.25, 0.5, 0.75") + out("@weighed"),
+    "brushed metal": node("gaborbrushedmetal", "metal", "multioutput", "texcoord vector2 @place", "seed integer 7")
+                     + node("extract", "red", "float", "in color3 @metal.base_color")
+                     + node("multiply", "weighed", "float", "in1 float @metal.height", "in2 float 200") + out("@red", "@weighed"),
 }
-SURFACE = f"""<nodegraph name="graph">{PLACE}
-    <gabornoise2d name="colour" type="color3">{FLAT}<input name="amplitude" type="float" value="0.25" />
-      <input name="pivot" type="float" value="0.5" /></gabornoise2d>
-    <gabornoise3d name="rough" type="float">{SOLID}</gabornoise3d>
-    <gaborwave2d name="wave" type="multioutput">{FLAT}</gaborwave2d>
-    <magnitude name="steep" type="float"><input name="in" type="vector2" nodename="wave" output="gradient" /></magnitude>
-    <gaborstripes2d name="stripes" type="multioutput">{FLAT}</gaborstripes2d>
-    <gaborbrushedmetal name="metal" type="multioutput"><input name="texcoord" type="vector2" nodename="place" />
-    </gaborbrushedmetal>
-    <output name="sine_out" type="float" nodename="stripes" output="sine" />
-    <output name="metal_out" type="color3" nodename="metal" output="base_color" />
-    <output name="colour_out" type="color3" nodename="colour" /><output name="rough_out" type="float" nodename="rough" />
-    <output name="steep_out" type="float" nodename="steep" /></nodegraph>
-  <standard_surface name="surface" type="surfaceshader">
-    <input name="base_color" type="color3" nodegraph="graph" output="colour_out" />
-    <input name="specular_roughness" type="float" nodegraph="graph" output="rough_out" />
-    <input name="specular_color" type="color3" nodegraph="graph" output="metal_out" />
-    <input name="coat" type="float" nodegraph="graph" output="sine_out" />
-    <input name="sheen" type="float" nodegraph="graph" output="steep_out" /></standard_surface>
-  <surfacematerial name="scene" type="material"><input name="surfaceshader" type="surfaceshader" nodename="surface" />
-  </surfacematerial>"""
 
 
-def graph(nodes):
-    return f'<nodegraph name="scene">{PLACE}{nodes}<output name="value" type="float" nodename="out" /></nodegraph>'
+def graph(name, nodes, *outputs):
+    return f'<nodegraph name="{name}">{PLACE}{nodes}{"".join(port("output", each) for each in outputs)}</nodegraph>'
+
+
+# A surface whose inputs are the outputs of all nodes.
+SHOWN = ("base_color color3 @colour", "specular_roughness float @rough", "specular_color color3 @metal.base_color",
+         "coat float @stripes.sine", "sheen float @steep")
+SURFACE = graph("graph", WAVE + STRIPES + node("gabornoise2d", "colour", "color3", *FLAT, "amplitude float 0.25", "pivot float 0.5")
+                + node("gabornoise3d", "rough", "float", *SOLID) + node("magnitude", "steep", "float", "in vector2 @wave.gradient")
+                + node("gaborbrushedmetal", "metal", "multioutput", "texcoord vector2 @place"), *SHOWN) \
+    + '<standard_surface name="surface" type="surfaceshader">' \
+    + "".join('<input name="{0}" type="{1}" nodegraph="graph" output="{0}" />'.format(*each.split()) for each in SHOWN) \
+    + "</standard_surface>" + node("surfacematerial", "scene", "material", "surfaceshader surfaceshader @surface")
 
 
 def generated(target, content):
@@ -201,29 +181,10 @@ void main()
     values[gl_GlobalInvocationID.y * 256u + gl_GlobalInvocationID.x] = VALUE;
 }
 """
-SLANG = """FUNCTIONS
-[[vk::binding(0)]] RWStructuredBuffer<float> values;
-[shader("compute")][numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
-{
-    float2 p = (float2(pixel.xy) + 0.5) / 32.0;
-    values[pixel.y * 256 + pixel.x] = VALUE;
-}
-"""
-CPP = """#include <fstream>
-#include <metal_stdlib>
+CPP = """#include <metal_stdlib>
 using namespace metal;
 using color = float3;
 int mdl_right(int word, int bits) { return int(unsigned(word) >> bits); }
-FUNCTIONS
-int main(int, char** argv)
-{
-    std::ofstream file(argv[1], std::ios::binary);
-    for (int i = 0; i < 256 * 256; ++i) {
-        const float2 p = (float2(float(i % 256), float(i / 256)) + 0.5) / 32.0;
-        const float value = VALUE;
-        file.write(reinterpret_cast<const char*>(&value), sizeof value);
-    }
-}
 """
 
 
@@ -241,22 +202,19 @@ def functions(target):
 
 
 def drawn_alone(target, folder):
-    """Yields the values of each node function, run without the rest of the graph."""
+    """Returns the values of each node function, run without the rest of the graph."""
     text, values = functions(target), folder / "values.raw"
-    wanted = VALUES | {"four": MDL_FOUR} if target == "mdl" else VALUES
-    for value in wanted.values():
-        if target in ("msl", "mdl"):
-            source, program = folder / "program.cpp", folder / "program"
-            source.write_text(CPP.replace("FUNCTIONS", metal.as_cpp(text)).replace("VALUE", value))
-            run(COMPILER, *metal.options(COMPILER), "-O1", "-fwrapv", source, "-o", program)
-            run(program, values)
-        else:
-            source = (SLANG if target == "slang" else GLSL).replace("FUNCTIONS", text).replace("VALUE", value)
-            if target == "essl":
-                source = source.replace("#version 450", "#version 310 es\nprecision highp float;")
-            made = spirv("vulkan" if target == "essl" else target, source, "comp", folder)
-            run(pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan", made, values)
-        yield np.fromfile(values, "<f4")[:65536]
+    if target in ("msl", "mdl"):
+        wanted = VALUES | {"four": MDL_FOUR} if target == "mdl" else VALUES
+        return in_cpp(folder, CPP + metal.as_cpp(text), wanted.values(), "-O1", "-fwrapv", *metal.options(COMPILER))[:, :256]
+    drawn = []
+    for value in VALUES.values():
+        source = (text + SLANG if target == "slang" else GLSL.replace("FUNCTIONS", text)).replace("VALUE", value)
+        if target == "essl":
+            source = source.replace("#version 450", "#version 310 es\nprecision highp float;")
+        made = spirv("vulkan" if target == "essl" else target, source, "comp", folder)
+        drawn.append(on_vulkan(made, values)[1][:65536])
+    return drawn
 
 
 # ---- Whole graphs --------------------------------------------------------------------------------------------------
@@ -270,7 +228,7 @@ def drawn_by_opengl():
     target.use()
     drawn = []
     for nodes in FUNCTIONS.values():
-        vertex, fragment = generated("glsl", graph(nodes))
+        vertex, fragment = generated("glsl", graph("scene", nodes, "value float @out"))
         program = context.program(vertex_shader=vertex, fragment_shader=fragment)
         program["u_worldMatrix"] = tuple(np.eye(4).ravel())
         program["u_viewProjectionMatrix"] = (1 / 128, 0, 0, 0, 0, 1 / 128, 0, 0, 0, 0, 1, 0, -1, -1, 0, 1)
@@ -284,7 +242,7 @@ def drawn_by_cycles(folder):
         shutil.copy(header, folder)
     for name, nodes in FUNCTIONS.items():
         shader, values = folder / f"{name}.osl", folder / "values.raw"
-        shader.write_text(generated("osl", graph(nodes))[0])
+        shader.write_text(generated("osl", graph("scene", nodes, "value float @out"))[0])
         run(sys.executable, "-B", ENGINES / "blender" / "run.py", shader, values)
         yield np.fromfile(values, "<f4")
 
@@ -306,9 +264,9 @@ def main():
         else:
             drawn = drawn_alone(target, folder)
             driver = "CPU" if target in ("msl", "mdl") else "llvmpipe"
-        pathlib.Path(path).write_bytes(b"".join(np.ascontiguousarray(each, "<f4").tobytes() for each in drawn))
-    print(json.dumps({"engine": "MaterialX", "version": mx.getVersionString(), "dialect": RAN[target], "driver": driver,
-                      "functions": list(FUNCTIONS if target in ("glsl", "osl") else VALUES)}))
+        values = np.concatenate([np.asarray(each, "<f4").ravel() for each in drawn])
+    report(path, values, "MaterialX", mx.getVersionString(), RAN[target], driver,
+           functions=list(FUNCTIONS if target in ("glsl", "osl") else VALUES))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 """Draws a drop-in in a GLSL 330 fragment shader with Panda3D, without a window: run.py VALUES.raw DROP_IN [NAME=VALUE]"""
 
-import json
 import os
 import pathlib
 import sys
@@ -10,23 +9,15 @@ from direct.showbase.ShowBase import ShowBase
 from panda3d.core import CardMaker, FrameBufferProperties, GraphicsOutput, GraphicsPipe, NodePath, OrthographicLens
 from panda3d.core import Camera, Shader, Texture, WindowProperties, loadPrcFileData
 
-SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders"
-values, drop_in, *macros = sys.argv[1:]
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from scene import FRAGMENT, drop_in, report  # noqa: E402
+
+path, name, *macros = sys.argv[1:]
 
 VERTEX = """#version 330
 in vec4 p3d_Vertex;
 uniform mat4 p3d_ModelViewProjectionMatrix;
 void main() { gl_Position = p3d_ModelViewProjectionMatrix * p3d_Vertex; }
-"""
-MACROS = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
-FRAGMENT = "#version 330\n" + MACROS + (SHADERS / f"{drop_in}.glsl").read_text() + """
-out vec4 value;
-void main()
-{
-    vec2 p = gl_FragCoord.xy / 32.0;
-    value = vec4(gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
-        : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u));
-}
 """
 
 os.environ.setdefault("EGL_PLATFORM", "surfaceless")
@@ -45,7 +36,8 @@ target.add_render_texture(texture, GraphicsOutput.RTM_copy_ram, GraphicsOutput.R
 card = CardMaker("card")
 card.set_frame(-1, 1, -1, 1)
 scene = NodePath("scene")
-scene.attach_new_node(card.generate()).set_shader(Shader.make(Shader.SL_GLSL, VERTEX, FRAGMENT))
+scene.attach_new_node(card.generate()).set_shader(Shader.make(
+    Shader.SL_GLSL, VERTEX, "#version 330\n" + drop_in(name, macros) + FRAGMENT))
 lens = OrthographicLens()
 lens.set_film_size(2, 2)
 lens.set_near_far(-1, 1)
@@ -53,6 +45,4 @@ target.make_display_region().set_camera(scene.attach_new_node(Camera("camera", l
 base.graphicsEngine.render_frame()
 
 # Takes only red from the pixels, which are BGRA. The lowest row comes first, as in gl_FragCoord.
-pathlib.Path(values).write_bytes(bytes(texture.get_ram_image_as("R")))
-print(json.dumps({"engine": "Panda3D", "version": panda3d.__version__, "dialect": "GLSL 330",
-                  "driver": target.gsg.driver_renderer}))
+report(path, texture.get_ram_image_as("R"), "Panda3D", panda3d.__version__, "GLSL 330", target.gsg.driver_renderer)

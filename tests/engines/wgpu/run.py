@@ -1,29 +1,16 @@
 """Runs a drop-in in a GLSL 450 compute shader, or its WGSL translation, with wgpu, which contains naga:
 run.py glsl|wgsl VALUES.raw DROP_IN [NAME=VALUE], where NAME is a macro in GLSL"""
 
-import json
 import pathlib
 import sys
 
 import wgpu
 
-SHADERS = pathlib.Path(__file__).resolve().parents[3] / "shaders"
-language, path, drop_in, *macros = sys.argv[1:]
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from scene import compute_shader, drop_in, report  # noqa: E402
 
-MACROS = "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros)
-GLSL = "#version 450\n" + MACROS + (SHADERS / f"{drop_in}.glsl").read_text() + """
-layout(local_size_x = 8) in;
-layout(set = 0, binding = 0) buffer Values { float values[]; }; // naga does not support writeonly here
-
-void main()
-{
-    uvec2 pixel = gl_GlobalInvocationID.xy;
-    vec2 p = (vec2(pixel) + 0.5) / 32.0;
-    values[pixel.y * 256u + pixel.x] = pixel.y < 256u ? gabor_noise(p, 4.0, 0.7854, 7u)
-        : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
-}
-"""
-WGSL = (SHADERS / "translations" / f"{drop_in}.wgsl").read_text() + """
+language, path, name, *macros = sys.argv[1:]
+WGSL = """
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 
 @compute @workgroup_size(8)
@@ -38,12 +25,16 @@ fn main(@builtin(global_invocation_id) pixel: vec3u) {
 }
 """
 
+if language == "wgsl":
+    code = drop_in(name, (), "wgsl") + WGSL
+else:  # naga does not support writeonly here
+    code = compute_shader(name, macros).replace("writeonly ", "")
 adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
 device = adapter.request_device_sync()
 size = 256 * 257 * 4
 values = device.create_buffer(size=size, usage=wgpu.BufferUsage.STORAGE | wgpu.BufferUsage.COPY_SRC)
 # For GLSL, the label must contain comp, vert or frag: it selects the stage.
-module = device.create_shader_module(label="comp", code=WGSL if language == "wgsl" else GLSL)
+module = device.create_shader_module(label="comp", code=code)
 pipeline = device.create_compute_pipeline(layout="auto", compute={"module": module, "entry_point": "main"})
 group = device.create_bind_group(layout=pipeline.get_bind_group_layout(0),
                                  entries=[{"binding": 0, "resource": {"buffer": values, "offset": 0, "size": size}}])
@@ -55,6 +46,5 @@ compute.dispatch_workgroups(256 // 8, 257)
 compute.end()
 device.queue.submit([encoder.finish()])
 
-pathlib.Path(path).write_bytes(device.queue.read_buffer(values))
-print(json.dumps({"engine": "wgpu", "version": wgpu.__version__, "dialect": "WGSL" if language == "wgsl" else "GLSL 450 by naga",
-                  "driver": adapter.info["device"]}))
+report(path, device.queue.read_buffer(values), "wgpu", wgpu.__version__, "WGSL" if language == "wgsl" else "GLSL 450 by naga",
+       adapter.info["device"])

@@ -1,0 +1,120 @@
+"""What the scripts that draw the scene of reference.py share: its code in GLSL, Slang and C++, the drop-ins' texts, packages,
+and the report that tools/test-engines reads."""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SHADERS = ROOT / "shaders"
+
+FRAGMENT = """
+out vec4 value;
+void main()
+{
+    vec2 p = gl_FragCoord.xy / 32.0;
+    float noise = gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
+        : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
+    value = vec4(vec3(noise), 1.0); // some engines blend by alpha
+}
+"""
+CPP = """#include <fstream>
+#include <vector>
+BEFORE
+int main(int, char** argv)
+{
+    std::vector<float> values;
+    for (int i = 0; i < 256 * 257; ++i) {
+        const gabor_vec2 p = (gabor_vec2(float(i % 256), float(i / 256)) + 0.5f) / 32.0f;
+        CODE
+        values.insert(values.end(), {VALUES});
+    }
+    std::ofstream(argv[1], std::ios::binary).write(reinterpret_cast<const char*>(values.data()), 4 * values.size());
+}
+"""
+SLANG = """
+[[vk::binding(0)]] RWStructuredBuffer<float> values;
+[shader("compute")][numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
+{
+    float2 p = (float2(pixel.xy) + 0.5) / 32.0;
+    values[pixel.y * 256 + pixel.x] = VALUE;
+}
+"""
+# The functions of reference.FUNCTIONS as GLSL calls. For other languages, tests rename the vectors.
+CALLS = {
+    "noise": "gabor_noise(p, 4.0, 0.7854, 7u)",
+    "complex": "gabor_noise_complex(p, 4.0, 0.7854, 7u).x",
+    "gradient": "dot(gabor_noise_gradient(p, 4.0, 0.7854, 7u), vec3(1.0, 1.0 / 32.0, 1.0 / 16.0))",
+    "four": "dot(gabor_noise_four(p, 4.0, 0.7854, 7u), vec4(0.25, 0.5, 0.75, 1.0))",
+    "tiled": "gabor_noise_tiled(p, vec2(2.0, 1.0), 4.0, 0.7854, 7u)",
+    "animated": "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)",
+    "stripes": "dot(gabor_stripes(p, gabor_kernel(4.0, 0.7854).wave, 2.0, 7u), vec3(0.25, 0.5, 0.75))",
+}
+
+
+def drop_in(name, macros, ending="glsl"):
+    """Returns the text of a drop-in or its translation after the macros, each given as NAME=VALUE."""
+    path = SHADERS / ("" if ending == "glsl" else "translations") / f"{name}.{ending}"
+    return "".join(f"#define {macro.replace('=', ' ')}\n" for macro in macros) + path.read_text()
+
+
+def compute_shader(name, macros):
+    """Returns Godot's compute shader with the drop-in in place of its include."""
+    return (ROOT / "tests/engines/godot/noise.comp").read_text().replace('#include "gabor_noise.glsl"\n', drop_in(name, macros))
+
+
+def packaged(name, folder):
+    """Writes the files of a package to the folder, as its users get them, and returns it."""
+    subprocess.run([sys.executable, "-B", ROOT / "tools" / "package", name, "--stage", folder], check=True)
+    return pathlib.Path(folder)
+
+
+def report(path, values, engine, version, dialect, driver, **functions):
+    """Writes the drawn floats, and prints what drew them."""
+    pathlib.Path(path).write_bytes(bytes(values))
+    print(json.dumps({"engine": engine, "version": version, "dialect": dialect, "driver": driver, **functions}))
+
+
+def on_vulkan(spirv, values):
+    """Returns the driver's name and the 256 x 257 values that a compute shader writes."""
+    program = pathlib.Path(os.environ["GABOR_SCENES"]) / "scene_vulkan"
+    driver = subprocess.run([program, spirv, values], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+    return driver, np.fromfile(values, "<f4")
+
+
+def calls_on_vulkan(package, ending, shader, calls, compiled):
+    """Returns the driver's name and the values of the calls, each in place of VALUE in a shader that uses a package's files.
+    `compiled(source, spirv)` compiles it, in the folder of these files."""
+    with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+        source, spirv, values = (packaged(package, folder) / f"scene.{kind}" for kind in (ending, "spv", "raw"))
+        drawn = []
+        for call in calls:
+            source.write_text(shader.replace("VALUE", call))
+            compiled(source, spirv)
+            driver, picture = on_vulkan(spirv, values)
+            drawn.append(picture[:65536])
+    return driver, np.concatenate(drawn)
+
+
+def run_cpp(folder, source, *options):
+    """Compiles a C++ program, and runs it with the name of a file, into which it writes words of 32 bits. Returns these and the
+    compiler's messages."""
+    program, values = (pathlib.Path(folder) / f"program.{kind}" for kind in ("out", "raw"))
+    made = subprocess.run([os.environ.get("CXX", "c++"), *options, "-x", "c++", "-", "-o", program], input=source, text=True,
+                          stderr=subprocess.PIPE)
+    if made.returncode != 0:
+        raise AssertionError(made.stderr)
+    subprocess.run([program, values], check=True)
+    return np.fromfile(values, "<u4"), made.stderr
+
+
+def in_cpp(folder, before, values, *options, code=""):
+    """Returns the values of C++ expressions of p at all points of the scene, a picture for each. `before` is the text before the
+    program's main function, and `code` that before the expressions."""
+    source = CPP.replace("BEFORE", before).replace("CODE", code).replace("VALUES", ", ".join(values))
+    return run_cpp(folder, source, *options)[0].view("<f4").reshape(257, 256, len(values)).transpose(2, 0, 1)
