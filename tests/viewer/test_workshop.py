@@ -22,13 +22,13 @@ class Workshop(EventsTest):
         self.click(1020, 51)
         self.frames(3)
 
-    def export_as(self, kind):
-        """Chooses what to export, and exports it."""
-        self.click(900, 503)
-        self.click(900, 533 + 20 * kind)
+    def export_as(self, kind, y=531):
+        """Chooses what to export from the list at the height y, and exports it."""
+        self.click(900, y)
+        self.click(900, y + 30 + 20 * kind)
         self.assertEqual(self.state["export"], kind)
         if kind == ANIMATION:
-            self.click(756, 587) # the smallest number of frames
+            self.click(756, y + 84) # the smallest number of frames
             self.assertEqual(self.state["animation"], 2)
         self.keys("ctrl+e")
         self.exported()
