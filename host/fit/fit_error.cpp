@@ -1,4 +1,4 @@
-#include "fit/fit_error.hpp"
+#include "fit/fit.hpp"
 
 #include "fit/axis_spectrum.hpp"
 

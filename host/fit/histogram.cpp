@@ -1,4 +1,4 @@
-#include "fit/histogram.hpp"
+#include "fit/exemplar.hpp"
 
 #include <boost/math/distributions/normal.hpp>
 

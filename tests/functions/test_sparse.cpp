@@ -21,16 +21,13 @@ using test::tolerance;
 namespace {
 
 // gabor_sparse.glsl translated to C++. Each class has the functions for one choice of the macros as members.
-#undef GABOR_SPARSE_HPP
+#include "sparse_macros.h"
 struct One {
     const noise::Recipe recipe = noise::find_recipe("one");
 #include "gabor_sparse.hpp"
 };
 
-#undef GABOR_SPARSE_HPP
-#undef GABOR_RADIUS
-#undef GABOR_WEIGHT_FLOOR
-#undef GABOR_WINDOW
+#include "sparse_macros.h"
 #define GABOR_RADIUS 1.5f
 #define GABOR_WEIGHT_FLOOR 0.5f
 #define GABOR_WINDOW gabor_vec3(1, -1, 1)
@@ -39,12 +36,7 @@ struct Pure {
 #include "gabor_sparse.hpp"
 };
 
-#undef GABOR_SPARSE_HPP
-#undef GABOR_IMPULSES
-#undef GABOR_RADIUS
-#undef GABOR_WEIGHT_FLOOR
-#undef GABOR_PHASES
-#undef GABOR_WINDOW
+#include "sparse_macros.h"
 #define GABOR_IMPULSES 2
 #define GABOR_WEIGHT_FLOOR 1.0f
 #define GABOR_PHASES 2
@@ -54,12 +46,7 @@ struct Paper {
 #include "gabor_sparse.hpp"
 };
 
-#undef GABOR_SPARSE_HPP
-#undef GABOR_IMPULSES
-#undef GABOR_RADIUS
-#undef GABOR_WEIGHT_FLOOR
-#undef GABOR_PHASES
-#undef GABOR_WINDOW
+#include "sparse_macros.h"
 #define GABOR_IMPULSES 3
 #define GABOR_RADIUS 1.06f
 #define GABOR_WEIGHT_FLOOR 0.2f

@@ -344,14 +344,13 @@ class MaterialX(Node):
     def made(self, root):
         """Checks that the translations to OSL and MDL have each function of the GLSL. tests/engines runs them."""
         library = root / "libraries" / "gabor"
-        function = re.compile(r"^(?:export )?\w+ (mx_gabor\w+)\(", re.MULTILINE)
-        names = {path.stem: set(function.findall(path.read_text())) for path in (library / "genglsl").rglob("*.glsl")}
-        mdl, made = library / "genmdl" / "mx_gabor.mdl", []
-        self.assertLessEqual(set().union(*names.values()), set(function.findall(mdl.read_text())))
-        for path in (library / "genglsl").rglob("*.glsl"):
-            made.append((library / "genosl" / path.relative_to(library / "genglsl")).with_suffix(".osl"))
-            self.assertLessEqual(names[path.stem], set(function.findall(made[-1].read_text())))
-        return [str(path.relative_to(root)) for path in (mdl, *made)]
+        mdl, sources = library / "genmdl" / "mx_gabor.mdl", [*(library / "genglsl").rglob("*.glsl")]
+        osl = [(library / "genosl" / path.relative_to(library / "genglsl")).with_suffix(".osl") for path in sources]
+        functions = {path: set(re.findall(r"^(?:export )?\w+ (mx_gabor\w+)\(", path.read_text(), re.MULTILINE))
+                     for path in (mdl, *osl, *sources)}
+        for source, made in zip(sources, osl):
+            self.assertLessEqual(functions[source], functions[made] & functions[mdl])
+        return [str(path.relative_to(root)) for path in (mdl, *osl)]
 
 
 class Osl(Node):
@@ -469,10 +468,9 @@ class Benchmark(Package):
         self.assertEqual(set(re.findall(r"\w+", " ".join(re.findall(r'(?m)^    \[".*?", \[(.*?)\], "', text)))), {name.partition(".")[0] for name in shaders})
         for name, shader in shaders.items():
             folder = "host/lab/passes/bench" if "yardsticks" in name else "shaders" if name.endswith(".glsl") else "shaders/translations"
-            if name == "yardsticks.wgsl":
-                self.assertEqual(set(re.findall(r"(?m)^fn (\w+_noise)\(", shader)), set(re.findall(r"(?m)^float (\w+_noise)\(", shaders["yardsticks.glsl"])))
-            else:
+            if name != "yardsticks.wgsl":
                 self.assertEqual(shader, (ROOT / folder / name).read_text(), name)
+        self.assertEqual(*(set(re.findall(r"(?m)^(?:fn|float) (\w+_noise)\(", shaders[f"yardsticks.{ending}"])) for ending in ("glsl", "wgsl")))
 
 
 class Repository(unittest.TestCase):
