@@ -384,15 +384,18 @@ std::string material_sample(const View& view) {
     if (view.in_space())
         return axes_of(view, push) +
                glsl("    vec3 to_eye = {} * eye_distance * axes.toward_eye - p;\n"
-                    "    Sample here = sample_of_body(p, dFdx(p), dFdy(p), normal, to_eye, axes);\n",
+                    "    SurfacePoint point = point_of_body(p, dFdx(p), dFdy(p), normal, to_eye, axes);\n"
+                    "    Sample here = sample_at(point, true, axes);\n",
                     push.unit);
     if (!render::in_perspective(view.request))
-        return glsl("    Sample here = sample_from_above(pixel, {}, {}, {});\n", push.center, push.corner,
-                    push.pixel);
+        return glsl("    SurfacePoint point = point_from_above(pixel, {}, {}, {});\n"
+                    "    Sample here = sample_at(point, false, flat_axes());\n",
+                    push.center, push.corner, push.pixel);
     return glsl("    vec2 at = pixel - {};\n"
                 "    if (at.y <= 0.0)\n"
                 "        return {};\n"
-                "    Sample here = sample_below_horizon(at, {}, {}, {});\n",
+                "    SurfacePoint point = point_below_horizon(at, {}, {}, {});\n"
+                "    Sample here = sample_at(point, false, flat_axes());\n",
                 passes::vec2{push.center.x, push.sky},
                 view.look == Look::lit ? glsl("srgb(sky_colour(-at.y / {}))", push.sky) : "vec3(0.0)",
                 push.corner, push.pixel, push.size.x);

@@ -40,7 +40,10 @@ GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
 
 #include "relief.glsl"
 
-void write_sample(int at, Sample here, vec3 light) {
+void write_sample(int at, Sample here, float coverage) {
+    vec3 light = lit_sample(here, lamp, body);
+    if (body)
+        light = mix(backdrop, light, coverage);
     for (int i = 0; i < 3; ++i) {
         picture[at + material_colour + i] = here.material.colour[i];
         picture[at + material_lit + i] = light[i];
@@ -48,6 +51,12 @@ void write_sample(int at, Sample here, vec3 light) {
     picture[at + material_height] = here.material.height;
     picture[at + material_roughness] = here.material.roughness;
     picture[at + material_metalness] = here.material.metalness;
+    if (body) {
+        picture[at + material_coverage] = coverage;
+    } else {
+        picture[at + material_slope] = here.slope.x;
+        picture[at + material_slope + 1] = here.slope.y;
+    }
 }
 
 // A pixel without a material.
@@ -58,44 +67,35 @@ void write_background(int at, vec3 light) {
         picture[at + material_lit + i] = light[i];
 }
 
-void draw_body(int at, vec2 corner) {
-    Axes axes = camera_axes(yaw, pitch);
-    Seen seen = seen_at(corner, axes);
-    if (!seen.found) {
-        write_background(at, backdrop);
-        return;
-    }
-    Sample here = sample_of_body(unit * seen.p, unit * seen.dx, unit * seen.dy, seen.normal,
-                                 eye_distance * axes.toward_eye - seen.p, axes);
-    write_sample(at, here, mix(backdrop, lit_sample(here, lamp, true), seen.coverage));
-    picture[at + material_coverage] = seen.coverage;
-}
-
-void draw_plane(int at, vec2 pixel_at) {
-    vec2 below = pixel_at - vec2(center.x, sky);
-    if (view == view_horizon && below.y <= 0.0) {
-        write_background(at, sky_colour(-below.y / sky));
-        return;
-    }
-    Sample here;
-    if (view == view_horizon)
-        here = sample_below_horizon(below, corner, pixel, size.x);
-    else
-        here = sample_from_above(pixel_at, center, corner, pixel);
-    write_sample(at, here, lit_sample(here, lamp, false));
-    picture[at + material_slope] = here.slope.x;
-    picture[at + material_slope + 1] = here.slope.y;
-}
-
 void main() {
     look = parameters; // loaded before any branch, because lavapipe would otherwise load it for each invocation
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;
     int at = (before + here.y * width + here.x) * channels;
-    vec2 corner_at = vec2(here + ivec2(first_column, first_row));
-    if (body)
-        draw_body(at, corner_at);
-    else
-        draw_plane(at, corner_at + 0.5);
+    vec2 pixel_at = vec2(here + ivec2(first_column, first_row));
+    SurfacePoint point;
+    Axes axes = flat_axes();
+    float coverage = 1.0;
+    if (body) {
+        axes = camera_axes(yaw, pitch);
+        Seen seen = seen_at(pixel_at, axes);
+        if (!seen.found) {
+            write_background(at, backdrop);
+            return;
+        }
+        coverage = seen.coverage;
+        point = point_of_body(unit * seen.p, unit * seen.dx, unit * seen.dy, seen.normal,
+                              eye_distance * axes.toward_eye - seen.p, axes);
+    } else if (view == view_horizon) {
+        vec2 below = pixel_at + 0.5 - vec2(center.x, sky);
+        if (below.y <= 0.0) {
+            write_background(at, sky_colour(-below.y / sky));
+            return;
+        }
+        point = point_below_horizon(below, corner, pixel, size.x);
+    } else {
+        point = point_from_above(pixel_at + 0.5, center, corner, pixel);
+    }
+    write_sample(at, sample_at(point, body, axes), coverage);
 }

@@ -56,39 +56,56 @@ Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
     return Relief(m, slope);
 }
 
+// A point of the surface that a pixel shows, and how it is seen.
+struct SurfacePoint {
+    vec3 p;
+    vec3 dx; // steps to the points that the next pixels show
+    vec3 dy;
+    vec3 normal;
+    vec3 eye;   // direction to the eye, along the axes of the picture
+    vec2 place; // as in lamp_above
+};
+
+SurfacePoint point_of_plane(Footprint here, vec3 eye, vec2 place) {
+    return SurfacePoint(vec3(here.p, 0.0), vec3(here.dx, 0.0), vec3(here.dy, 0.0), vec3(0.0, 0.0, 1.0), eye, place);
+}
+
+// `center`: the pixel in the middle of the picture. `corner`: p at the picture's corner.
+SurfacePoint point_from_above(vec2 pixel_at, vec2 center, vec2 corner, float pixel) {
+    vec2 place = (pixel_at - center) / (2.0 * max(center.x, center.y));
+    return point_of_plane(footprint_from_above(corner + pixel * pixel_at, pixel), eye_above(place), place);
+}
+
+// The parameters are as for footprint_below_horizon; the camera is above p = `corner`.
+SurfacePoint point_below_horizon(vec2 at, vec2 corner, float height, float focal_length) {
+    Footprint here = footprint_below_horizon(at, height, focal_length);
+    here.p += corner;
+    return point_of_plane(here, eye_above_horizon(at, focal_length), vec2(0.0));
+}
+
+// `to_eye`: the vector from p to the eye, of any length.
+SurfacePoint point_of_body(vec3 p, vec3 dx, vec3 dy, vec3 normal, vec3 to_eye, Axes axes) {
+    return SurfacePoint(p, dx, dy, normal, normalize(in_picture(to_eye, axes)), vec2(0.0));
+}
+
 // A piece of the surface as it is seen, along the axes of the picture.
 struct Sample {
     GaborMaterial material;
     vec3 slope;
     vec3 normal; // with the relief
-    vec3 eye;    // direction to the eye
-    vec2 place;  // as in lamp_above
+    vec3 eye;
+    vec2 place;
 };
 
-Sample sample_of(Footprint here, vec3 eye, vec2 place) {
-    vec3 up = vec3(0.0, 0.0, 1.0);
-    Relief relief = relief_at(vec3(here.p, 0.0), vec3(here.dx, 0.0), vec3(here.dy, 0.0), up, false);
-    return Sample(relief.material, relief.slope, bumped_normal(up, relief.slope), eye, place);
-}
-
-// `center`: the pixel in the middle of the picture. `corner`: p at the picture's corner.
-Sample sample_from_above(vec2 pixel_at, vec2 center, vec2 corner, float pixel) {
-    vec2 place = (pixel_at - center) / (2.0 * max(center.x, center.y));
-    return sample_of(footprint_from_above(corner + pixel * pixel_at, pixel), eye_above(place), place);
-}
-
-// The parameters are as for footprint_below_horizon; the camera is above p = `corner`.
-Sample sample_below_horizon(vec2 at, vec2 corner, float height, float focal_length) {
-    Footprint here = footprint_below_horizon(at, height, focal_length);
-    here.p += corner;
-    return sample_of(here, eye_above_horizon(at, focal_length), vec2(0.0));
-}
-
-// `to_eye`: the vector from p to the eye, of any length.
-Sample sample_of_body(vec3 p, vec3 dx, vec3 dy, vec3 normal, vec3 to_eye, Axes axes) {
-    Relief relief = relief_at(p, dx, dy, normal, true);
-    return Sample(relief.material, in_picture(relief.slope, axes), in_picture(bumped_normal(normal, relief.slope), axes),
-                  normalize(in_picture(to_eye, axes)), vec2(0.0));
+// A shader should call this once: each call compiles the material again.
+Sample sample_at(SurfacePoint here, bool body, Axes axes) {
+    Relief relief = relief_at(here.p, here.dx, here.dy, here.normal, body);
+    Sample seen = Sample(relief.material, relief.slope, bumped_normal(here.normal, relief.slope), here.eye, here.place);
+    if (body) { // planes have the axes of the picture
+        seen.slope = in_picture(seen.slope, axes);
+        seen.normal = in_picture(seen.normal, axes);
+    }
+    return seen;
 }
 
 // The light of the sample to the eye: see lit() in light.glsl. `lamp` is as in lamp_above, `body` as in sky_above.
