@@ -90,7 +90,7 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
     CLI::App app(program.description, program.name);
     app.formatter(std::make_shared<Formatter>());
     app.set_version_flag("--version", program.name + " " GABOR_VERSION);
-    app.option_defaults()->disable_flag_override(); // reject --verbose=3
+    app.option_defaults()->disable_flag_override(); // reject --gradient=3
     app.require_subcommand(0, 1); // with (1, 1), CLI11's message would not name the unknown word
     for (const auto& add : program.commands)
         add(app);
