@@ -1,6 +1,6 @@
 // gabor_materials.glsl: twelve materials from Gabor noise.
 //
-// Paste or include this file after gabor_noise.glsl and gabor_spectrum.glsl, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.glsl, gabor_spectrum.glsl and gabor_filter.glsl, with GABOR_TAPS 3.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -13,11 +13,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_SPECTRUM_GLSL
-#error Include gabor_noise.glsl and gabor_spectrum.glsl before gabor_materials.glsl
-#endif
-#if GABOR_TAPS != 3
-#error gabor_materials.glsl needs GABOR_TAPS 3
+#if !defined(GABOR_SPECTRUM_GLSL) || !defined(GABOR_FILTER_GLSL)
+#error Include gabor_noise.glsl, gabor_spectrum.glsl and gabor_filter.glsl before gabor_materials.glsl
 #endif
 #ifndef GABOR_MATERIALS_GLSL
 #define GABOR_MATERIALS_GLSL
@@ -256,14 +253,13 @@ GaborPlace gabor_impl_place(GaborPixel pixel, vec2 density) {
 // removed. `density` is in kernel radii per unit along x and y.
 vec3 gabor_impl_layer(GaborPixel pixel, vec2 density, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, density);
-    GaborKernel kernel = gabor_kernel(frequency, orientation);
-    if (!pixel.filtered)
-        return vec3(gabor_field(place, kernel, seed).value, 0.0);
-    float removed;
-    density *= place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
-    vec2 value = gabor_field_filtered(place, kernel, footprint, seed, removed).value;
-    return vec3(value, removed);
+    vec2 wave = gabor_wave_vector(frequency, orientation);
+    GaborField field;
+    if (pixel.filtered)
+        field = gabor_field_filtered(place, density * pixel.dx, density * pixel.dy, wave, seed);
+    else
+        field = gabor_field(place, wave, seed);
+    return vec3(field.quadrature, field.noise, field.removed);
 }
 
 // A layer of frequency 0: spots as large as a kernel.
@@ -288,10 +284,10 @@ vec3 gabor_impl_octaves(GaborPixel pixel, vec2 density, int count, float gain, u
 
 // Displaces p by two noises, and changes dx and dy accordingly.
 GaborPixel gabor_impl_warp(GaborPixel pixel, vec2 density, vec2 amplitude, uint seed) {
-    GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0, 0.0), seed);
-    vec2 along_x = amplitude * density.x * field.slope_x;
-    vec2 along_y = amplitude * density.y * field.slope_y;
-    return GaborPixel(pixel.p + amplitude * field.value, pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
+    GaborField field = gabor_field(gabor_impl_place(pixel, density), vec2(0.0), seed);
+    vec2 along_x = amplitude * density.x * vec2(field.quadrature_gradient.x, field.gradient.x);
+    vec2 along_y = amplitude * density.y * vec2(field.quadrature_gradient.y, field.gradient.y);
+    return GaborPixel(pixel.p + amplitude * vec2(field.quadrature, field.noise), pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period);
 }
 
@@ -362,9 +358,9 @@ float gabor_impl_rise_integral(float x) {
     return 0.33333333 * (turns + t * t * t);
 }
 
-// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
-float gabor_impl_rise(vec2 phase) {
-    vec3 ends = gabor_impl_ends(phase.x, phase.y);
+// The mean of the square of a sawtooth over the phases that stripes stand for: see gabor_impl_ends.
+float gabor_impl_rise(vec2 stripes) {
+    vec3 ends = gabor_impl_ends(stripes);
     return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
 }
 
@@ -384,7 +380,7 @@ GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0).x;
     float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
     float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // amplitude of the rings' wave after a Gaussian filter
-    float ring = gabor_impl_rise(vec2(rings * years.p.x, gabor_impl_phase_of(vec2(kept, 0.0)).y));
+    float ring = gabor_impl_rise(kept * gabor_impl_wave(rings * years.p.x));
     vec3 pore = gabor_impl_spots(pixel, vec2(90.0, 4.5), gabor_lobe_seed(seed, 3));
     vec3 fibre = gabor_impl_spots(pixel, vec2(150.0, 2.0), gabor_lobe_seed(seed, 4));
     vec3 tone = gabor_impl_spots(board, vec2(3.5, 0.35), gabor_lobe_seed(seed, 5));
@@ -510,7 +506,7 @@ GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed) {
     vec3 grain = gabor_impl_spots(pixel, vec2(75.0), gabor_lobe_seed(seed, 3));
     vec3 large = gabor_impl_octaves(pixel, vec2(0.6), 3, 0.5, gabor_lobe_seed(seed, 4));
 
-    float ripple = gabor_impl_rise(gabor_impl_phase_of(0.9 * gabor_impl_phase(wind)));
+    float ripple = gabor_impl_rise(0.9 * gabor_impl_phase(wind));
     vec3 colour = mix(sand.trough, sand.crest, ripple);
     colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06);
     colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9, 0.15));
@@ -581,7 +577,7 @@ GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uin
 GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(0.14), gabor_lobe_seed(seed, 0));
     GaborPlace place = gabor_impl_place(pixel, vec2(0.6));
-    float lean = gabor_field(place, gabor_kernel(0.0, 0.0), gabor_lobe_seed(seed, 1)).value.x;
+    float lean = gabor_field(place, vec2(0.0), gabor_lobe_seed(seed, 1)).quadrature;
     vec3 stripe = gabor_impl_layer(skin, vec2(zebra.stripes / 1.4), 1.4, zebra.direction + zebra.bends * lean,
                                    gabor_lobe_seed(seed, 2));
     vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), gabor_lobe_seed(seed, 3));
