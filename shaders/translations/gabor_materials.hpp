@@ -1,7 +1,7 @@
 // clang-format off
 // gabor_materials.hpp: twelve materials from Gabor noise: for C++ on the CPU.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp.
+// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp. Paste or include it after gabor_filter.hpp.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -14,11 +14,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_SPECTRUM_HPP
-#error Include gabor_noise.hpp and gabor_spectrum.hpp before gabor_materials.hpp
-#endif
-#if GABOR_TAPS != 3
-#error gabor_materials.hpp needs GABOR_TAPS 3
+#if !defined(GABOR_SPECTRUM_HPP) || !defined(GABOR_FILTER_HPP)
+#error Include gabor_noise.hpp, gabor_spectrum.hpp and gabor_filter.hpp before gabor_materials.hpp
 #endif
 #ifndef GABOR_MATERIALS_HPP
 #define GABOR_MATERIALS_HPP
@@ -257,14 +254,13 @@ GABOR_INLINE GaborPlace gabor_impl_place(GaborPixel pixel, gabor_vec2 density) {
 // removed. `density` is in kernel radii per unit along x and y.
 GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_impl_place(pixel, density);
-    GaborKernel kernel = gabor_kernel(frequency, orientation);
-    if (!pixel.filtered)
-        return gabor_vec3(gabor_field(place, kernel, seed).value, 0.0f);
-    float removed;
-    density *= place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
-    gabor_vec2 value = gabor_field_filtered(place, kernel, footprint, seed, removed).value;
-    return gabor_vec3(value, removed);
+    gabor_vec2 wave = gabor_wave_vector(frequency, orientation);
+    GaborField field;
+    if (pixel.filtered)
+        field = gabor_field_filtered(place, density * pixel.dx, density * pixel.dy, wave, seed);
+    else
+        field = gabor_field(place, wave, seed);
+    return gabor_vec3(field.quadrature, field.noise, field.removed);
 }
 
 // A layer of frequency 0: spots as large as a kernel.
@@ -289,10 +285,10 @@ GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density,
 
 // Displaces p by two noises, and changes dx and dy accordingly.
 GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed) {
-    GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0f, 0.0f), seed);
-    gabor_vec2 along_x = amplitude * density.x * field.slope_x;
-    gabor_vec2 along_y = amplitude * density.y * field.slope_y;
-    return GaborPixel{pixel.p + amplitude * field.value, pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
+    GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_vec2(0.0f), seed);
+    gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
+    gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
+    return GaborPixel{pixel.p + amplitude * gabor_vec2(field.quadrature, field.noise), pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period};
 }
 
@@ -363,9 +359,9 @@ GABOR_INLINE float gabor_impl_rise_integral(float x) {
     return 0.33333333f * (turns + t * t * t);
 }
 
-// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
-GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase) {
-    gabor_vec3 ends = gabor_impl_ends(phase.x, phase.y);
+// The mean of the square of a sawtooth over the phases that stripes stand for: see gabor_impl_ends.
+GABOR_INLINE float gabor_impl_rise(gabor_vec2 stripes) {
+    gabor_vec3 ends = gabor_impl_ends(stripes);
     return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
 }
 
@@ -385,7 +381,7 @@ GABOR_INLINE GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, std::
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0f).x;
     float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
     float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * steps, 40.0f)); // amplitude of the rings' wave after a Gaussian filter
-    float ring = gabor_impl_rise(gabor_vec2(rings * years.p.x, gabor_impl_phase_of(gabor_vec2(kept, 0.0f)).y));
+    float ring = gabor_impl_rise(kept * gabor_impl_wave(rings * years.p.x));
     gabor_vec3 pore = gabor_impl_spots(pixel, gabor_vec2(90.0f, 4.5f), gabor_lobe_seed(seed, 3));
     gabor_vec3 fibre = gabor_impl_spots(pixel, gabor_vec2(150.0f, 2.0f), gabor_lobe_seed(seed, 4));
     gabor_vec3 tone = gabor_impl_spots(board, gabor_vec2(3.5f, 0.35f), gabor_lobe_seed(seed, 5));
@@ -511,7 +507,7 @@ GABOR_INLINE GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, std::
     gabor_vec3 grain = gabor_impl_spots(pixel, gabor_vec2(75.0f), gabor_lobe_seed(seed, 3));
     gabor_vec3 large = gabor_impl_octaves(pixel, gabor_vec2(0.6f), 3, 0.5f, gabor_lobe_seed(seed, 4));
 
-    float ripple = gabor_impl_rise(gabor_impl_phase_of(0.9f * gabor_impl_phase(wind)));
+    float ripple = gabor_impl_rise(0.9f * gabor_impl_phase(wind));
     gabor_vec3 colour = gabor_cpp_mix(sand.trough, sand.crest, ripple);
     colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06f);
     colour = gabor_cpp_mix(colour, 0.23f * sand.trough, 3.75f * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9f, 0.15f));
@@ -582,7 +578,7 @@ GABOR_INLINE GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches s
 GABOR_INLINE GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, std::uint32_t seed) {
     GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.14f), gabor_lobe_seed(seed, 0));
     GaborPlace place = gabor_impl_place(pixel, gabor_vec2(0.6f));
-    float lean = gabor_field(place, gabor_kernel(0.0f, 0.0f), gabor_lobe_seed(seed, 1)).value.x;
+    float lean = gabor_field(place, gabor_vec2(0.0f), gabor_lobe_seed(seed, 1)).quadrature;
     gabor_vec3 stripe = gabor_impl_layer(skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, zebra.direction + zebra.bends * lean,
                                    gabor_lobe_seed(seed, 2));
     gabor_vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), gabor_lobe_seed(seed, 3));

@@ -1,6 +1,6 @@
 // gabor_materials.metal: twelve materials from Gabor noise: for the Metal shading language.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal. Paste or include it after gabor_spectrum.metal.
+// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal. Paste or include it after gabor_spectrum.metal. Paste or include it after gabor_filter.metal.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -13,11 +13,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_SPECTRUM_METAL
-#error Include gabor_noise.metal and gabor_spectrum.metal before gabor_materials.metal
-#endif
-#if GABOR_TAPS != 3
-#error gabor_materials.metal needs GABOR_TAPS 3
+#if !defined(GABOR_SPECTRUM_METAL) || !defined(GABOR_FILTER_METAL)
+#error Include gabor_noise.metal, gabor_spectrum.metal and gabor_filter.metal before gabor_materials.metal
 #endif
 #ifndef GABOR_MATERIALS_METAL
 #define GABOR_MATERIALS_METAL
@@ -260,14 +257,13 @@ inline GaborPlace gabor_impl_place(GaborPixel pixel, float2 density) {
 // removed. `density` is in kernel radii per unit along x and y.
 inline float3 gabor_impl_layer(GaborPixel pixel, float2 density, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_impl_place(pixel, density);
-    GaborKernel kernel_ = gabor_kernel(frequency, orientation);
-    if (!pixel.filtered)
-        return float3(gabor_field(place, kernel_, seed).value, 0.0);
-    float removed;
-    density *= place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
-    float2 value = gabor_field_filtered(place, kernel_, footprint, seed, removed).value;
-    return float3(value, removed);
+    float2 wave = gabor_wave_vector(frequency, orientation);
+    GaborField field;
+    if (pixel.filtered)
+        field = gabor_field_filtered(place, density * pixel.dx, density * pixel.dy, wave, seed);
+    else
+        field = gabor_field(place, wave, seed);
+    return float3(field.quadrature, field.noise, field.removed);
 }
 
 // A layer of frequency 0: spots as large as a kernel.
@@ -292,10 +288,10 @@ inline float3 gabor_impl_octaves(GaborPixel pixel, float2 density, int count, fl
 
 // Displaces p by two noises, and changes dx and dy accordingly.
 inline GaborPixel gabor_impl_warp(GaborPixel pixel, float2 density, float2 amplitude, uint seed) {
-    GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0, 0.0), seed);
-    float2 along_x = amplitude * density.x * field.slope_x;
-    float2 along_y = amplitude * density.y * field.slope_y;
-    return GaborPixel{pixel.p + amplitude * field.value, pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
+    GaborField field = gabor_field(gabor_impl_place(pixel, density), float2(0.0), seed);
+    float2 along_x = amplitude * density.x * float2(field.quadrature_gradient.x, field.gradient.x);
+    float2 along_y = amplitude * density.y * float2(field.quadrature_gradient.y, field.gradient.y);
+    return GaborPixel{pixel.p + amplitude * float2(field.quadrature, field.noise), pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
                       pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period};
 }
 
@@ -366,9 +362,9 @@ inline float gabor_impl_rise_integral(float x) {
     return 0.33333333 * (turns + t * t * t);
 }
 
-// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
-inline float gabor_impl_rise(float2 phase) {
-    float3 ends = gabor_impl_ends(phase.x, phase.y);
+// The mean of the square of a sawtooth over the phases that stripes stand for: see gabor_impl_ends.
+inline float gabor_impl_rise(float2 stripes) {
+    float3 ends = gabor_impl_ends(stripes);
     return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
 }
 
@@ -388,7 +384,7 @@ inline GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) 
     float rings = gabor_impl_repeated(pixel, wood.rings, 1.0).x;
     float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
     float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // amplitude of the rings' wave after a Gaussian filter
-    float ring = gabor_impl_rise(float2(rings * years.p.x, gabor_impl_phase_of(float2(kept, 0.0)).y));
+    float ring = gabor_impl_rise(kept * gabor_impl_wave(rings * years.p.x));
     float3 pore = gabor_impl_spots(pixel, float2(90.0, 4.5), gabor_lobe_seed(seed, 3));
     float3 fibre = gabor_impl_spots(pixel, float2(150.0, 2.0), gabor_lobe_seed(seed, 4));
     float3 tone = gabor_impl_spots(board, float2(3.5, 0.35), gabor_lobe_seed(seed, 5));
@@ -514,7 +510,7 @@ inline GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed) 
     float3 grain = gabor_impl_spots(pixel, float2(75.0), gabor_lobe_seed(seed, 3));
     float3 large = gabor_impl_octaves(pixel, float2(0.6), 3, 0.5, gabor_lobe_seed(seed, 4));
 
-    float ripple = gabor_impl_rise(gabor_impl_phase_of(0.9 * gabor_impl_phase(wind)));
+    float ripple = gabor_impl_rise(0.9 * gabor_impl_phase(wind));
     float3 colour = mix(sand.trough, sand.crest, ripple);
     colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06);
     colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9, 0.15));
@@ -585,7 +581,7 @@ inline GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratch
 inline GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed) {
     GaborPixel skin = gabor_impl_warp(pixel, float2(0.9), float2(0.14), gabor_lobe_seed(seed, 0));
     GaborPlace place = gabor_impl_place(pixel, float2(0.6));
-    float lean = gabor_field(place, gabor_kernel(0.0, 0.0), gabor_lobe_seed(seed, 1)).value.x;
+    float lean = gabor_field(place, float2(0.0), gabor_lobe_seed(seed, 1)).quadrature;
     float3 stripe = gabor_impl_layer(skin, float2(zebra.stripes / 1.4), 1.4, zebra.direction + zebra.bends * lean,
                                    gabor_lobe_seed(seed, 2));
     float3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963), float2(6.0, 80.0), gabor_lobe_seed(seed, 3));

@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 7183767d10738946
+// Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl. Paste or include it after gabor_filter.wgsl.
+// Digest of the GLSL and of this file: d20c4b9c86b91530
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -105,57 +105,57 @@ fn gabor_wood_at(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborMaterial
     steps = ((_e49 * _e50) * ((_e52.dx.x * _e55.dx.x) + (_e59.dy.x * _e62.dy.x)));
     let _e71 = steps;
     kept_1 = (0.97f * exp(-(min((4.934802f * _e71), 40f))));
-    let _e79 = rings;
-    let _e80 = years;
-    let _e84 = kept_1;
-    let _e87 = gabor_impl_phase_of(vec2<f32>(_e84, 0f));
-    let _e90 = gabor_impl_rise(vec2<f32>((_e79 * _e80.p.x), _e87.y));
-    ring = _e90;
-    let _e96 = gabor_lobe_seed(seed, 3i);
-    let _e97 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e96);
-    pore = _e97;
-    let _e103 = gabor_lobe_seed(seed, 4i);
-    let _e104 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e103);
-    fibre = _e104;
-    let _e106 = board;
-    let _e111 = gabor_lobe_seed(seed, 5i);
-    let _e112 = gabor_impl_spots(_e106, vec2<f32>(3.5f, 0.35f), _e111);
-    tone = _e112;
-    let _e114 = fibre;
-    let _e116 = fibre;
-    let _e119 = gabor_impl_tone(_e114.y, _e116.z, 0.11f);
-    let _e120 = tone;
-    let _e122 = tone;
-    let _e125 = gabor_impl_tone(_e120.y, _e122.z, 0.13f);
-    tones = (_e119 * _e125);
-    let _e129 = pore;
-    let _e131 = pore;
-    let _e135 = gabor_impl_above(_e129.y, _e131.z, 1.1f, 0.25f);
-    pores = (wood.pores * _e135);
-    let _e139 = ring;
-    let _e142 = pores;
-    early = ((1f - _e139) * (1f - _e142));
-    let _e146 = ring;
-    let _e149 = pores;
-    late = (_e146 * (1f - (0.25f * _e149)));
-    let _e155 = early;
-    let _e157 = late;
-    deep = ((1f - _e155) - _e157);
-    let _e160 = tones;
-    let _e161 = early;
-    let _e165 = tones;
-    let _e166 = late;
-    let _e169 = deep;
-    colour_1 = (((_e160 * _e161) * wood.early) + (((_e165 * _e166) + (0.45f * _e169)) * wood.late));
-    let _e177 = ring;
-    let _e180 = deep;
-    let _e184 = fibre;
-    height_1 = (((0.0006f * _e177) - (0.0024f * _e180)) + (0.0002f * _e184.y));
-    let _e189 = colour_1;
-    let _e190 = height_1;
-    let _e194 = ring;
-    let _e199 = gabor_impl_material(_e189, _e190, (wood.roughness * (1f - (0.2f * _e194))), 0f);
-    return _e199;
+    let _e79 = kept_1;
+    let _e80 = rings;
+    let _e81 = years;
+    let _e85 = gabor_impl_wave((_e80 * _e81.p.x));
+    let _e87 = gabor_impl_rise((_e79 * _e85));
+    ring = _e87;
+    let _e93 = gabor_lobe_seed(seed, 3i);
+    let _e94 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e93);
+    pore = _e94;
+    let _e100 = gabor_lobe_seed(seed, 4i);
+    let _e101 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e100);
+    fibre = _e101;
+    let _e103 = board;
+    let _e108 = gabor_lobe_seed(seed, 5i);
+    let _e109 = gabor_impl_spots(_e103, vec2<f32>(3.5f, 0.35f), _e108);
+    tone = _e109;
+    let _e111 = fibre;
+    let _e113 = fibre;
+    let _e116 = gabor_impl_tone(_e111.y, _e113.z, 0.11f);
+    let _e117 = tone;
+    let _e119 = tone;
+    let _e122 = gabor_impl_tone(_e117.y, _e119.z, 0.13f);
+    tones = (_e116 * _e122);
+    let _e126 = pore;
+    let _e128 = pore;
+    let _e132 = gabor_impl_above(_e126.y, _e128.z, 1.1f, 0.25f);
+    pores = (wood.pores * _e132);
+    let _e136 = ring;
+    let _e139 = pores;
+    early = ((1f - _e136) * (1f - _e139));
+    let _e143 = ring;
+    let _e146 = pores;
+    late = (_e143 * (1f - (0.25f * _e146)));
+    let _e152 = early;
+    let _e154 = late;
+    deep = ((1f - _e152) - _e154);
+    let _e157 = tones;
+    let _e158 = early;
+    let _e162 = tones;
+    let _e163 = late;
+    let _e166 = deep;
+    colour_1 = (((_e157 * _e158) * wood.early) + (((_e162 * _e163) + (0.45f * _e166)) * wood.late));
+    let _e174 = ring;
+    let _e177 = deep;
+    let _e181 = fibre;
+    height_1 = (((0.0006f * _e174) - (0.0024f * _e177)) + (0.0002f * _e181.y));
+    let _e186 = colour_1;
+    let _e187 = height_1;
+    let _e191 = ring;
+    let _e196 = gabor_impl_material(_e186, _e187, (wood.roughness * (1f - (0.2f * _e191))), 0f);
+    return _e196;
 }
 
 fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -197,28 +197,28 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var at: vec2<f32>;
     var thread: vec2<f32>;
     var within_1: vec2<f32>;
-    var local_37: f32;
+    var local_30: f32;
     var parity: f32;
     var thick: vec2<f32>;
-    var inside_1: vec2<f32>;
+    var inside: vec2<f32>;
     var crest: vec2<f32>;
-    var first_3: bool;
+    var first_1: bool;
     var top: f32;
-    var local_38: vec3<f32>;
+    var local_31: vec3<f32>;
     var tone_1: vec3<f32>;
-    var local_39: vec3<f32>;
+    var local_32: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps_1: vec2<f32>;
     var kept_2: f32;
     var uneven: f32;
     var light: f32;
-    var local_40: f32;
+    var local_33: f32;
     var share: f32;
     var colour_2: vec3<f32>;
     var height_2: f32;
     var cords: f32;
     var damped: f32;
-    var turn_11: f32;
+    var turn_12: f32;
     var cord: f32;
 
     let _e5 = gabor_impl_repeated(pixel, fabric.threads, 2f);
@@ -259,11 +259,11 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e85 = thread;
     let _e87 = thread;
     if (fract((0.5f * (_e85.x + _e87.y))) > 0.25f) {
-        local_37 = -1f;
+        local_30 = -1f;
     } else {
-        local_37 = 1f;
+        local_30 = 1f;
     }
-    let _e98 = local_37;
+    let _e98 = local_30;
     parity = _e98;
     let _e104 = upright;
     let _e106 = level;
@@ -272,38 +272,38 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e117 = within_1;
     let _e119 = thick;
     let _e120 = thick;
-    inside_1 = (vec2(1f) - (((4.2f * _e115) * _e117) / (_e119 * _e120)));
+    inside = (vec2(1f) - (((4.2f * _e115) * _e117) / (_e119 * _e120)));
     let _e126 = thick;
-    let _e127 = inside_1;
+    let _e127 = inside;
     let _e137 = parity;
     let _e140 = within_1;
-    let _e151 = inside_1;
+    let _e151 = inside;
     crest = ((((_e126 * sqrt(max(_e127, vec2(0f)))) - vec2(1f)) + (((0.55f * _e137) * cos((3.1415927f * _e140.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e151 < vec2(0f))));
     let _e162 = crest;
     let _e164 = crest;
-    first_3 = (_e162.x > _e164.y);
+    first_1 = (_e162.x > _e164.y);
     let _e168 = crest;
     let _e170 = crest;
     top = max(max(_e168.x, _e170.y), -1.3f);
-    let _e177 = first_3;
+    let _e177 = first_1;
     if _e177 {
         let _e178 = upright;
-        local_38 = _e178;
+        local_31 = _e178;
     } else {
         let _e179 = level;
-        local_38 = _e179;
+        local_31 = _e179;
     }
-    let _e181 = local_38;
+    let _e181 = local_31;
     tone_1 = _e181;
-    let _e183 = first_3;
+    let _e183 = first_1;
     if _e183 {
         let _e184 = upright_fibre;
-        local_39 = _e184;
+        local_32 = _e184;
     } else {
         let _e185 = level_fibre;
-        local_39 = _e185;
+        local_32 = _e185;
     }
-    let _e187 = local_39;
+    let _e187 = local_32;
     fibre_1 = _e187;
     let _e189 = count_2;
     let _e190 = count_2;
@@ -321,13 +321,13 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e231 = top;
     let _e233 = kept_2;
     light = mix((0.8572f + (_e220 * (0.005f + (0.0083f * _e223)))), smoothstep(-1.3f, 0.5f, _e231), _e233);
-    let _e237 = first_3;
+    let _e237 = first_1;
     if _e237 {
-        local_40 = 1f;
+        local_33 = 1f;
     } else {
-        local_40 = 0f;
+        local_33 = 0f;
     }
-    let _e241 = local_40;
+    let _e241 = local_33;
     let _e242 = kept_2;
     share = mix(0.5f, _e241, _e242);
     let _e247 = share;
@@ -362,13 +362,13 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
             damped = exp(-(min((((4.934802f * _e307) * _e309) * ((_e311.dx.x * _e314.dx.x) + (_e318.dy.x * _e321.dy.x))), 20f)));
             let _e333 = cords;
             let _e334 = cloth;
-            turn_11 = (6.2831855f * fract((_e333 * _e334.p.x)));
+            turn_12 = (6.2831855f * fract((_e333 * _e334.p.x)));
             let _e342 = damped;
-            let _e344 = turn_11;
+            let _e344 = turn_12;
             let _e348 = damped;
             let _e350 = damped;
             let _e352 = damped;
-            let _e355 = turn_11;
+            let _e355 = turn_12;
             cord = (0.625f - (_e342 * ((0.5f * cos(_e344)) + ((((0.125f * _e348) * _e350) * _e352) * cos((2f * _e355))))));
             let _e363 = colour_2;
             let _e366 = cord;
@@ -415,7 +415,7 @@ fn gabor_leather_default() -> GaborLeather {
 
 fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborMaterial {
     var skin: GaborPixel;
-    var density_7: vec2<f32>;
+    var density_6: vec2<f32>;
     var one: vec3<f32>;
     var other_1: vec3<f32>;
     var fine: vec3<f32>;
@@ -439,14 +439,14 @@ fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabo
     let _e21 = gabor_lobe_seed(seed, 1i);
     let _e22 = gabor_impl_warp(_e13, vec2(4f), vec2((0.014f * leather.wrinkles)), _e21);
     skin = _e22;
-    density_7 = vec2((leather.cells / 1.6f));
+    density_6 = vec2((leather.cells / 1.6f));
     let _e28 = skin;
-    let _e29 = density_7;
+    let _e29 = density_6;
     let _e33 = gabor_lobe_seed(seed, 2i);
     let _e34 = gabor_impl_layer(_e28, _e29, 1.6f, 0.2f, _e33);
     one = _e34;
     let _e36 = skin;
-    let _e37 = density_7;
+    let _e37 = density_6;
     let _e41 = gabor_lobe_seed(seed, 3i);
     let _e42 = gabor_impl_layer(_e36, _e37, 1.6f, 2.2944f, _e41);
     other_1 = _e42;
@@ -663,7 +663,7 @@ fn gabor_sand_default() -> GaborSand {
 
 fn gabor_sand_at(pixel: GaborPixel, sand: GaborSand, seed: u32) -> GaborMaterial {
     var dune: GaborPixel;
-    var density_8: vec2<f32>;
+    var density_7: vec2<f32>;
     var wind: vec3<f32>;
     var grain: vec3<f32>;
     var large_1: vec3<f32>;
@@ -679,9 +679,9 @@ fn gabor_sand_at(pixel: GaborPixel, sand: GaborSand, seed: u32) -> GaborMaterial
     let _e17 = gabor_lobe_seed(seed, 1i);
     let _e18 = gabor_impl_warp(_e11, vec2(3f), vec2(0.02f), _e17);
     dune = _e18;
-    density_8 = (vec2<f32>(0.23255815f, 0.43927652f) * sand.ripples);
+    density_7 = (vec2<f32>(0.23255815f, 0.43927652f) * sand.ripples);
     let _e32 = dune;
-    let _e33 = density_8;
+    let _e33 = density_7;
     let _e37 = gabor_lobe_seed(seed, 2i);
     let _e38 = gabor_impl_layer(_e32, _e33, 2.3f, 1.4f, _e37);
     wind = _e38;
@@ -693,40 +693,39 @@ fn gabor_sand_at(pixel: GaborPixel, sand: GaborSand, seed: u32) -> GaborMaterial
     large_1 = _e52;
     let _e55 = wind;
     let _e56 = gabor_impl_phase(_e55);
-    let _e58 = gabor_impl_phase_of((0.9f * _e56));
-    let _e59 = gabor_impl_rise(_e58);
-    ripple = _e59;
-    let _e63 = ripple;
-    colour_6 = mix(sand.trough, sand.crest, vec3(_e63));
-    let _e67 = colour_6;
-    let _e68 = grain;
-    let _e70 = grain;
-    let _e73 = gabor_impl_tone(_e68.x, _e70.z, sand.grain);
-    let _e74 = large_1;
-    let _e76 = large_1;
-    let _e79 = gabor_impl_tone(_e74.y, _e76.z, 0.06f);
-    colour_6 = (_e67 * (_e73 * _e79));
-    let _e82 = colour_6;
-    let _e89 = grain;
-    let _e91 = grain;
-    let _e95 = gabor_impl_above(_e89.y, _e91.z, 1.9f, 0.15f);
-    colour_6 = mix(_e82, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e95)));
+    let _e58 = gabor_impl_rise((0.9f * _e56));
+    ripple = _e58;
+    let _e62 = ripple;
+    colour_6 = mix(sand.trough, sand.crest, vec3(_e62));
+    let _e66 = colour_6;
+    let _e67 = grain;
+    let _e69 = grain;
+    let _e72 = gabor_impl_tone(_e67.x, _e69.z, sand.grain);
+    let _e73 = large_1;
+    let _e75 = large_1;
+    let _e78 = gabor_impl_tone(_e73.y, _e75.z, 0.06f);
+    colour_6 = (_e66 * (_e72 * _e78));
+    let _e81 = colour_6;
+    let _e88 = grain;
+    let _e90 = grain;
+    let _e94 = gabor_impl_above(_e88.y, _e90.z, 1.9f, 0.15f);
+    colour_6 = mix(_e81, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e94)));
     bright = mix(sand.crest, vec3(1f), vec3(0.6f));
-    let _e106 = colour_6;
-    let _e107 = bright;
-    let _e111 = grain;
-    let _e114 = grain;
-    let _e118 = gabor_impl_above(-(_e111.y), _e114.z, 1.9f, 0.15f);
-    colour_6 = mix(_e106, _e107, vec3(((3f * sand.grain) * _e118)));
-    let _e123 = ripple;
-    let _e127 = large_1;
-    let _e133 = large_1;
-    let _e140 = grain;
-    height_4 = ((((sand.relief * _e123) * (1f + (0.2f * _e127.x))) + (0.03f * _e133.x)) + ((0.00875f * sand.grain) * _e140.x));
-    let _e145 = colour_6;
-    let _e146 = height_4;
-    let _e149 = gabor_impl_material(_e145, _e146, sand.roughness, 0f);
-    return _e149;
+    let _e105 = colour_6;
+    let _e106 = bright;
+    let _e110 = grain;
+    let _e113 = grain;
+    let _e117 = gabor_impl_above(-(_e110.y), _e113.z, 1.9f, 0.15f);
+    colour_6 = mix(_e105, _e106, vec3(((3f * sand.grain) * _e117)));
+    let _e122 = ripple;
+    let _e126 = large_1;
+    let _e132 = large_1;
+    let _e139 = grain;
+    height_4 = ((((sand.relief * _e122) * (1f + (0.2f * _e126.x))) + (0.03f * _e132.x)) + ((0.00875f * sand.grain) * _e139.x));
+    let _e144 = colour_6;
+    let _e145 = height_4;
+    let _e148 = gabor_impl_material(_e144, _e145, sand.roughness, 0f);
+    return _e148;
 }
 
 fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -761,64 +760,64 @@ fn gabor_ripples_default() -> GaborRipples {
 fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborMaterial {
     var height_5: f32 = 0f;
     var crest_1: f32 = 0f;
-    var removed_12: f32 = 0f;
+    var removed_4: f32 = 0f;
     var power_6: f32 = 0f;
-    var i_8: i32 = 0i;
+    var i_9: i32 = 0i;
     var waves: f32;
     var angle_1: f32;
-    var wave_20: vec3<f32>;
+    var wave_18: vec3<f32>;
     var amplitude_6: f32;
     var light_1: f32;
     var colour_7: vec3<f32>;
 
     loop {
-        let _e13 = i_8;
+        let _e13 = i_9;
         if !((_e13 < 14i)) {
             break;
         }
         {
-            let _e22 = i_8;
+            let _e22 = i_9;
             waves = (ripples.waves * exp2((0.27f * f32(_e22))));
-            let _e31 = i_8;
+            let _e31 = i_9;
             angle_1 = (ripples.direction + (ripples.spread * (fract(((0.618034f * f32(_e31)) + 0.1f)) - 0.5f)));
             let _e42 = waves;
             let _e47 = angle_1;
-            let _e48 = i_8;
+            let _e48 = i_9;
             let _e49 = gabor_lobe_seed(seed, _e48);
             let _e50 = gabor_impl_layer(pixel, vec2((_e42 / 2.2f)), 2.2f, _e47, _e49);
-            wave_20 = _e50;
-            let _e54 = i_8;
+            wave_18 = _e50;
+            let _e54 = i_9;
             amplitude_6 = exp2((-0.351f * f32(_e54)));
             let _e59 = height_5;
             let _e60 = amplitude_6;
-            let _e61 = wave_20;
-            let _e64 = wave_20;
-            let _e66 = wave_20;
-            let _e69 = wave_20;
-            let _e71 = wave_20;
+            let _e61 = wave_18;
+            let _e64 = wave_18;
+            let _e66 = wave_18;
+            let _e69 = wave_18;
+            let _e71 = wave_18;
             height_5 = (_e59 + (_e60 * (_e61.x + (0.2f * ((_e64.x * _e66.x) - (_e69.y * _e71.y))))));
             let _e79 = crest_1;
             let _e80 = amplitude_6;
-            let _e81 = wave_20;
+            let _e81 = wave_18;
             crest_1 = (_e79 + (_e80 * _e81.x));
-            let _e85 = removed_12;
+            let _e85 = removed_4;
             let _e86 = amplitude_6;
             let _e87 = amplitude_6;
-            let _e89 = wave_20;
-            removed_12 = (_e85 + ((_e86 * _e87) * _e89.z));
+            let _e89 = wave_18;
+            removed_4 = (_e85 + ((_e86 * _e87) * _e89.z));
             let _e93 = power_6;
             let _e94 = amplitude_6;
             let _e95 = amplitude_6;
             power_6 = (_e93 + (_e94 * _e95));
         }
         continuing {
-            let _e17 = i_8;
-            i_8 = (_e17 + 1i);
+            let _e17 = i_9;
+            i_9 = (_e17 + 1i);
         }
     }
     let _e98 = crest_1;
     let _e99 = power_6;
-    let _e102 = removed_12;
+    let _e102 = removed_4;
     let _e103 = power_6;
     let _e107 = gabor_impl_above((_e98 * inverseSqrt(_e99)), (_e102 / _e103), 0.5f, 1f);
     light_1 = _e107;
@@ -860,25 +859,25 @@ fn gabor_brushed_metal_default() -> GaborBrushedMetal {
 fn gabor_brushed_metal_at(pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
     var height_6: f32 = 0f;
     var tone_3: vec2<f32> = vec2(0f);
-    var i_9: i32 = 0i;
+    var i_10: i32 = 0i;
     var fine_1: f32;
-    var density_9: vec2<f32>;
+    var density_8: vec2<f32>;
     var streak: vec3<f32>;
     var colour_8: vec3<f32>;
 
     loop {
-        let _e10 = i_9;
+        let _e10 = i_10;
         if !((_e10 < 5i)) {
             break;
         }
         {
-            let _e17 = i_9;
+            let _e17 = i_10;
             fine_1 = exp2(f32(_e17));
             let _e23 = fine_1;
             let _e27 = fine_1;
-            density_9 = vec2<f32>((0.3f + (0.12f * _e23)), (metal.streaks * _e27));
-            let _e31 = density_9;
-            let _e32 = i_9;
+            density_8 = vec2<f32>((0.3f + (0.12f * _e23)), (metal.streaks * _e27));
+            let _e31 = density_8;
+            let _e32 = i_10;
             let _e33 = gabor_lobe_seed(seed, _e32);
             let _e34 = gabor_impl_spots(pixel, _e31, _e33);
             streak = _e34;
@@ -891,8 +890,8 @@ fn gabor_brushed_metal_at(pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32
             tone_3 = (_e44 + (vec2<f32>(0.4472136f, 0.2f) * _e48.yz));
         }
         continuing {
-            let _e14 = i_9;
-            i_9 = (_e14 + 1i);
+            let _e14 = i_10;
+            i_10 = (_e14 + 1i);
         }
     }
     let _e53 = tone_3;
@@ -939,45 +938,45 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
     var whole_2: f32 = 1f;
     var height_7: f32 = 0f;
     var size_1: f32 = 1f;
-    var turn_12: f32 = 0.0955f;
+    var turn_13: f32 = 0.0955f;
     var threshold_2: f32;
-    var i_10: i32 = 0i;
-    var turned_2: GaborPixel;
-    var density_10: vec2<f32>;
-    var noise_7: vec3<f32>;
+    var i_11: i32 = 0i;
+    var turned_1: GaborPixel;
+    var density_9: vec2<f32>;
+    var noise_4: vec3<f32>;
     var scratch: f32;
 
     threshold_2 = sqrt((5.76f - (2f * log(scratches.amount))));
     loop {
-        let _e21 = i_10;
+        let _e21 = i_11;
         if !((_e21 < 14i)) {
             break;
         }
         {
-            let _e30 = turn_12;
+            let _e30 = turn_13;
             let _e35 = gabor_impl_turned(pixel, (scratches.direction + (scratches.spread * (_e30 - 0.5f))));
-            turned_2 = _e35;
-            let _e37 = turned_2;
-            let _e45 = i_10;
+            turned_1 = _e35;
+            let _e37 = turned_1;
+            let _e45 = i_11;
             let _e47 = gabor_lobe_seed(seed, (2i * _e45));
             let _e48 = gabor_impl_warp(_e37, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e47);
-            turned_2 = _e48;
+            turned_1 = _e48;
             let _e54 = size_1;
-            density_10 = (vec2<f32>((1f / scratches.reach), 42f) / vec2(_e54));
-            let _e58 = turned_2;
-            let _e59 = density_10;
-            let _e61 = i_10;
+            density_9 = (vec2<f32>((1f / scratches.reach), 42f) / vec2(_e54));
+            let _e58 = turned_1;
+            let _e59 = density_9;
+            let _e61 = i_11;
             let _e65 = gabor_lobe_seed(seed, ((2i * _e61) + 1i));
             let _e66 = gabor_impl_spots(_e58, _e59, _e65);
-            noise_7 = _e66;
-            let _e68 = noise_7;
-            let _e70 = noise_7;
+            noise_4 = _e66;
+            let _e68 = noise_4;
+            let _e70 = noise_4;
             let _e72 = threshold_2;
             let _e74 = gabor_impl_above(_e68.x, _e70.z, _e72, 0.2f);
             scratch = _e74;
             let _e76 = scratch;
-            let _e77 = noise_7;
-            let _e79 = noise_7;
+            let _e77 = noise_4;
+            let _e79 = noise_4;
             let _e83 = gabor_impl_above(_e77.y, _e79.z, 0.3f, 0.7f);
             scratch = (_e76 * _e83);
             let _e85 = whole_2;
@@ -990,12 +989,12 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
             height_7 = (_e96 - ((scratches.depth * _e98) * _e100));
             let _e103 = size_1;
             size_1 = (_e103 * 0.9138315f);
-            let _e106 = turn_12;
-            turn_12 = fract((_e106 + 0.763932f));
+            let _e106 = turn_13;
+            turn_13 = fract((_e106 + 0.763932f));
         }
         continuing {
-            let _e25 = i_10;
-            i_10 = (_e25 + 1i);
+            let _e25 = i_11;
+            i_11 = (_e25 + 1i);
         }
     }
     let _e112 = whole_2;
@@ -1035,12 +1034,12 @@ fn gabor_zebra_default() -> GaborZebra {
 
 fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMaterial {
     var skin_1: GaborPixel;
-    var place_25: GaborPlace;
+    var place_14: GaborPlace;
     var lean: f32;
     var stripe: vec3<f32>;
     var hair_1: vec3<f32>;
     var tone_4: vec3<f32>;
-    var intensity_2: f32;
+    var intensity_1: f32;
     var ragged: f32;
     var dark: f32;
     var colour_9: vec3<f32>;
@@ -1049,53 +1048,52 @@ fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMater
     let _e9 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), _e8);
     skin_1 = _e9;
     let _e13 = gabor_impl_place(pixel, vec2(0.6f));
-    place_25 = _e13;
-    let _e15 = place_25;
-    let _e18 = gabor_kernel(0f, 0f);
-    let _e20 = gabor_lobe_seed(seed, 1i);
-    let _e21 = gabor_field(_e15, _e18, _e20);
-    lean = _e21.value.x;
-    let _e25 = skin_1;
-    let _e33 = lean;
-    let _e37 = gabor_lobe_seed(seed, 2i);
-    let _e38 = gabor_impl_layer(_e25, vec2((zebra.stripes / 1.4f)), 1.4f, (zebra.direction + (zebra.bends * _e33)), _e37);
-    stripe = _e38;
-    let _e40 = skin_1;
-    let _e42 = gabor_impl_turned(_e40, 2.0707963f);
-    let _e47 = gabor_lobe_seed(seed, 3i);
-    let _e48 = gabor_impl_spots(_e42, vec2<f32>(6f, 80f), _e47);
-    hair_1 = _e48;
-    let _e53 = gabor_lobe_seed(seed, 4i);
-    let _e54 = gabor_impl_spots(pixel, vec2(1.2f), _e53);
-    tone_4 = _e54;
-    let _e56 = stripe;
-    intensity_2 = length(_e56.xy);
+    place_14 = _e13;
+    let _e15 = place_14;
+    let _e19 = gabor_lobe_seed(seed, 1i);
+    let _e20 = gabor_field(_e15, vec2(0f), _e19);
+    lean = _e20.quadrature;
+    let _e23 = skin_1;
+    let _e31 = lean;
+    let _e35 = gabor_lobe_seed(seed, 2i);
+    let _e36 = gabor_impl_layer(_e23, vec2((zebra.stripes / 1.4f)), 1.4f, (zebra.direction + (zebra.bends * _e31)), _e35);
+    stripe = _e36;
+    let _e38 = skin_1;
+    let _e40 = gabor_impl_turned(_e38, 2.0707963f);
+    let _e45 = gabor_lobe_seed(seed, 3i);
+    let _e46 = gabor_impl_spots(_e40, vec2<f32>(6f, 80f), _e45);
+    hair_1 = _e46;
+    let _e51 = gabor_lobe_seed(seed, 4i);
+    let _e52 = gabor_impl_spots(pixel, vec2(1.2f), _e51);
+    tone_4 = _e52;
+    let _e54 = stripe;
+    intensity_1 = length(_e54.xy);
     ragged = (0.1f * zebra.hair);
-    let _e64 = stripe;
-    let _e66 = ragged;
-    let _e67 = intensity_2;
-    let _e69 = hair_1;
-    let _e73 = stripe;
-    let _e75 = ragged;
-    let _e76 = ragged;
-    let _e78 = hair_1;
-    let _e85 = intensity_2;
-    let _e88 = gabor_impl_above((_e64.x + ((_e66 * _e67) * _e69.x)), (_e73.z + ((_e75 * _e76) * _e78.z)), 0f, (0.01f + (0.09f * _e85)));
-    dark = _e88;
-    let _e92 = dark;
-    colour_9 = mix(zebra.bright, zebra.stripe, vec3(_e92));
-    let _e96 = colour_9;
+    let _e62 = stripe;
+    let _e64 = ragged;
+    let _e65 = intensity_1;
+    let _e67 = hair_1;
+    let _e71 = stripe;
+    let _e73 = ragged;
+    let _e74 = ragged;
+    let _e76 = hair_1;
+    let _e83 = intensity_1;
+    let _e86 = gabor_impl_above((_e62.x + ((_e64 * _e65) * _e67.x)), (_e71.z + ((_e73 * _e74) * _e76.z)), 0f, (0.01f + (0.09f * _e83)));
+    dark = _e86;
+    let _e90 = dark;
+    colour_9 = mix(zebra.bright, zebra.stripe, vec3(_e90));
+    let _e94 = colour_9;
+    let _e95 = hair_1;
     let _e97 = hair_1;
-    let _e99 = hair_1;
-    let _e104 = gabor_impl_tone(_e97.y, _e99.z, (0.14f * zebra.hair));
+    let _e102 = gabor_impl_tone(_e95.y, _e97.z, (0.14f * zebra.hair));
+    let _e103 = tone_4;
     let _e105 = tone_4;
-    let _e107 = tone_4;
-    let _e110 = gabor_impl_tone(_e105.y, _e107.z, 0.08f);
-    colour_9 = (_e96 * (_e104 * _e110));
-    let _e113 = colour_9;
-    let _e117 = hair_1;
-    let _e122 = gabor_impl_material(_e113, ((0.002f * zebra.hair) * _e117.x), zebra.roughness, 0f);
-    return _e122;
+    let _e108 = gabor_impl_tone(_e103.y, _e105.z, 0.08f);
+    colour_9 = (_e94 * (_e102 * _e108));
+    let _e111 = colour_9;
+    let _e115 = hair_1;
+    let _e120 = gabor_impl_material(_e111, ((0.002f * zebra.hair) * _e115.x), zebra.roughness, 0f);
+    return _e120;
 }
 
 fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -1129,7 +1127,7 @@ fn gabor_bark_default() -> GaborBark {
 
 fn gabor_bark_at(pixel: GaborPixel, bark: GaborBark, seed: u32) -> GaborMaterial {
     var trunk: GaborPixel;
-    var density_11: vec2<f32>;
+    var density_10: vec2<f32>;
     var furrow: vec3<f32>;
     var crack: vec3<f32>;
     var rough: vec3<f32>;
@@ -1153,9 +1151,9 @@ fn gabor_bark_at(pixel: GaborPixel, bark: GaborBark, seed: u32) -> GaborMaterial
     let _e29 = gabor_lobe_seed(seed, 2i);
     let _e30 = gabor_impl_warp(_e23, vec2(10f), vec2(0.013f), _e29);
     trunk = _e30;
-    density_11 = (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows);
+    density_10 = (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows);
     let _e44 = trunk;
-    let _e45 = density_11;
+    let _e45 = density_10;
     let _e49 = gabor_lobe_seed(seed, 3i);
     let _e50 = gabor_impl_layer(_e44, _e45, 1.3f, 0.1f, _e49);
     furrow = _e50;
@@ -1246,13 +1244,13 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
-    var turn_13: f32;
-    var first_4: bool;
-    var local_41: vec3<f32>;
+    var turn_14: f32;
+    var first_2: bool;
+    var local_34: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_42: vec2<f32>;
+    var local_35: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_43: f32;
+    var local_36: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_2: vec2<f32>;
@@ -1285,37 +1283,37 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     within_2 = ((_e41 * _e42.p) - _e45);
     let _e50 = tow;
     let _e52 = tow;
-    turn_13 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
-    let _e63 = turn_13;
-    first_4 = (_e63 < 1.5f);
-    let _e67 = first_4;
+    turn_14 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
+    let _e63 = turn_14;
+    first_2 = (_e63 < 1.5f);
+    let _e67 = first_2;
     if _e67 {
         let _e68 = upright_1;
-        local_41 = _e68;
+        local_34 = _e68;
     } else {
         let _e69 = level_1;
-        local_41 = _e69;
+        local_34 = _e69;
     }
-    let _e71 = local_41;
+    let _e71 = local_34;
     fibre_2 = _e71;
-    let _e73 = first_4;
+    let _e73 = first_2;
     if _e73 {
         let _e74 = within_2;
-        local_42 = _e74.yx;
+        local_35 = _e74.yx;
     } else {
         let _e76 = within_2;
-        local_42 = _e76;
+        local_35 = _e76;
     }
-    let _e78 = local_42;
+    let _e78 = local_35;
     along_across = _e78;
     let _e81 = along_across;
-    let _e84 = turn_13;
+    let _e84 = turn_14;
     if (fract(((0.5f * _e84) + 0.25f)) < 0.5f) {
-        local_43 = 0f;
+        local_36 = 0f;
     } else {
-        local_43 = 1f;
+        local_36 = 1f;
     }
-    let _e94 = local_43;
+    let _e94 = local_36;
     along_1 = (0.5f * (_e81.x + _e94));
     let _e99 = along_across;
     across_1 = ((2f * _e99.y) - 1f);
@@ -1511,40 +1509,29 @@ fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
 // Returns two independent noises, the quadrature and noise of one field, and the share of the variance that the filter
 // removed. `density` is in kernel radii per unit along x and y.
 fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var density_2: vec2<f32>;
-    var place_24: GaborPlace;
-    var kernel_10: GaborKernel;
-    var removed_8: f32;
-    var footprint_6: GaborFootprint;
-    var value_11: vec2<f32>;
+    var place_13: GaborPlace;
+    var wave_17: vec2<f32>;
+    var field_10: GaborField;
 
-    density_2 = density;
-    let _e6 = density_2;
-    let _e7 = gabor_impl_place(pixel, _e6);
-    place_24 = _e7;
-    let _e9 = gabor_kernel(frequency, orientation);
-    kernel_10 = _e9;
-    if !(pixel.filtered) {
-        let _e13 = place_24;
-        let _e14 = kernel_10;
-        let _e15 = gabor_field(_e13, _e14, seed);
-        return vec3<f32>(_e15.value.x, _e15.value.y, 0f);
+    let _e5 = gabor_impl_place(pixel, density);
+    place_13 = _e5;
+    let _e7 = gabor_wave_vector(frequency, orientation);
+    wave_17 = _e7;
+    if pixel.filtered {
+        let _e11 = place_13;
+        let _e16 = wave_17;
+        let _e17 = gabor_field_filtered(_e11, (density * pixel.dx), (density * pixel.dy), _e16, seed);
+        field_10 = _e17;
+    } else {
+        let _e18 = place_13;
+        let _e19 = wave_17;
+        let _e20 = gabor_field(_e18, _e19, seed);
+        field_10 = _e20;
     }
-    let _e22 = density_2;
-    let _e23 = place_24;
-    density_2 = (_e22 * (_e23.radius / vec2(1.5f)));
-    let _e32 = density_2;
-    let _e35 = density_2;
-    let _e38 = gabor_footprint((_e32 * pixel.dx), (_e35 * pixel.dy));
-    footprint_6 = _e38;
-    let _e40 = place_24;
-    let _e41 = kernel_10;
-    let _e42 = footprint_6;
-    let _e45 = gabor_field_filtered(_e40, _e41, _e42, seed, (&removed_8));
-    value_11 = _e45.value;
-    let _e48 = value_11;
-    let _e49 = removed_8;
-    return vec3<f32>(_e48.x, _e48.y, _e49);
+    let _e21 = field_10;
+    let _e23 = field_10;
+    let _e25 = field_10;
+    return vec3<f32>(_e21.quadrature, _e23.noise, _e25.removed);
 }
 
 // A layer of frequency 0: spots as large as a kernel.
@@ -1555,15 +1542,15 @@ fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f3
 
 // A sum of octaves of spots. Each octave has spots of about half the previous size, and `gain` times the amplitude.
 fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
-    var density_5: vec2<f32>;
+    var density_4: vec2<f32>;
     var sum_15: vec3<f32> = vec3(0f);
     var power_5: f32 = 0f;
     var amplitude_4: f32 = 1f;
-    var i_7: i32 = 0i;
+    var i_8: i32 = 0i;
 
-    density_5 = density;
+    density_4 = density;
     loop {
-        let _e15 = i_7;
+        let _e15 = i_8;
         if !((_e15 < count)) {
             break;
         }
@@ -1573,8 +1560,8 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             let _e23 = amplitude_4;
             let _e24 = amplitude_4;
             let _e25 = amplitude_4;
-            let _e28 = density_5;
-            let _e29 = i_7;
+            let _e28 = density_4;
+            let _e29 = i_8;
             let _e30 = gabor_lobe_seed(seed, _e29);
             let _e31 = gabor_impl_spots(pixel, _e28, _e30);
             sum_15 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
@@ -1584,12 +1571,12 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
             power_5 = (_e34 + (_e35 * _e36));
             let _e39 = amplitude_4;
             amplitude_4 = (_e39 * gain);
-            let _e41 = density_5;
-            density_5 = (_e41 * 2.03f);
+            let _e41 = density_4;
+            density_4 = (_e41 * 2.03f);
         }
         continuing {
-            let _e18 = i_7;
-            i_7 = (_e18 + 1i);
+            let _e18 = i_8;
+            i_8 = (_e18 + 1i);
         }
     }
     let _e44 = sum_15;
@@ -1601,24 +1588,26 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 
 // Displaces p by two noises, and changes dx and dy accordingly.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var field_14: GaborField;
-    var along_x: vec2<f32>;
-    var along_y: vec2<f32>;
+    var field_11: GaborField;
+    var along_x_2: vec2<f32>;
+    var along_y_2: vec2<f32>;
 
     let _e4 = gabor_impl_place(pixel, density);
-    let _e7 = gabor_kernel(0f, 0f);
-    let _e8 = gabor_field(_e4, _e7, seed);
-    field_14 = _e8;
-    let _e12 = field_14;
-    along_x = ((amplitude * density.x) * _e12.slope_x);
-    let _e18 = field_14;
-    along_y = ((amplitude * density.y) * _e18.slope_y);
-    let _e23 = field_14;
-    let _e30 = along_x;
-    let _e35 = along_y;
-    let _e41 = along_x;
-    let _e46 = along_y;
-    return GaborPixel((pixel.p + (amplitude * _e23.value)), ((pixel.dx + (pixel.dx.x * _e30)) + (pixel.dx.y * _e35)), ((pixel.dy + (pixel.dy.x * _e41)) + (pixel.dy.y * _e46)), pixel.filtered, pixel.period);
+    let _e7 = gabor_field(_e4, vec2(0f), seed);
+    field_11 = _e7;
+    let _e11 = field_11;
+    let _e14 = field_11;
+    along_x_2 = ((amplitude * density.x) * vec2<f32>(_e11.quadrature_gradient.x, _e14.gradient.x));
+    let _e22 = field_11;
+    let _e25 = field_11;
+    along_y_2 = ((amplitude * density.y) * vec2<f32>(_e22.quadrature_gradient.y, _e25.gradient.y));
+    let _e32 = field_11;
+    let _e34 = field_11;
+    let _e42 = along_x_2;
+    let _e47 = along_y_2;
+    let _e53 = along_x_2;
+    let _e58 = along_y_2;
+    return GaborPixel((pixel.p + (amplitude * vec2<f32>(_e32.quadrature, _e34.noise))), ((pixel.dx + (pixel.dx.x * _e42)) + (pixel.dx.y * _e47)), ((pixel.dy + (pixel.dy.x * _e53)) + (pixel.dy.y * _e58)), pixel.filtered, pixel.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -1626,47 +1615,47 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
-    var turn_10: vec2<f32>;
-    var x_14: vec2<f32>;
+    var turn_11: vec2<f32>;
+    var x_13: vec2<f32>;
     var y_9: vec2<f32>;
-    var period_10: vec2<f32> = vec2(0f);
+    var period_6: vec2<f32> = vec2(0f);
     var whole: vec2<f32>;
     var size: vec2<f32>;
-    var local_32: f32;
-    var local_33: f32;
+    var local_25: f32;
+    var local_26: f32;
     var signs: vec2<f32>;
-    var local_34: vec2<f32>;
-    var local_35: vec2<f32>;
-    var local_36: vec2<f32>;
+    var local_27: vec2<f32>;
+    var local_28: vec2<f32>;
+    var local_29: vec2<f32>;
     var other: vec2<f32>;
 
     let _e4 = gabor_impl_wave((0.15915494f * angle));
-    turn_10 = _e4;
-    let _e6 = turn_10;
-    x_14 = _e6;
-    let _e8 = turn_10;
-    let _e11 = turn_10;
+    turn_11 = _e4;
+    let _e6 = turn_11;
+    x_13 = _e6;
+    let _e8 = turn_11;
+    let _e11 = turn_11;
     y_9 = vec2<f32>(-(_e8.y), _e11.x);
     if (pixel.period.x > 0f) {
         {
-            let _e23 = turn_10;
+            let _e23 = turn_11;
             whole = floor(((3f * normalize((_e23 / pixel.period))) + vec2(0.5f)));
             let _e33 = whole;
             size = abs(_e33);
             let _e36 = whole;
             if (_e36.x < 0f) {
-                local_32 = -1f;
+                local_25 = -1f;
             } else {
-                local_32 = 1f;
+                local_25 = 1f;
             }
-            let _e44 = local_32;
+            let _e44 = local_25;
             let _e45 = whole;
             if (_e45.y < 0f) {
-                local_33 = -1f;
+                local_26 = -1f;
             } else {
-                local_33 = 1f;
+                local_26 = 1f;
             }
-            let _e53 = local_33;
+            let _e53 = local_26;
             signs = vec2<f32>(_e44, _e53);
             let _e56 = size;
             let _e58 = size;
@@ -1686,48 +1675,48 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
                 let _e88 = size;
                 if (_e86.x > _e88.y) {
                     let _e91 = signs;
-                    local_34 = _e91;
+                    local_27 = _e91;
                 } else {
                     let _e92 = signs;
-                    local_34 = -(_e92);
+                    local_27 = -(_e92);
                 }
-                let _e95 = local_34;
-                local_36 = _e95;
+                let _e95 = local_27;
+                local_29 = _e95;
             } else {
                 let _e96 = size;
                 if (_e96.x == 1f) {
                     let _e101 = whole;
-                    local_35 = vec2<f32>(0f, _e101.x);
+                    local_28 = vec2<f32>(0f, _e101.x);
                 } else {
                     let _e104 = whole;
-                    local_35 = vec2<f32>(-(_e104.y), 0f);
+                    local_28 = vec2<f32>(-(_e104.y), 0f);
                 }
-                let _e110 = local_35;
-                local_36 = _e110;
+                let _e110 = local_28;
+                local_29 = _e110;
             }
-            let _e112 = local_36;
+            let _e112 = local_29;
             other = _e112;
             let _e115 = whole;
-            period_10.x = length((_e115 * pixel.period));
-            let _e125 = period_10;
-            period_10.y = ((pixel.period.x * pixel.period.y) / _e125.x);
-            let _e128 = period_10;
+            period_6.x = length((_e115 * pixel.period));
+            let _e125 = period_6;
+            period_6.y = ((pixel.period.x * pixel.period.y) / _e125.x);
+            let _e128 = period_6;
             let _e130 = other;
             let _e132 = other;
-            x_14 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / pixel.period);
-            let _e139 = period_10;
+            x_13 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / pixel.period);
+            let _e139 = period_6;
             let _e141 = whole;
             let _e144 = whole;
             y_9 = ((_e139.y * vec2<f32>(-(_e141.y), _e144.x)) / pixel.period);
         }
     }
-    let _e150 = x_14;
+    let _e150 = x_13;
     let _e153 = y_9;
-    let _e157 = x_14;
+    let _e157 = x_13;
     let _e160 = y_9;
-    let _e164 = x_14;
+    let _e164 = x_13;
     let _e167 = y_9;
-    let _e172 = period_10;
+    let _e172 = period_6;
     return GaborPixel(vec2<f32>(dot(_e150, pixel.p), dot(_e153, pixel.p)), vec2<f32>(dot(_e157, pixel.dx), dot(_e160, pixel.dx)), vec2<f32>(dot(_e164, pixel.dy), dot(_e167, pixel.dy)), pixel.filtered, _e172);
 }
 
@@ -1742,18 +1731,18 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
 
 // A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
 fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
-    var scale_4: f32;
-    var x_15: f32;
+    var scale_1: f32;
+    var x_14: f32;
 
-    scale_4 = inverseSqrt(((softness * softness) + removed));
-    let _e8 = scale_4;
-    let _e10 = scale_4;
-    x_15 = clamp(((_e8 * noise) - (_e10 * threshold)), -8f, 8f);
-    let _e20 = x_15;
-    let _e23 = x_15;
-    let _e24 = x_15;
-    let _e28 = x_15;
-    let _e30 = x_15;
+    scale_1 = inverseSqrt(((softness * softness) + removed));
+    let _e8 = scale_1;
+    let _e10 = scale_1;
+    x_14 = clamp(((_e8 * noise) - (_e10 * threshold)), -8f, 8f);
+    let _e20 = x_14;
+    let _e23 = x_14;
+    let _e24 = x_14;
+    let _e28 = x_14;
+    let _e30 = x_14;
     return (1f / (1f + exp2((-(_e20) * (2.301726f + ((_e23 * _e24) * (0.1061787f - ((0.00091164f * _e28) * _e30))))))));
 }
 
@@ -1780,30 +1769,30 @@ fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
 // The integral of the square of a sawtooth that rises from 0 to 1.
 fn gabor_impl_rise_integral(x: f32) -> f32 {
     var turns_4: f32;
-    var t_7: f32;
+    var t_9: f32;
 
     turns_4 = floor(x);
     let _e3 = turns_4;
-    t_7 = (x - _e3);
+    t_9 = (x - _e3);
     let _e7 = turns_4;
-    let _e8 = t_7;
-    let _e9 = t_7;
-    let _e11 = t_7;
+    let _e8 = t_9;
+    let _e9 = t_9;
+    let _e11 = t_9;
     return (0.33333334f * (_e7 + ((_e8 * _e9) * _e11)));
 }
 
-// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
-fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
+// The mean of the square of a sawtooth over the phases that stripes stand for: see gabor_impl_ends.
+fn gabor_impl_rise(stripes: vec2<f32>) -> f32 {
     var ends_4: vec3<f32>;
 
-    let _e3 = gabor_impl_ends(phase.x, phase.y);
-    ends_4 = _e3;
+    let _e1 = gabor_impl_ends(stripes);
+    ends_4 = _e1;
+    let _e3 = ends_4;
     let _e5 = ends_4;
-    let _e7 = ends_4;
-    let _e9 = gabor_impl_rise_integral(_e7.y);
-    let _e10 = ends_4;
-    let _e12 = gabor_impl_rise_integral(_e10.x);
-    return (_e5.z * (_e9 - _e12));
+    let _e7 = gabor_impl_rise_integral(_e5.y);
+    let _e8 = ends_4;
+    let _e10 = gabor_impl_rise_integral(_e8.x);
+    return (_e3.z * (_e7 - _e10));
 }
 
 // Clamps the colour to [0, 1], which a product of tones can exceed.
