@@ -128,28 +128,46 @@ GaborFootprint gabor_impl_footprint(vec2 dx, vec2 dy) {
 // Returns a node's filtered window, in the form with three waves, and the window's derivative. The filter multiplies
 // the wave q = -1/2, 0 or 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along
 // the axis. If `even` and `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes
-// 1/2 + even (h - 1/2) + i odd h' / pi. `fade` is the factor by which it fades, and that factor's derivative.
-vec4 gabor_impl_filtered_node(float value, float slope, vec2 part, vec2 fade, vec2 turn) {
+// 1/2 + even (h - 1/2) + i odd h' / pi.
+vec4 gabor_impl_filtered_node(float value, float slope, vec2 part, vec2 phase) {
     vec2 wave = vec2(value - 0.5, slope);
     vec2 even = part.x * wave, odd = part.y * vec2(-3.1415927, 0.31830989) * wave;
-    vec2 window = gabor_impl_product(vec2(0.5 + even.x, odd.y), turn);
-    return vec4(fade.x * window, fade.x * gabor_impl_product(vec2(even.y, odd.x), turn) + fade.y * window);
+    return vec4(gabor_impl_product(vec2(0.5 + even.x, odd.y), phase), gabor_impl_product(vec2(even.y, odd.x), phase));
+}
+
+// The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
+// `faded` is the derivative of the logarithm of the window's fade.
+vec4 gabor_impl_filtered_derivative(vec4 node, float faded, vec2 phase) {
+    return vec4(node.zw + faded * node.xy, -9.8696044 * (node.xy - 0.5 * phase));
 }
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred) {
+void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred, out GaborAxis derivative) {
     float rise = exp(19.739209 * blurred);
     vec2 part = 0.5 * exp(-4.934802 * variance) * vec2(rise + 1.0 / rise, rise - 1.0 / rise);
     float width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     vec2 t = clamp((0.33333333 + 0.66666667 * vec2(-axis.offset, axis.offset)) / width, 0.0, 1.0);
-    vec2 fade = t * t * (3.0 - 2.0 * t), change = 6.0 / width * t * (1.0 - t) * vec2(-1.0, 1.0);
+    vec2 fade = t * t * (3.0 - 2.0 * t);
+    vec2 faded = 6.0 / width * t * (1.0 - t) / max(fade, 1.0e-6) * vec2(-1.0, 1.0);
     vec2 turn = gabor_impl_wave(axis.turns);
+    vec2 first = fade.x * turn, last = fade.y * vec2(turn.x, -turn.y);
     vec4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
-    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, vec2(fade.x, change.x), turn);
-    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, vec2(1.0, 0.0), vec2(1.0, 0.0));
-    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, vec2(fade.y, change.y), vec2(turn.x, -turn.y));
+    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, first);
+    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, vec2(1.0, 0.0));
+    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, last);
+    derivative = axis;
+    derivative.node[0] = gabor_impl_filtered_derivative(axis.node[0], faded.x, first);
+    derivative.node[1] = gabor_impl_filtered_derivative(axis.node[1], 0.0, vec2(1.0, 0.0));
+    derivative.node[2] = gabor_impl_filtered_derivative(axis.node[2], faded.y, last);
+}
+
+// The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
+vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float time) {
+    vec4 sum, slope;
+    gabor_impl_sum(columns, rows, time, sum, slope);
+    return sum.xy + coupling * slope.zw;
 }
 
 // The filtered noise at `place`, with three waves along each axis.
@@ -158,13 +176,15 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint 
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                      GABOR_RADIUS);
-    vec2 turn = gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    gabor_impl_filter(columns, s.x, blurred.x);
-    gabor_impl_filter(rows, s.y, blurred.y);
-    vec4 sum, slope;
-    gabor_impl_sum(columns, rows, place.time, sum, slope);
-    sum += vec4(s.z * slope.zw, 0.0, 0.0);
-    return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, vec2(1.0));
+    vec2 turn = exp(-19.739209 * dot(wave, blurred))
+              * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
+    GaborAxis columns_slope, rows_slope;
+    gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
+    gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
+    vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.time);
+    vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.time);
+    vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.time);
+    return gabor_impl_field(vec4(value, along_x), vec4(along_y, 0.0, 0.0), turn, wave, vec2(1.0));
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
@@ -239,33 +259,39 @@ GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, in
 struct GaborFilteredLine {
     uint word;
     GaborFactors window;
+    vec2 fade;  // factor of the window, and its derivative
     vec2 turn;  // e^(2 pi i d / 2w)
     vec2 phase; // the same for the noise's wave
 };
 
-// The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
-float gabor_impl_fade(GaborFilteredAxis b, int index) {
-    float fade = clamp(4.0 * (b.reach - abs(b.offset - float(index))), 0.0, 1.0);
-    return fade * fade * (3.0 - 2.0 * fade);
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+vec2 gabor_impl_fade(GaborFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
+    return t * vec2(t * (3.0 - 2.0 * t), -24.0 * GABOR_RADIUS * sign(d) * (1.0 - t));
 }
 
 // Computes line `index` from its turn and phase.
-GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, vec2 turn, vec2 phase, float fade) {
+GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, vec2 turn, vec2 phase, vec2 fade) {
     GaborFilteredLine line;
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = turn;
     line.phase = phase;
     vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     vec3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
-    phase *= fade;
+    line.fade = fade;
     line.window = GaborFactors(phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real);
     return line;
 }
 
 // Computes line `index` from the previous one.
-GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line, GaborFilteredAxis b, int index, float fade) {
+GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line, GaborFilteredAxis b, int index, vec2 fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line.turn, b.turn_back),
                                     gabor_impl_product(line.phase, b.back), fade);
+}
+
+// The line's window with its fade.
+GaborFactors gabor_impl_faded(GaborFilteredLine line) {
+    return GaborFactors(line.fade.x * line.window.real, line.fade.x * line.window.imaginary);
 }
 
 // The four or five columns of nodes that reach a point.
@@ -283,8 +309,8 @@ GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
     vec2 turn = gabor_impl_wave(0.5 / b.reach * b.offset);
     columns.five = b.count == 5;
     columns.column_0 = gabor_impl_filtered_line(b, 0, turn, vec2(1.0, 0.0), gabor_impl_fade(b, 0));
-    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, 1.0);
-    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, 1.0);
+    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, vec2(1.0, 0.0));
+    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, vec2(1.0, 0.0));
     columns.column_3 = gabor_impl_next_line(columns.column_2, b, 3, gabor_impl_fade(b, 3));
     columns.column_4 = columns.column_3;
     if (columns.five) columns.column_4 = gabor_impl_next_line(columns.column_3, b, 4, gabor_impl_fade(b, 4));
@@ -305,20 +331,23 @@ GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, flo
                         sum.imaginary + (real * factors.imaginary + imaginary * factors.real));
 }
 
-// Adds a node to the sums of a row.
-void gabor_impl_add_filtered_node(inout GaborFactors row, GaborFilteredLine column, uint row_word, float time) {
-    vec2 a = gabor_impl_amplitude_at(column.word * row_word, time);
-    row = gabor_impl_plus_product(row, column.window, a.x, a.y);
+// Adds a node to the sums of a row, and to those with the derivative of the fade.
+void gabor_impl_add_filtered_node(inout GaborFactors row, inout GaborFactors edge, GaborFilteredLine column, uint row_word,
+                                  float time) {
+    vec2 a = gabor_impl_amplitude_at(column.word * row_word, time), b = column.fade.x * a, c = column.fade.y * a;
+    row = gabor_impl_plus_product(row, column.window, b.x, b.y);
+    edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float time) {
-    GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0));
-    gabor_impl_add_filtered_node(row, columns.column_0, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_1, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_2, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_3, row_word, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, time);
+GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float time, out GaborFactors edge) {
+    GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0)), none = row;
+    edge = row;
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, time);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, time);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, time);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, time);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, time);
     return row;
 }
 
@@ -354,14 +383,18 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     GaborFilteredLine line = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, vec2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
-    vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0);
+    vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0), edge_x = vec2(0.0), edge_y = vec2(0.0);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
-        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.time);
-        value += gabor_impl_contracted(row, line.window, weights);
-        next_x += gabor_impl_contracted(gabor_impl_next(row), line.window, weights);
-        next_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
+        GaborFactors edge;
+        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.time, edge);
+        GaborFactors window = gabor_impl_faded(line);
+        value += gabor_impl_contracted(row, window, weights);
+        next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
+        next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
+        edge_x += gabor_impl_contracted(edge, window, weights);
+        edge_y += line.fade.y * gabor_impl_contracted(row, line.window, weights);
     } while (++j < rows);
     float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
@@ -369,8 +402,10 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     vec2 mean = wave + c, before = lambda * sqrt(m.yx / m);
     vec2 x = 6.2831853 * (mean.x * value + next_x - before.x * next_y);
     vec2 y = 6.2831853 * (mean.y * value + next_y - before.y * next_x);
+    x = edge_x + vec2(-x.y, x.x);
+    y = edge_y + vec2(-y.y, y.x);
     float scale = sqrt(1.0 - lambda * lambda) * exp(-exponent) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField(scale * value.y, scale * vec2(x.x, y.x), scale * value.x, -scale * vec2(x.y, y.y), 0.0);
+    return GaborField(scale * value.y, scale * vec2(x.y, y.y), scale * value.x, scale * vec2(x.x, y.x), 0.0);
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.

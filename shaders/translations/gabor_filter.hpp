@@ -128,28 +128,46 @@ GABOR_INLINE GaborFootprint gabor_impl_footprint(gabor_vec2 dx, gabor_vec2 dy) {
 // Returns a node's filtered window, in the form with three waves, and the window's derivative. The filter multiplies
 // the wave q = -1/2, 0 or 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along
 // the axis. If `even` and `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes
-// 1/2 + even (h - 1/2) + i odd h' / pi. `fade` is the factor by which it fades, and that factor's derivative.
-GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor_vec2 part, gabor_vec2 fade, gabor_vec2 turn) {
+// 1/2 + even (h - 1/2) + i odd h' / pi.
+GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor_vec2 part, gabor_vec2 phase) {
     gabor_vec2 wave = gabor_vec2(value - 0.5f, slope);
     gabor_vec2 even = part.x * wave, odd = part.y * gabor_vec2(-3.1415927f, 0.31830989f) * wave;
-    gabor_vec2 window = gabor_impl_product(gabor_vec2(0.5f + even.x, odd.y), turn);
-    return gabor_vec4(fade.x * window, fade.x * gabor_impl_product(gabor_vec2(even.y, odd.x), turn) + fade.y * window);
+    return gabor_vec4(gabor_impl_product(gabor_vec2(0.5f + even.x, odd.y), phase), gabor_impl_product(gabor_vec2(even.y, odd.x), phase));
+}
+
+// The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
+// `faded` is the derivative of the logarithm of the window's fade.
+GABOR_INLINE gabor_vec4 gabor_impl_filtered_derivative(gabor_vec4 node, float faded, gabor_vec2 phase) {
+    return gabor_vec4(node.zw() + faded * node.xy(), -9.8696044f * (node.xy() - 0.5f * phase));
 }
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred) {
+GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred, GaborAxis& derivative) {
     float rise = gabor_cpp_exp(19.739209f * blurred);
     gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
     float width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
     gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-axis.offset, axis.offset)) / width, 0.0f, 1.0f);
-    gabor_vec2 fade = t * t * (3.0f - 2.0f * t), change = 6.0f / width * t * (1.0f - t) * gabor_vec2(-1.0f, 1.0f);
+    gabor_vec2 fade = t * t * (3.0f - 2.0f * t);
+    gabor_vec2 faded = 6.0f / width * t * (1.0f - t) / gabor_cpp_max(fade, 1.0e-6f) * gabor_vec2(-1.0f, 1.0f);
     gabor_vec2 turn = gabor_impl_wave(axis.turns);
+    gabor_vec2 first = fade.x * turn, last = fade.y * gabor_vec2(turn.x, -turn.y);
     gabor_vec4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
-    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, gabor_vec2(fade.x, change.x), turn);
-    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, gabor_vec2(1.0f, 0.0f), gabor_vec2(1.0f, 0.0f));
-    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, gabor_vec2(fade.y, change.y), gabor_vec2(turn.x, -turn.y));
+    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, first);
+    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, gabor_vec2(1.0f, 0.0f));
+    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, last);
+    derivative = axis;
+    derivative.node[0] = gabor_impl_filtered_derivative(axis.node[0], faded.x, first);
+    derivative.node[1] = gabor_impl_filtered_derivative(axis.node[1], 0.0f, gabor_vec2(1.0f, 0.0f));
+    derivative.node[2] = gabor_impl_filtered_derivative(axis.node[2], faded.y, last);
+}
+
+// The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
+GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float time) {
+    gabor_vec4 sum, slope;
+    gabor_impl_sum(columns, rows, time, sum, slope);
+    return sum.xy() + coupling * slope.zw();
 }
 
 // The filtered noise at `place`, with three waves along each axis.
@@ -158,13 +176,15 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                      GABOR_RADIUS);
-    gabor_vec2 turn = gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    gabor_impl_filter(columns, s.x, blurred.x);
-    gabor_impl_filter(rows, s.y, blurred.y);
-    gabor_vec4 sum, slope;
-    gabor_impl_sum(columns, rows, place.time, sum, slope);
-    sum += gabor_vec4(s.z * slope.zw(), 0.0f, 0.0f);
-    return gabor_impl_field(sum, slope, gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred)) * turn, wave, gabor_vec2(1.0f));
+    gabor_vec2 turn = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred))
+              * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
+    GaborAxis columns_slope, rows_slope;
+    gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
+    gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
+    gabor_vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.time);
+    gabor_vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.time);
+    gabor_vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.time);
+    return gabor_impl_field(gabor_vec4(value, along_x), gabor_vec4(along_y, 0.0f, 0.0f), turn, wave, gabor_vec2(1.0f));
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
@@ -239,33 +259,39 @@ GABOR_INLINE GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m
 struct GaborFilteredLine {
     std::uint32_t word;
     GaborFactors window;
+    gabor_vec2 fade;  // factor of the window, and its derivative
     gabor_vec2 turn;  // e^(2 pi i d / 2w)
     gabor_vec2 phase; // the same for the noise's wave
 };
 
-// The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
-GABOR_INLINE float gabor_impl_fade(GaborFilteredAxis b, int index) {
-    float fade = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(b.offset - float(index))), 0.0f, 1.0f);
-    return fade * fade * (3.0f - 2.0f * fade);
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+GABOR_INLINE gabor_vec2 gabor_impl_fade(GaborFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(d)), 0.0f, 1.0f);
+    return t * gabor_vec2(t * (3.0f - 2.0f * t), -24.0f * GABOR_RADIUS * gabor_cpp_sign(d) * (1.0f - t));
 }
 
 // Computes line `index` from its turn and phase.
-GABOR_INLINE GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, gabor_vec2 turn, gabor_vec2 phase, float fade) {
+GABOR_INLINE GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, gabor_vec2 turn, gabor_vec2 phase, gabor_vec2 fade) {
     GaborFilteredLine line;
     line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line.turn = turn;
     line.phase = phase;
     gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     gabor_vec3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
-    phase *= fade;
+    line.fade = fade;
     line.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
     return line;
 }
 
 // Computes line `index` from the previous one.
-GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line, GaborFilteredAxis b, int index, float fade) {
+GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line, GaborFilteredAxis b, int index, gabor_vec2 fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line.turn, b.turn_back),
                                     gabor_impl_product(line.phase, b.back), fade);
+}
+
+// The line's window with its fade.
+GABOR_INLINE GaborFactors gabor_impl_faded(GaborFilteredLine line) {
+    return GaborFactors{line.fade.x * line.window.real, line.fade.x * line.window.imaginary};
 }
 
 // The four or five columns of nodes that reach a point.
@@ -283,8 +309,8 @@ GABOR_INLINE GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
     gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * b.offset);
     columns.five = b.count == 5;
     columns.column_0 = gabor_impl_filtered_line(b, 0, turn, gabor_vec2(1.0f, 0.0f), gabor_impl_fade(b, 0));
-    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, 1.0f);
-    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, 1.0f);
+    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, gabor_vec2(1.0f, 0.0f));
+    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, gabor_vec2(1.0f, 0.0f));
     columns.column_3 = gabor_impl_next_line(columns.column_2, b, 3, gabor_impl_fade(b, 3));
     columns.column_4 = columns.column_3;
     if (columns.five) columns.column_4 = gabor_impl_next_line(columns.column_3, b, 4, gabor_impl_fade(b, 4));
@@ -305,20 +331,23 @@ GABOR_INLINE GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors
                         sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
 }
 
-// Adds a node to the sums of a row.
-GABOR_INLINE void gabor_impl_add_filtered_node(GaborFactors& row, GaborFilteredLine column, std::uint32_t row_word, float time) {
-    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, time);
-    row = gabor_impl_plus_product(row, column.window, a.x, a.y);
+// Adds a node to the sums of a row, and to those with the derivative of the fade.
+GABOR_INLINE void gabor_impl_add_filtered_node(GaborFactors& row, GaborFactors& edge, GaborFilteredLine column, std::uint32_t row_word,
+                                  float time) {
+    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, time), b = column.fade.x * a, c = column.fade.y * a;
+    row = gabor_impl_plus_product(row, column.window, b.x, b.y);
+    edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, float time) {
-    GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
-    gabor_impl_add_filtered_node(row, columns.column_0, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_1, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_2, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_3, row_word, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, time);
+GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, float time, GaborFactors& edge) {
+    GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}, none = row;
+    edge = row;
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, time);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, time);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, time);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, time);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, time);
     return row;
 }
 
@@ -354,14 +383,18 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     GaborFilteredLine line = gabor_impl_line_before(
         along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
-    gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f);
+    gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), edge_x = gabor_vec2(0.0f), edge_y = gabor_vec2(0.0f);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
-        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.time);
-        value += gabor_impl_contracted(row, line.window, weights);
-        next_x += gabor_impl_contracted(gabor_impl_next(row), line.window, weights);
-        next_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
+        GaborFactors edge;
+        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.time, edge);
+        GaborFactors window = gabor_impl_faded(line);
+        value += gabor_impl_contracted(row, window, weights);
+        next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
+        next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
+        edge_x += gabor_impl_contracted(edge, window, weights);
+        edge_y += line.fade.y * gabor_impl_contracted(row, line.window, weights);
     } while (++j < rows);
     float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c));
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
@@ -369,8 +402,10 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     gabor_vec2 mean = wave + c, before = lambda * gabor_cpp_sqrt(m.yx() / m);
     gabor_vec2 x = 6.2831853f * (mean.x * value + next_x - before.x * next_y);
     gabor_vec2 y = 6.2831853f * (mean.y * value + next_y - before.y * next_x);
+    x = edge_x + gabor_vec2(-x.y, x.x);
+    y = edge_y + gabor_vec2(-y.y, y.x);
     float scale = gabor_cpp_sqrt(1.0f - lambda * lambda) * gabor_cpp_exp(-exponent) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField{scale * value.y, scale * gabor_vec2(x.x, y.x), scale * value.x, -scale * gabor_vec2(x.y, y.y), 0.0f};
+    return GaborField{scale * value.y, scale * gabor_vec2(x.y, y.y), scale * value.x, scale * gabor_vec2(x.x, y.x), 0.0f};
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.

@@ -131,28 +131,46 @@ inline GaborFootprint gabor_impl_footprint(float2 dx, float2 dy) {
 // Returns a node's filtered window, in the form with three waves, and the window's derivative. The filter multiplies
 // the wave q = -1/2, 0 or 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along
 // the axis. If `even` and `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes
-// 1/2 + even (h - 1/2) + i odd h' / pi. `fade` is the factor by which it fades, and that factor's derivative.
-inline float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 fade, float2 turn) {
+// 1/2 + even (h - 1/2) + i odd h' / pi.
+inline float4 gabor_impl_filtered_node(float value, float slope, float2 part, float2 phase) {
     float2 wave = float2(value - 0.5, slope);
     float2 even = part.x * wave, odd = part.y * float2(-3.1415927, 0.31830989) * wave;
-    float2 window = gabor_impl_product(float2(0.5 + even.x, odd.y), turn);
-    return float4(fade.x * window, fade.x * gabor_impl_product(float2(even.y, odd.x), turn) + fade.y * window);
+    return float4(gabor_impl_product(float2(0.5 + even.x, odd.y), phase), gabor_impl_product(float2(even.y, odd.x), phase));
+}
+
+// The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
+// `faded` is the derivative of the logarithm of the window's fade.
+inline float4 gabor_impl_filtered_derivative(float4 node, float faded, float2 phase) {
+    return float4(node.zw + faded * node.xy, -9.8696044 * (node.xy - 0.5 * phase));
 }
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-inline void gabor_impl_filter(thread GaborAxis& axis, float variance, float blurred) {
+inline void gabor_impl_filter(thread GaborAxis& axis, float variance, float blurred, thread GaborAxis& derivative) {
     float rise = exp(19.739209 * blurred);
     float2 part = 0.5 * exp(-4.934802 * variance) * float2(rise + 1.0 / rise, rise - 1.0 / rise);
     float width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
     float2 t = clamp((0.33333333 + 0.66666667 * float2(-axis.offset, axis.offset)) / width, 0.0, 1.0);
-    float2 fade = t * t * (3.0 - 2.0 * t), change = 6.0 / width * t * (1.0 - t) * float2(-1.0, 1.0);
+    float2 fade = t * t * (3.0 - 2.0 * t);
+    float2 faded = 6.0 / width * t * (1.0 - t) / max(fade, 1.0e-6) * float2(-1.0, 1.0);
     float2 turn = gabor_impl_wave(axis.turns);
+    float2 first = fade.x * turn, last = fade.y * float2(turn.x, -turn.y);
     float4 value, slope;
     gabor_impl_windows(axis.offset, value, slope);
-    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, float2(fade.x, change.x), turn);
-    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, float2(1.0, 0.0), float2(1.0, 0.0));
-    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, float2(fade.y, change.y), float2(turn.x, -turn.y));
+    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, first);
+    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, float2(1.0, 0.0));
+    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, last);
+    derivative = axis;
+    derivative.node[0] = gabor_impl_filtered_derivative(axis.node[0], faded.x, first);
+    derivative.node[1] = gabor_impl_filtered_derivative(axis.node[1], 0.0, float2(1.0, 0.0));
+    derivative.node[2] = gabor_impl_filtered_derivative(axis.node[2], faded.y, last);
+}
+
+// The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
+inline float2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float time) {
+    float4 sum, slope;
+    gabor_impl_sum(columns, rows, time, sum, slope);
+    return sum.xy + coupling * slope.zw;
 }
 
 // The filtered noise at `place`, with three waves along each axis.
@@ -161,13 +179,15 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, floa
     GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                      GABOR_RADIUS);
-    float2 turn = gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
-    gabor_impl_filter(columns, s.x, blurred.x);
-    gabor_impl_filter(rows, s.y, blurred.y);
-    float4 sum, slope;
-    gabor_impl_sum(columns, rows, place.time, sum, slope);
-    sum += float4(s.z * slope.zw, 0.0, 0.0);
-    return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, float2(1.0));
+    float2 turn = exp(-19.739209 * dot(wave, blurred))
+              * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
+    GaborAxis columns_slope, rows_slope;
+    gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
+    gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
+    float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.time);
+    float2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.time);
+    float2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.time);
+    return gabor_impl_field(float4(value, along_x), float4(along_y, 0.0, 0.0), turn, wave, float2(1.0));
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
@@ -242,33 +262,39 @@ inline GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, floa
 struct GaborFilteredLine {
     uint word;
     GaborFactors window;
+    float2 fade;  // factor of the window, and its derivative
     float2 turn;  // e^(2 pi i d / 2w)
     float2 phase; // the same for the noise's wave
 };
 
-// The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
-inline float gabor_impl_fade(GaborFilteredAxis b, int index) {
-    float fade = clamp(4.0 * (b.reach - abs(b.offset - float(index))), 0.0, 1.0);
-    return fade * fade * (3.0 - 2.0 * fade);
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+inline float2 gabor_impl_fade(GaborFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
+    return t * float2(t * (3.0 - 2.0 * t), -24.0 * GABOR_RADIUS * sign(d) * (1.0 - t));
 }
 
 // Computes line `index` from its turn and phase.
-inline GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, float2 turn, float2 phase, float fade) {
+inline GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, float2 turn, float2 phase, float2 fade) {
     GaborFilteredLine line_;
     line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
     line_.turn = turn;
     line_.phase = phase;
     float3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     float3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
-    phase *= fade;
+    line_.fade = fade;
     line_.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
     return line_;
 }
 
 // Computes line `index` from the previous one.
-inline GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line_, GaborFilteredAxis b, int index, float fade) {
+inline GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line_, GaborFilteredAxis b, int index, float2 fade) {
     return gabor_impl_filtered_line(b, index, gabor_impl_product(line_.turn, b.turn_back),
                                     gabor_impl_product(line_.phase, b.back), fade);
+}
+
+// The line's window with its fade.
+inline GaborFactors gabor_impl_faded(GaborFilteredLine line_) {
+    return GaborFactors{line_.fade.x * line_.window.real, line_.fade.x * line_.window.imaginary};
 }
 
 // The four or five columns of nodes that reach a point.
@@ -286,8 +312,8 @@ inline GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
     float2 turn = gabor_impl_wave(0.5 / b.reach * b.offset);
     columns.five = b.count == 5;
     columns.column_0 = gabor_impl_filtered_line(b, 0, turn, float2(1.0, 0.0), gabor_impl_fade(b, 0));
-    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, 1.0);
-    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, 1.0);
+    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, float2(1.0, 0.0));
+    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, float2(1.0, 0.0));
     columns.column_3 = gabor_impl_next_line(columns.column_2, b, 3, gabor_impl_fade(b, 3));
     columns.column_4 = columns.column_3;
     if (columns.five) columns.column_4 = gabor_impl_next_line(columns.column_3, b, 4, gabor_impl_fade(b, 4));
@@ -308,20 +334,23 @@ inline GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors facto
                         sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
 }
 
-// Adds a node to the sums of a row.
-inline void gabor_impl_add_filtered_node(thread GaborFactors& row, GaborFilteredLine column, uint row_word, float time) {
-    float2 a = gabor_impl_amplitude_at(column.word * row_word, time);
-    row = gabor_impl_plus_product(row, column.window, a.x, a.y);
+// Adds a node to the sums of a row, and to those with the derivative of the fade.
+inline void gabor_impl_add_filtered_node(thread GaborFactors& row, thread GaborFactors& edge, GaborFilteredLine column, uint row_word,
+                                  float time) {
+    float2 a = gabor_impl_amplitude_at(column.word * row_word, time), b = column.fade.x * a, c = column.fade.y * a;
+    row = gabor_impl_plus_product(row, column.window, b.x, b.y);
+    edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-inline GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float time) {
-    GaborFactors row = GaborFactors{float3(0.0), float3(0.0)};
-    gabor_impl_add_filtered_node(row, columns.column_0, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_1, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_2, row_word, time);
-    gabor_impl_add_filtered_node(row, columns.column_3, row_word, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, time);
+inline GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float time, thread GaborFactors& edge) {
+    GaborFactors row = GaborFactors{float3(0.0), float3(0.0)}, none = row;
+    edge = row;
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, time);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, time);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, time);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, time);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, time);
     return row;
 }
 
@@ -357,14 +386,18 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     GaborFilteredLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(dot(wave, float2(across.offset, along.offset + 1.0)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
-    float2 value = float2(0.0), next_x = float2(0.0), next_y = float2(0.0);
+    float2 value = float2(0.0), next_x = float2(0.0), next_y = float2(0.0), edge_x = float2(0.0), edge_y = float2(0.0);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.time);
-        value += gabor_impl_contracted(row, line_.window, weights);
-        next_x += gabor_impl_contracted(gabor_impl_next(row), line_.window, weights);
-        next_y += gabor_impl_contracted(row, gabor_impl_next(line_.window), weights);
+        GaborFactors edge;
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.time, edge);
+        GaborFactors window = gabor_impl_faded(line_);
+        value += gabor_impl_contracted(row, window, weights);
+        next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
+        next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
+        edge_x += gabor_impl_contracted(edge, window, weights);
+        edge_y += line_.fade.y * gabor_impl_contracted(row, line_.window, weights);
     } while (++j < rows);
     float exponent = 19.739209 * (dot(wave + c, blurred) + r * dot(m, c * c));
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
@@ -372,8 +405,10 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     float2 mean = wave + c, before = lambda * sqrt(m.yx / m);
     float2 x = 6.2831853 * (mean.x * value + next_x - before.x * next_y);
     float2 y = 6.2831853 * (mean.y * value + next_y - before.y * next_x);
+    x = edge_x + float2(-x.y, x.x);
+    y = edge_y + float2(-y.y, y.x);
     float scale = sqrt(1.0 - lambda * lambda) * exp(-exponent) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField{scale * value.y, scale * float2(x.x, y.x), scale * value.x, -scale * float2(x.y, y.y), 0.0};
+    return GaborField{scale * value.y, scale * float2(x.y, y.y), scale * value.x, scale * float2(x.x, y.x), 0.0};
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.

@@ -1,7 +1,7 @@
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire: for WGSL.
 //
 // Generated from shaders/gabor_filter.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 325f33661656ebfe
+// Digest of the GLSL and of this file: 67cb9d68d76339c3
 //
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -79,14 +79,14 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     var j_4: i32 = 0i;
     var row_5: vec4<u32>;
     var i_7: i32;
-    var d_4: vec2<f32>;
+    var d_5: vec2<f32>;
     var star_2: GaborStar;
-    var t_8: vec2<f32>;
-    var fade_5: vec2<f32>;
-    var change_1: vec2<f32>;
+    var t_9: vec2<f32>;
+    var fade_3: vec2<f32>;
+    var change: vec2<f32>;
     var cosine: vec2<f32>;
-    var node_1: GaborWindows;
-    var faded_1: vec2<f32>;
+    var node_2: GaborWindows;
+    var faded_3: vec2<f32>;
 
     frequency_16 = frequency;
     let _e6 = gabor_impl_footprint(dx, dy);
@@ -169,61 +169,61 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
                     let _e193 = i_7;
                     let _e198 = y_8;
                     let _e200 = j_4;
-                    d_4 = (vec2<f32>((_e191.offset - f32((_e193 - 1i))), (_e198.offset - f32((_e200 - 1i)))) / vec2(1.5f));
+                    d_5 = (vec2<f32>((_e191.offset - f32((_e193 - 1i))), (_e198.offset - f32((_e200 - 1i)))) / vec2(1.5f));
                     let _e213 = i_7;
                     let _e216 = x_12.word[_e213];
                     let _e217 = row_5;
                     let _e219 = unit_4;
-                    let _e220 = d_4;
+                    let _e220 = d_5;
                     let _e223 = gabor_impl_star((_e216 * _e217), (_e219 * _e220), place.time);
                     star_2 = _e223;
-                    let _e226 = d_4;
+                    let _e226 = d_5;
                     let _e230 = width_3;
-                    t_8 = clamp(((vec2(1f) - abs(_e226)) / _e230), vec2(0f), vec2(1f));
-                    let _e238 = t_8;
-                    let _e239 = t_8;
-                    let _e243 = t_8;
-                    fade_5 = ((_e238 * _e239) * (vec2(3f) - (2f * _e243)));
+                    t_9 = clamp(((vec2(1f) - abs(_e226)) / _e230), vec2(0f), vec2(1f));
+                    let _e238 = t_9;
+                    let _e239 = t_9;
+                    let _e243 = t_9;
+                    fade_3 = ((_e238 * _e239) * (vec2(3f) - (2f * _e243)));
                     let _e251 = width_3;
-                    let _e254 = t_8;
-                    let _e257 = t_8;
-                    let _e261 = d_4;
-                    change_1 = ((((vec2(-6f) / _e251) * _e254) * (vec2(1f) - _e257)) * sign(_e261));
+                    let _e254 = t_9;
+                    let _e257 = t_9;
+                    let _e261 = d_5;
+                    change = ((((vec2(-6f) / _e251) * _e254) * (vec2(1f) - _e257)) * sign(_e261));
                     let _e265 = fall_1;
                     let _e266 = i_7;
                     let _e269 = x_12.node[_e266];
                     let _e271 = j_4;
                     let _e274 = y_8.node[_e271];
                     cosine = (_e265 * (vec2<f32>(_e269.x, _e274.x) - vec2(0.5f)));
-                    let _e283 = fade_5;
-                    let _e285 = fade_5;
+                    let _e283 = fade_3;
+                    let _e285 = fade_3;
                     let _e286 = cosine;
-                    let _e288 = fade_5;
+                    let _e288 = fade_3;
                     let _e289 = fall_1;
                     let _e291 = i_7;
                     let _e294 = x_12.node[_e291];
                     let _e296 = j_4;
                     let _e299 = y_8.node[_e296];
-                    node_1 = GaborWindows((0.5f * _e283), (_e285 * _e286), ((_e288 * _e289) * vec2<f32>(_e294.z, _e299.z)));
-                    let _e305 = change_1;
-                    let _e306 = fade_5;
-                    faded_1 = (_e305 / max(_e306, vec2(0.000001f)));
-                    let _e313 = node_1;
-                    let _e314 = faded_1;
+                    node_2 = GaborWindows((0.5f * _e283), (_e285 * _e286), ((_e288 * _e289) * vec2<f32>(_e294.z, _e299.z)));
+                    let _e305 = change;
+                    let _e306 = fade_3;
+                    faded_3 = (_e305 / max(_e306, vec2(0.000001f)));
+                    let _e313 = node_2;
+                    let _e314 = faded_3;
                     let _e315 = s_6;
                     let _e316 = star_2;
                     let _e318 = unit_4;
                     let _e319 = star_2;
                     gabor_impl_add_filtered_wave((&sum_14), _e313, _e314, _e315, _e316.first, (_e318 * _e319.u));
-                    let _e324 = node_1;
-                    let _e325 = faded_1;
+                    let _e324 = node_2;
+                    let _e325 = faded_3;
                     let _e326 = s_6;
                     let _e327 = star_2;
                     let _e329 = unit_4;
                     let _e330 = star_2;
                     gabor_impl_add_filtered_wave((&sum_14), _e324, _e325, _e326, _e327.second, (_e329 * _e330.v));
-                    let _e335 = node_1;
-                    let _e336 = faded_1;
+                    let _e335 = node_2;
+                    let _e336 = faded_3;
                     let _e337 = s_6;
                     let _e338 = star_2;
                     let _e340 = unit_4;
@@ -454,132 +454,174 @@ fn gabor_impl_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
 // Returns a node's filtered window, in the form with three waves, and the window's derivative. The filter multiplies
 // the wave q = -1/2, 0 or 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along
 // the axis. If `even` and `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes
-// 1/2 + even (h - 1/2) + i odd h' / pi. `fade` is the factor by which it fades, and that factor's derivative.
-fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, fade: vec2<f32>, turn: vec2<f32>) -> vec4<f32> {
+// 1/2 + even (h - 1/2) + i odd h' / pi.
+fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2<f32>) -> vec4<f32> {
     var wave_9: vec2<f32>;
     var even: vec2<f32>;
     var odd: vec2<f32>;
-    var window_2: vec2<f32>;
 
     wave_9 = vec2<f32>((value - 0.5f), slope);
-    let _e10 = wave_9;
-    even = (part.x * _e10);
-    let _e19 = wave_9;
-    odd = ((part.y * vec2<f32>(-3.1415927f, 0.3183099f)) * _e19);
-    let _e23 = even;
-    let _e26 = odd;
-    let _e29 = gabor_impl_product(vec2<f32>((0.5f + _e23.x), _e26.y), turn);
-    window_2 = _e29;
-    let _e32 = window_2;
-    let _e33 = (fade.x * _e32);
-    let _e35 = even;
-    let _e37 = odd;
-    let _e40 = gabor_impl_product(vec2<f32>(_e35.y, _e37.x), turn);
-    let _e43 = window_2;
-    let _e45 = ((fade.x * _e40) + (fade.y * _e43));
-    return vec4<f32>(_e33.x, _e33.y, _e45.x, _e45.y);
+    let _e9 = wave_9;
+    even = (part.x * _e9);
+    let _e18 = wave_9;
+    odd = ((part.y * vec2<f32>(-3.1415927f, 0.3183099f)) * _e18);
+    let _e22 = even;
+    let _e25 = odd;
+    let _e28 = gabor_impl_product(vec2<f32>((0.5f + _e22.x), _e25.y), phase);
+    let _e29 = even;
+    let _e31 = odd;
+    let _e34 = gabor_impl_product(vec2<f32>(_e29.y, _e31.x), phase);
+    return vec4<f32>(_e28.x, _e28.y, _e34.x, _e34.y);
+}
+
+// The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
+// `faded` is the derivative of the logarithm of the window's fade.
+fn gabor_impl_filtered_derivative(node: vec4<f32>, faded: f32, phase: vec2<f32>) -> vec4<f32> {
+    let _e6 = (node.zw + (faded * node.xy));
+    let _e13 = (-9.869604f * (node.xy - (0.5f * phase)));
+    return vec4<f32>(_e6.x, _e6.y, _e13.x, _e13.y);
 }
 
 // Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
 // window never fades.
-fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32) {
+fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32, derivative: ptr<function, GaborAxis>) {
     var rise: f32;
     var part_1: vec2<f32>;
     var width_2: f32;
     var t_6: vec2<f32>;
-    var fade_1: vec2<f32>;
-    var change: vec2<f32>;
-    var turn_7: vec2<f32>;
+    var fade: vec2<f32>;
+    var faded_1: vec2<f32>;
+    var turn_6: vec2<f32>;
+    var first_1: vec2<f32>;
+    var last: vec2<f32>;
     var value_7: vec4<f32>;
     var slope_7: vec4<f32>;
 
     rise = exp((19.739208f * blurred));
-    let _e13 = rise;
-    let _e15 = rise;
-    let _e18 = rise;
-    let _e20 = rise;
-    part_1 = ((0.5f * exp((-4.934802f * variance))) * vec2<f32>((_e13 + (1f / _e15)), (_e18 - (1f / _e20))));
+    let _e14 = rise;
+    let _e16 = rise;
+    let _e19 = rise;
+    let _e21 = rise;
+    part_1 = ((0.5f * exp((-4.934802f * variance))) * vec2<f32>((_e14 + (1f / _e16)), (_e19 - (1f / _e21))));
     width_2 = clamp((0.5f * sqrt(variance)), 0.001f, 0.05f);
-    let _e35 = (*axis);
-    let _e38 = (*axis);
-    let _e44 = width_2;
-    t_6 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e35.offset), _e38.offset))) / vec2(_e44)), vec2(0f), vec2(1f));
-    let _e53 = t_6;
+    let _e36 = (*axis);
+    let _e39 = (*axis);
+    let _e45 = width_2;
+    t_6 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e36.offset), _e39.offset))) / vec2(_e45)), vec2(0f), vec2(1f));
     let _e54 = t_6;
-    let _e58 = t_6;
-    fade_1 = ((_e53 * _e54) * (vec2(3f) - (2f * _e58)));
-    let _e65 = width_2;
-    let _e67 = t_6;
-    let _e70 = t_6;
-    change = ((((6f / _e65) * _e67) * (vec2(1f) - _e70)) * vec2<f32>(-1f, 1f));
-    let _e80 = (*axis);
-    let _e82 = gabor_impl_wave(_e80.turns);
-    turn_7 = _e82;
+    let _e55 = t_6;
+    let _e59 = t_6;
+    fade = ((_e54 * _e55) * (vec2(3f) - (2f * _e59)));
+    let _e66 = width_2;
+    let _e68 = t_6;
+    let _e71 = t_6;
+    let _e75 = fade;
+    faded_1 = (((((6f / _e66) * _e68) * (vec2(1f) - _e71)) / max(_e75, vec2(0.000001f))) * vec2<f32>(-1f, 1f));
     let _e86 = (*axis);
-    gabor_impl_windows(_e86.offset, (&value_7), (&slope_7));
-    let _e95 = value_7;
-    let _e97 = slope_7;
-    let _e99 = part_1;
-    let _e100 = fade_1;
-    let _e102 = change;
-    let _e105 = turn_7;
-    let _e106 = gabor_impl_filtered_node(_e95.x, _e97.x, _e99, vec2<f32>(_e100.x, _e102.x), _e105);
-    (*axis).node[0i] = _e106;
-    let _e110 = value_7;
-    let _e112 = slope_7;
-    let _e114 = part_1;
-    let _e121 = gabor_impl_filtered_node(_e110.y, _e112.y, _e114, vec2<f32>(1f, 0f), vec2<f32>(1f, 0f));
-    (*axis).node[1i] = _e121;
-    let _e125 = value_7;
-    let _e127 = slope_7;
-    let _e129 = part_1;
-    let _e130 = fade_1;
-    let _e132 = change;
-    let _e135 = turn_7;
-    let _e137 = turn_7;
-    let _e141 = gabor_impl_filtered_node(_e125.z, _e127.z, _e129, vec2<f32>(_e130.y, _e132.y), vec2<f32>(_e135.x, -(_e137.y)));
-    (*axis).node[2i] = _e141;
+    let _e88 = gabor_impl_wave(_e86.turns);
+    turn_6 = _e88;
+    let _e90 = fade;
+    let _e92 = turn_6;
+    first_1 = (_e90.x * _e92);
+    let _e95 = fade;
+    let _e97 = turn_6;
+    let _e99 = turn_6;
+    last = (_e95.y * vec2<f32>(_e97.x, -(_e99.y)));
+    let _e107 = (*axis);
+    gabor_impl_windows(_e107.offset, (&value_7), (&slope_7));
+    let _e116 = value_7;
+    let _e118 = slope_7;
+    let _e120 = part_1;
+    let _e121 = first_1;
+    let _e122 = gabor_impl_filtered_node(_e116.x, _e118.x, _e120, _e121);
+    (*axis).node[0i] = _e122;
+    let _e126 = value_7;
+    let _e128 = slope_7;
+    let _e130 = part_1;
+    let _e134 = gabor_impl_filtered_node(_e126.y, _e128.y, _e130, vec2<f32>(1f, 0f));
+    (*axis).node[1i] = _e134;
+    let _e138 = value_7;
+    let _e140 = slope_7;
+    let _e142 = part_1;
+    let _e143 = last;
+    let _e144 = gabor_impl_filtered_node(_e138.z, _e140.z, _e142, _e143);
+    (*axis).node[2i] = _e144;
+    let _e145 = (*axis);
+    (*derivative) = _e145;
+    let _e152 = (*axis).node[0];
+    let _e153 = faded_1;
+    let _e155 = first_1;
+    let _e156 = gabor_impl_filtered_derivative(_e152, _e153.x, _e155);
+    (*derivative).node[0i] = _e156;
+    let _e163 = (*axis).node[1];
+    let _e168 = gabor_impl_filtered_derivative(_e163, 0f, vec2<f32>(1f, 0f));
+    (*derivative).node[1i] = _e168;
+    let _e175 = (*axis).node[2];
+    let _e176 = faded_1;
+    let _e178 = last;
+    let _e179 = gabor_impl_filtered_derivative(_e175, _e176.y, _e178);
+    (*derivative).node[2i] = _e179;
     return;
+}
+
+// The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
+fn gabor_impl_coupled_sum(columns: GaborAxis, rows: GaborAxis, coupling: f32, time: f32) -> vec2<f32> {
+    var sum_9: vec4<f32>;
+    var slope_8: vec4<f32>;
+
+    gabor_impl_sum(columns, rows, time, (&sum_9), (&slope_8));
+    let _e10 = sum_9;
+    let _e12 = slope_8;
+    return (_e10.xy + (coupling * _e12.zw));
 }
 
 // The filtered noise at `place`, with three waves along each axis.
 fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, salt: u32) -> GaborField {
     var blurred_1: vec2<f32>;
-    var columns: GaborAxis;
-    var rows: GaborAxis;
-    var turn_8: vec2<f32>;
-    var sum_9: vec4<f32>;
-    var slope_8: vec4<f32>;
+    var columns_1: GaborAxis;
+    var rows_1: GaborAxis;
+    var turn_7: vec2<f32>;
+    var columns_slope: GaborAxis;
+    var rows_slope: GaborAxis;
+    var value_8: vec2<f32>;
+    var along_x_1: vec2<f32>;
+    var along_y_1: vec2<f32>;
 
     let _e4 = gabor_impl_symmetric(s, wave);
     blurred_1 = _e4;
     let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
-    columns = _e17;
+    columns_1 = _e17;
     let _e32 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
-    rows = _e32;
-    let _e34 = columns;
-    let _e36 = columns;
-    let _e39 = rows;
-    let _e41 = rows;
-    let _e45 = gabor_impl_wave(((_e34.offset * _e36.turns) + (_e39.offset * _e41.turns)));
-    turn_8 = _e45;
-    let _e49 = blurred_1;
-    gabor_impl_filter((&columns), s.x, _e49.x);
-    let _e54 = blurred_1;
-    gabor_impl_filter((&rows), s.y, _e54.y);
-    let _e59 = columns;
-    let _e60 = rows;
-    gabor_impl_sum(_e59, _e60, place.time, (&sum_9), (&slope_8));
-    let _e66 = sum_9;
-    let _e68 = slope_8;
-    let _e70 = (s.z * _e68.zw);
-    sum_9 = (_e66 + vec4<f32>(_e70.x, _e70.y, 0f, 0f));
-    let _e77 = sum_9;
-    let _e78 = slope_8;
-    let _e81 = blurred_1;
-    let _e85 = turn_8;
-    let _e89 = gabor_impl_field(_e77, _e78, (exp((-19.739208f * dot(wave, _e81))) * _e85), wave, vec2(1f));
-    return _e89;
+    rows_1 = _e32;
+    let _e36 = blurred_1;
+    let _e40 = columns_1;
+    let _e42 = columns_1;
+    let _e45 = rows_1;
+    let _e47 = rows_1;
+    let _e51 = gabor_impl_wave(((_e40.offset * _e42.turns) + (_e45.offset * _e47.turns)));
+    turn_7 = (exp((-19.739208f * dot(wave, _e36))) * _e51);
+    let _e58 = blurred_1;
+    gabor_impl_filter((&columns_1), s.x, _e58.x, (&columns_slope));
+    let _e65 = blurred_1;
+    gabor_impl_filter((&rows_1), s.y, _e65.y, (&rows_slope));
+    let _e70 = columns_1;
+    let _e71 = rows_1;
+    let _e74 = gabor_impl_coupled_sum(_e70, _e71, s.z, place.time);
+    value_8 = _e74;
+    let _e76 = columns_slope;
+    let _e77 = rows_1;
+    let _e80 = gabor_impl_coupled_sum(_e76, _e77, s.z, place.time);
+    along_x_1 = _e80;
+    let _e82 = columns_1;
+    let _e83 = rows_slope;
+    let _e86 = gabor_impl_coupled_sum(_e82, _e83, s.z, place.time);
+    along_y_1 = _e86;
+    let _e88 = value_8;
+    let _e89 = along_x_1;
+    let _e95 = along_y_1;
+    let _e101 = turn_7;
+    let _e104 = gabor_impl_field(vec4<f32>(_e88.x, _e88.y, _e89.x, _e89.y), vec4<f32>(_e95.x, _e95.y, 0f, 0f), _e101, wave, vec2(1f));
+    return _e104;
 }
 
 // For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
@@ -784,58 +826,61 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
 struct GaborFilteredLine {
     word: u32,
     window: GaborFactors,
+    fade: vec2<f32>,
     turn: vec2<f32>,
     phase: vec2<f32>,
 }
 
-// The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
-fn gabor_impl_fade(b: GaborFilteredAxis, index: i32) -> f32 {
-    var fade_2: f32;
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+fn gabor_impl_fade(b: GaborFilteredAxis, index: i32) -> vec2<f32> {
+    var d_3: f32;
+    var t_8: f32;
 
-    fade_2 = clamp((4f * (b.reach - abs((b.offset - f32(index))))), 0f, 1f);
-    let _e14 = fade_2;
-    let _e15 = fade_2;
-    let _e19 = fade_2;
-    return ((_e14 * _e15) * (3f - (2f * _e19)));
+    d_3 = (b.offset - f32(index));
+    let _e8 = d_3;
+    t_8 = clamp((4f * (b.reach - abs(_e8))), 0f, 1f);
+    let _e16 = t_8;
+    let _e17 = t_8;
+    let _e20 = t_8;
+    let _e31 = d_3;
+    let _e35 = t_8;
+    return (_e16 * vec2<f32>((_e17 * (3f - (2f * _e20))), ((-36f * sign(_e31)) * (1f - _e35))));
 }
 
 // Computes line `index` from its turn and phase.
-fn gabor_impl_filtered_line(b: GaborFilteredAxis, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: f32) -> GaborFilteredLine {
-    var phase_2: vec2<f32>;
+fn gabor_impl_filtered_line(b: GaborFilteredAxis, index: i32, turn: vec2<f32>, phase: vec2<f32>, fade: vec2<f32>) -> GaborFilteredLine {
     var line: GaborFilteredLine;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
 
-    phase_2 = phase;
-    let _e11 = gabor_impl_wrap((b.first + index), b.period);
-    let _e13 = gabor_impl_line_word(_e11, b.salt);
-    line.word = _e13;
+    let _e10 = gabor_impl_wrap((b.first + index), b.period);
+    let _e12 = gabor_impl_line_word(_e10, b.salt);
+    line.word = _e12;
     line.turn = turn;
-    let _e16 = phase_2;
-    line.phase = _e16;
+    line.phase = phase;
     real = (b.even_0_ + (turn.x * (b.even_1_ + (turn.x * (b.even_2_ + (turn.x * b.even_3_))))));
     imaginary = (turn.y * (b.odd_1_ + (turn.x * (b.odd_2_ + (turn.x * b.odd_3_)))));
-    let _e43 = phase_2;
-    phase_2 = (_e43 * fade);
-    let _e46 = phase_2;
-    let _e48 = real;
-    let _e50 = phase_2;
-    let _e52 = imaginary;
-    let _e55 = phase_2;
-    let _e57 = imaginary;
-    let _e59 = phase_2;
-    let _e61 = real;
-    line.window = GaborFactors(((_e46.x * _e48) - (_e50.y * _e52)), ((_e55.x * _e57) + (_e59.y * _e61)));
-    let _e65 = line;
-    return _e65;
+    line.fade = fade;
+    let _e44 = real;
+    let _e47 = imaginary;
+    let _e51 = imaginary;
+    let _e54 = real;
+    line.window = GaborFactors(((phase.x * _e44) - (phase.y * _e47)), ((phase.x * _e51) + (phase.y * _e54)));
+    let _e58 = line;
+    return _e58;
 }
 
 // Computes line `index` from the previous one.
-fn gabor_impl_next_line(line: GaborFilteredLine, b: GaborFilteredAxis, index: i32, fade: f32) -> GaborFilteredLine {
+fn gabor_impl_next_line(line: GaborFilteredLine, b: GaborFilteredAxis, index: i32, fade: vec2<f32>) -> GaborFilteredLine {
     let _e6 = gabor_impl_product(line.turn, b.turn_back);
     let _e9 = gabor_impl_product(line.phase, b.back);
     let _e10 = gabor_impl_filtered_line(b, index, _e6, _e9, fade);
     return _e10;
+}
+
+// The line's window with its fade.
+fn gabor_impl_faded(line: GaborFilteredLine) -> GaborFactors {
+    return GaborFactors((line.fade.x * line.window.real), (line.fade.x * line.window.imaginary));
 }
 
 // The four or five columns of nodes that reach a point.
@@ -849,47 +894,47 @@ struct GaborColumns {
 }
 
 fn gabor_impl_columns(b: GaborFilteredAxis) -> GaborColumns {
-    var columns_1: GaborColumns;
-    var turn_10: vec2<f32>;
+    var columns_2: GaborColumns;
+    var turn_9: vec2<f32>;
 
     let _e7 = gabor_impl_wave(((0.5f / b.reach) * b.offset));
-    turn_10 = _e7;
-    columns_1.five = (b.count == 5i);
-    let _e15 = turn_10;
+    turn_9 = _e7;
+    columns_2.five = (b.count == 5i);
+    let _e15 = turn_9;
     let _e20 = gabor_impl_fade(b, 0i);
     let _e21 = gabor_impl_filtered_line(b, 0i, _e15, vec2<f32>(1f, 0f), _e20);
-    columns_1.column_0_ = _e21;
-    let _e23 = columns_1;
-    let _e27 = gabor_impl_next_line(_e23.column_0_, b, 1i, 1f);
-    columns_1.column_1_ = _e27;
-    let _e29 = columns_1;
-    let _e33 = gabor_impl_next_line(_e29.column_1_, b, 2i, 1f);
-    columns_1.column_2_ = _e33;
-    let _e35 = columns_1;
-    let _e39 = gabor_impl_fade(b, 3i);
-    let _e40 = gabor_impl_next_line(_e35.column_2_, b, 3i, _e39);
-    columns_1.column_3_ = _e40;
-    let _e42 = columns_1;
-    columns_1.column_4_ = _e42.column_3_;
-    let _e44 = columns_1;
-    if _e44.five {
-        let _e47 = columns_1;
-        let _e51 = gabor_impl_fade(b, 4i);
-        let _e52 = gabor_impl_next_line(_e47.column_3_, b, 4i, _e51);
-        columns_1.column_4_ = _e52;
+    columns_2.column_0_ = _e21;
+    let _e23 = columns_2;
+    let _e29 = gabor_impl_next_line(_e23.column_0_, b, 1i, vec2<f32>(1f, 0f));
+    columns_2.column_1_ = _e29;
+    let _e31 = columns_2;
+    let _e37 = gabor_impl_next_line(_e31.column_1_, b, 2i, vec2<f32>(1f, 0f));
+    columns_2.column_2_ = _e37;
+    let _e39 = columns_2;
+    let _e43 = gabor_impl_fade(b, 3i);
+    let _e44 = gabor_impl_next_line(_e39.column_2_, b, 3i, _e43);
+    columns_2.column_3_ = _e44;
+    let _e46 = columns_2;
+    columns_2.column_4_ = _e46.column_3_;
+    let _e48 = columns_2;
+    if _e48.five {
+        let _e51 = columns_2;
+        let _e55 = gabor_impl_fade(b, 4i);
+        let _e56 = gabor_impl_next_line(_e51.column_3_, b, 4i, _e55);
+        columns_2.column_4_ = _e56;
     }
-    let _e53 = columns_1;
-    return _e53;
+    let _e57 = columns_2;
+    return _e57;
 }
 
 // The line before line 0, given the phase of the noise's wave there.
 fn gabor_impl_line_before(b: GaborFilteredAxis, phase: vec2<f32>) -> GaborFilteredLine {
-    var line_2: GaborFilteredLine;
+    var line_3: GaborFilteredLine;
 
     let _e11 = gabor_impl_wave(((0.5f / b.reach) * (b.offset + 1f)));
-    line_2.turn = _e11;
-    line_2.phase = phase;
-    let _e13 = line_2;
+    line_3.turn = _e11;
+    line_3.phase = phase;
+    let _e13 = line_3;
     return _e13;
 }
 
@@ -898,33 +943,49 @@ fn gabor_impl_plus_product(sum: GaborFactors, factors: GaborFactors, real: f32, 
     return GaborFactors((sum.real + ((real * factors.real) - (imaginary * factors.imaginary))), (sum.imaginary + ((real * factors.imaginary) + (imaginary * factors.real))));
 }
 
-// Adds a node to the sums of a row.
-fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, time: f32) {
+// Adds a node to the sums of a row, and to those with the derivative of the fade.
+fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, time: f32) {
     var a_3: vec2<f32>;
+    var b_8: vec2<f32>;
+    var c_4: vec2<f32>;
 
-    let _e6 = gabor_impl_amplitude_at((column.word * row_word), time);
-    a_3 = _e6;
-    let _e8 = (*row);
-    let _e10 = a_3;
-    let _e12 = a_3;
-    let _e14 = gabor_impl_plus_product(_e8, column.window, _e10.x, _e12.y);
-    (*row) = _e14;
+    let _e7 = gabor_impl_amplitude_at((column.word * row_word), time);
+    a_3 = _e7;
+    let _e11 = a_3;
+    b_8 = (column.fade.x * _e11);
+    let _e16 = a_3;
+    c_4 = (column.fade.y * _e16);
+    let _e19 = (*row);
+    let _e21 = b_8;
+    let _e23 = b_8;
+    let _e25 = gabor_impl_plus_product(_e19, column.window, _e21.x, _e23.y);
+    (*row) = _e25;
+    let _e26 = (*edge);
+    let _e28 = c_4;
+    let _e30 = c_4;
+    let _e32 = gabor_impl_plus_product(_e26, column.window, _e28.x, _e30.y);
+    (*edge) = _e32;
     return;
 }
 
 // The sums of a row over its columns.
-fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, time: f32) -> GaborFactors {
+fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, time: f32, edge: ptr<function, GaborFactors>) -> GaborFactors {
     var row_3: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
+    var none: GaborFactors;
 
-    gabor_impl_add_filtered_node((&row_3), columns.column_0_, row_word, time);
-    gabor_impl_add_filtered_node((&row_3), columns.column_1_, row_word, time);
-    gabor_impl_add_filtered_node((&row_3), columns.column_2_, row_word, time);
-    gabor_impl_add_filtered_node((&row_3), columns.column_3_, row_word, time);
+    let _e10 = row_3;
+    none = _e10;
+    let _e12 = row_3;
+    (*edge) = _e12;
+    gabor_impl_add_filtered_node((&row_3), edge, columns.column_0_, row_word, time);
+    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_1_, row_word, time);
+    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_2_, row_word, time);
+    gabor_impl_add_filtered_node((&row_3), edge, columns.column_3_, row_word, time);
     if columns.five {
-        gabor_impl_add_filtered_node((&row_3), columns.column_4_, row_word, time);
+        gabor_impl_add_filtered_node((&row_3), edge, columns.column_4_, row_word, time);
     }
-    let _e25 = row_3;
-    return _e25;
+    let _e39 = row_3;
+    return _e39;
 }
 
 // Drops the first factor and moves the others up by one.
@@ -944,7 +1005,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var m_1: vec2<f32>;
     var deviation_1: vec2<f32>;
     var blurred_2: vec2<f32>;
-    var c_4: vec2<f32>;
+    var c_5: vec2<f32>;
     var rho: f32;
     var r_1: f32;
     var lambda: f32;
@@ -954,15 +1015,19 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var step_y: vec2<f32>;
     var across: GaborFilteredAxis;
     var along: GaborFilteredAxis;
-    var columns_3: GaborColumns;
-    var line_3: GaborFilteredLine;
+    var columns_4: GaborColumns;
+    var line_4: GaborFilteredLine;
     var local_21: i32;
-    var rows_1: i32;
-    var value_8: vec2<f32> = vec2(0f);
+    var rows_2: i32;
+    var value_9: vec2<f32> = vec2(0f);
     var next_x: vec2<f32> = vec2(0f);
     var next_y: vec2<f32> = vec2(0f);
+    var edge_x: vec2<f32> = vec2(0f);
+    var edge_y: vec2<f32> = vec2(0f);
     var j_3: i32 = 0i;
+    var edge_2: GaborFactors;
     var row_4: GaborFactors;
+    var window_2: GaborFactors;
     var exponent_1: f32;
     var mean_1: vec2<f32>;
     var before: vec2<f32>;
@@ -981,7 +1046,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e23 = gabor_impl_symmetric(vec3<f32>(_e16.x, _e16.y, -(s.z)), _e22);
     let _e27 = m_1;
     let _e29 = m_1;
-    c_4 = (_e23 / vec2(((s.z * s.z) - (_e27.x * _e29.y))));
+    c_5 = (_e23 / vec2(((s.z * s.z) - (_e27.x * _e29.y))));
     let _e37 = m_1;
     let _e39 = m_1;
     rho = (s.z * inverseSqrt((_e37.x * _e39.y)));
@@ -1005,26 +1070,26 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e96 = deviation_1;
     let _e98 = r_1;
     let _e99 = m_1;
-    let _e102 = c_4;
+    let _e102 = c_5;
     let _e110 = step_x;
     let _e111 = gabor_impl_filtered_axis(_e96.x, (_e98 * _e99.x), _e102.x, place.cell.x, place.local.x, place.period.x, salt, _e110);
     across = _e111;
     let _e113 = deviation_1;
     let _e115 = r_1;
     let _e116 = m_1;
-    let _e119 = c_4;
+    let _e119 = c_5;
     let _e129 = step_y;
     let _e130 = gabor_impl_filtered_axis(_e113.y, (_e115 * _e116.y), _e119.y, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e129);
     along = _e130;
     let _e132 = across;
     let _e133 = gabor_impl_columns(_e132);
-    columns_3 = _e133;
+    columns_4 = _e133;
     let _e135 = along;
     let _e136 = across;
     let _e138 = along;
     let _e149 = gabor_impl_wave((dot(wave, vec2<f32>(_e136.offset, (_e138.offset + 1f))) / 1.5f));
     let _e150 = gabor_impl_line_before(_e135, _e149);
-    line_3 = _e150;
+    line_4 = _e150;
     if wanted {
         let _e152 = along;
         local_21 = _e152.count;
@@ -1032,96 +1097,120 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
         local_21 = 0i;
     }
     let _e156 = local_21;
-    rows_1 = _e156;
+    rows_2 = _e156;
     loop {
         {
-            let _e169 = line_3;
-            let _e170 = along;
-            let _e171 = j_3;
-            let _e172 = along;
-            let _e173 = j_3;
-            let _e174 = gabor_impl_fade(_e172, _e173);
-            let _e175 = gabor_impl_next_line(_e169, _e170, _e171, _e174);
-            line_3 = _e175;
-            let _e176 = columns_3;
-            let _e177 = line_3;
-            let _e180 = gabor_impl_filtered_row(_e176, _e177.word, place.time);
-            row_4 = _e180;
-            let _e182 = value_8;
-            let _e183 = row_4;
-            let _e184 = line_3;
-            let _e186 = weights_1;
-            let _e187 = gabor_impl_contracted(_e183, _e184.window, _e186);
-            value_8 = (_e182 + _e187);
-            let _e189 = next_x;
-            let _e190 = row_4;
-            let _e191 = gabor_impl_next(_e190);
-            let _e192 = line_3;
-            let _e194 = weights_1;
-            let _e195 = gabor_impl_contracted(_e191, _e192.window, _e194);
-            next_x = (_e189 + _e195);
-            let _e197 = next_y;
-            let _e198 = row_4;
-            let _e199 = line_3;
-            let _e201 = gabor_impl_next(_e199.window);
-            let _e202 = weights_1;
-            let _e203 = gabor_impl_contracted(_e198, _e201, _e202);
-            next_y = (_e197 + _e203);
+            let _e175 = line_4;
+            let _e176 = along;
+            let _e177 = j_3;
+            let _e178 = along;
+            let _e179 = j_3;
+            let _e180 = gabor_impl_fade(_e178, _e179);
+            let _e181 = gabor_impl_next_line(_e175, _e176, _e177, _e180);
+            line_4 = _e181;
+            let _e183 = columns_4;
+            let _e184 = line_4;
+            let _e189 = gabor_impl_filtered_row(_e183, _e184.word, place.time, (&edge_2));
+            row_4 = _e189;
+            let _e191 = line_4;
+            let _e192 = gabor_impl_faded(_e191);
+            window_2 = _e192;
+            let _e194 = value_9;
+            let _e195 = row_4;
+            let _e196 = window_2;
+            let _e197 = weights_1;
+            let _e198 = gabor_impl_contracted(_e195, _e196, _e197);
+            value_9 = (_e194 + _e198);
+            let _e200 = next_x;
+            let _e201 = row_4;
+            let _e202 = gabor_impl_next(_e201);
+            let _e203 = window_2;
+            let _e204 = weights_1;
+            let _e205 = gabor_impl_contracted(_e202, _e203, _e204);
+            next_x = (_e200 + _e205);
+            let _e207 = next_y;
+            let _e208 = row_4;
+            let _e209 = window_2;
+            let _e210 = gabor_impl_next(_e209);
+            let _e211 = weights_1;
+            let _e212 = gabor_impl_contracted(_e208, _e210, _e211);
+            next_y = (_e207 + _e212);
+            let _e214 = edge_x;
+            let _e215 = edge_2;
+            let _e216 = window_2;
+            let _e217 = weights_1;
+            let _e218 = gabor_impl_contracted(_e215, _e216, _e217);
+            edge_x = (_e214 + _e218);
+            let _e220 = edge_y;
+            let _e221 = line_4;
+            let _e224 = row_4;
+            let _e225 = line_4;
+            let _e227 = weights_1;
+            let _e228 = gabor_impl_contracted(_e224, _e225.window, _e227);
+            edge_y = (_e220 + (_e221.fade.y * _e228));
         }
-        let _e205 = j_3;
-        let _e207 = (_e205 + 1i);
-        j_3 = _e207;
-        let _e208 = rows_1;
-        if !((_e207 < _e208)) {
+        let _e231 = j_3;
+        let _e233 = (_e231 + 1i);
+        j_3 = _e233;
+        let _e234 = rows_2;
+        if !((_e233 < _e234)) {
             break;
         }
     }
-    let _e212 = c_4;
-    let _e214 = blurred_2;
-    let _e216 = r_1;
-    let _e217 = m_1;
-    let _e218 = c_4;
-    let _e219 = c_4;
-    exponent_1 = (19.739208f * (dot((wave + _e212), _e214) + (_e216 * dot(_e217, (_e218 * _e219)))));
-    let _e226 = c_4;
-    mean_1 = (wave + _e226);
-    let _e229 = lambda;
-    let _e230 = m_1;
-    let _e232 = m_1;
-    before = (_e229 * sqrt((_e230.yx / _e232)));
-    let _e238 = mean_1;
-    let _e240 = value_8;
-    let _e242 = next_x;
-    let _e244 = before;
-    let _e246 = next_y;
-    x_10 = (6.2831855f * (((_e238.x * _e240) + _e242) - (_e244.x * _e246)));
-    let _e252 = mean_1;
-    let _e254 = value_8;
-    let _e256 = next_y;
-    let _e258 = before;
-    let _e260 = next_x;
-    y_6 = (6.2831855f * (((_e252.y * _e254) + _e256) - (_e258.y * _e260)));
-    let _e266 = lambda;
-    let _e267 = lambda;
-    let _e271 = exponent_1;
+    let _e238 = c_5;
+    let _e240 = blurred_2;
+    let _e242 = r_1;
+    let _e243 = m_1;
+    let _e244 = c_5;
+    let _e245 = c_5;
+    exponent_1 = (19.739208f * (dot((wave + _e238), _e240) + (_e242 * dot(_e243, (_e244 * _e245)))));
+    let _e252 = c_5;
+    mean_1 = (wave + _e252);
+    let _e255 = lambda;
+    let _e256 = m_1;
+    let _e258 = m_1;
+    before = (_e255 * sqrt((_e256.yx / _e258)));
+    let _e264 = mean_1;
+    let _e266 = value_9;
+    let _e268 = next_x;
+    let _e270 = before;
+    let _e272 = next_y;
+    x_10 = (6.2831855f * (((_e264.x * _e266) + _e268) - (_e270.x * _e272)));
+    let _e278 = mean_1;
+    let _e280 = value_9;
+    let _e282 = next_y;
+    let _e284 = before;
+    let _e286 = next_x;
+    y_6 = (6.2831855f * (((_e278.y * _e280) + _e282) - (_e284.y * _e286)));
+    let _e291 = edge_x;
+    let _e292 = x_10;
+    let _e295 = x_10;
+    x_10 = (_e291 + vec2<f32>(-(_e292.y), _e295.x));
+    let _e299 = edge_y;
+    let _e300 = y_6;
+    let _e303 = y_6;
+    y_6 = (_e299 + vec2<f32>(-(_e300.y), _e303.x));
+    let _e308 = lambda;
+    let _e309 = lambda;
+    let _e313 = exponent_1;
     if false {
         local_22 = 1f;
     } else {
         local_22 = 1.125f;
     }
-    let _e285 = local_22;
-    scale = ((sqrt((1f - (_e266 * _e267))) * exp(-(_e271))) / (1459955300000000000000000000f * _e285));
-    let _e289 = scale;
-    let _e290 = value_8;
-    let _e293 = scale;
-    let _e294 = x_10;
-    let _e296 = y_6;
-    let _e300 = scale;
-    let _e301 = value_8;
-    let _e304 = scale;
-    let _e306 = x_10;
-    let _e308 = y_6;
-    return GaborField((_e289 * _e290.y), (_e293 * vec2<f32>(_e294.x, _e296.x)), (_e300 * _e301.x), (-(_e304) * vec2<f32>(_e306.y, _e308.y)), 0f);
+    let _e327 = local_22;
+    scale = ((sqrt((1f - (_e308 * _e309))) * exp(-(_e313))) / (1459955300000000000000000000f * _e327));
+    let _e331 = scale;
+    let _e332 = value_9;
+    let _e335 = scale;
+    let _e336 = x_10;
+    let _e338 = y_6;
+    let _e342 = scale;
+    let _e343 = value_9;
+    let _e346 = scale;
+    let _e347 = x_10;
+    let _e349 = y_6;
+    return GaborField((_e331 * _e332.y), (_e335 * vec2<f32>(_e336.y, _e338.y)), (_e342 * _e343.x), (_e346 * vec2<f32>(_e347.x, _e349.x)), 0f);
 }
 
 // The share of the form with seven waves in the filtered noise; the rest is the form with three.
@@ -1195,15 +1284,15 @@ fn gabor_impl_mean_angle(q: f32) -> f32 {
 // The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) -> f32 {
     var area_1: f32;
-    var d_3: f32;
+    var d_4: f32;
     var unit_3: f32;
     var apart_1: f32;
     var smaller_1: f32;
 
     area_1 = (6.579736f * ((covariance.x * covariance.y) - (covariance.z * covariance.z)));
     let _e17 = area_1;
-    d_3 = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
-    let _e23 = d_3;
+    d_4 = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
+    let _e23 = d_4;
     unit_3 = ((39.478416f / _e23) * min((frequency * frequency), 1000000000000f));
     apart_1 = length(vec2<f32>((covariance.x - covariance.y), (2f * covariance.z)));
     let _e39 = area_1;
@@ -1214,7 +1303,7 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
     let _e59 = unit_3;
     let _e60 = apart_1;
     let _e64 = gabor_impl_mean_angle(min((_e59 * _e60), 100000000f));
-    let _e66 = d_3;
+    let _e66 = d_4;
     return ((exp(-(clamp((_e51 * _e52), 0f, 80f))) * _e64) * inverseSqrt(_e66));
 }
 
@@ -1238,9 +1327,9 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     var imaginary_2: vec2<f32>;
     var h_x: vec2<f32>;
     var h_y: vec2<f32>;
-    var value_9: vec2<f32>;
-    var along_x_1: vec2<f32>;
-    var along_y_1: vec2<f32>;
+    var value_10: vec2<f32>;
+    var along_x_2: vec2<f32>;
+    var along_y_2: vec2<f32>;
 
     a_6 = a;
     let _e8 = gabor_impl_symmetric(s, wave);
@@ -1275,7 +1364,7 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     let _e82 = gabor_impl_product(_e80, _e81);
     let _e93 = a_6;
     let _e94 = gabor_impl_product((_e82 + vec2<f32>(((s.z * node.sine.x) * node.sine.y), 0f)), _e93);
-    value_9 = _e94;
+    value_10 = _e94;
     let _e96 = even_2;
     real_2 = (_e96 * node.sine);
     let _e101 = odd_2;
@@ -1286,31 +1375,31 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     let _e111 = gabor_impl_product(vec2<f32>(_e105.x, _e107.x), _e110);
     let _e112 = a_6;
     let _e113 = gabor_impl_product(_e111, _e112);
-    along_x_1 = _e113;
+    along_x_2 = _e113;
     let _e115 = h_x;
     let _e116 = real_2;
     let _e118 = imaginary_2;
     let _e121 = gabor_impl_product(_e115, vec2<f32>(_e116.y, _e118.y));
     let _e122 = a_6;
     let _e123 = gabor_impl_product(_e121, _e122);
-    along_y_1 = _e123;
+    along_y_2 = _e123;
     let _e126 = (*sum);
-    let _e128 = value_9;
+    let _e128 = value_10;
     (*sum).noise = (_e126.noise + _e128.y);
     let _e132 = (*sum);
-    let _e134 = along_x_1;
-    let _e136 = along_y_1;
-    let _e139 = value_9;
-    let _e144 = value_9;
+    let _e134 = along_x_2;
+    let _e136 = along_y_2;
+    let _e139 = value_10;
+    let _e144 = value_10;
     (*sum).gradient = (_e132.gradient + ((vec2<f32>(_e134.y, _e136.y) + (_e139.y * faded)) + ((6.2831855f * _e144.x) * wave)));
     let _e151 = (*sum);
-    let _e153 = value_9;
+    let _e153 = value_10;
     (*sum).quadrature = (_e151.quadrature + _e153.x);
     let _e157 = (*sum);
-    let _e159 = along_x_1;
-    let _e161 = along_y_1;
-    let _e164 = value_9;
-    let _e169 = value_9;
+    let _e159 = along_x_2;
+    let _e161 = along_y_2;
+    let _e164 = value_10;
+    let _e169 = value_10;
     (*sum).quadrature_gradient = (_e157.quadrature_gradient + ((vec2<f32>(_e159.x, _e161.x) + (_e164.x * faded)) - ((6.2831855f * _e169.y) * wave)));
     return;
 }

@@ -117,17 +117,20 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave, GaborM
         int j = 0;
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
-            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word),
-                                                       place.time);
-            y_0 = gabor_impl_plus_product(y_0, sum, row.window.real.x, row.window.imaginary.x);
-            y_1 = gabor_impl_plus_product(y_1, sum, row.window.real.y, row.window.imaginary.y);
-            y_2 = gabor_impl_plus_product(y_2, sum, row.window.real.z, row.window.imaginary.z);
+            GaborFactors edge;
+            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.time,
+                                                       edge);
+            GaborFactors window = gabor_impl_faded(row);
+            y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
+            y_1 = gabor_impl_plus_product(y_1, sum, window.real.y, window.imaginary.y);
+            y_2 = gabor_impl_plus_product(y_2, sum, window.real.z, window.imaginary.z);
         } while (++j < rows);
-        value += gabor_impl_contracted_3d(y_0, y_1, y_2, slice.window, w);
+        GaborFactors along_z = gabor_impl_faded(slice);
+        value += gabor_impl_contracted_3d(y_0, y_1, y_2, along_z, w);
         next_x += gabor_impl_contracted_3d(gabor_impl_next(y_0), gabor_impl_next(y_1), gabor_impl_next(y_2),
-                                           slice.window, w);
-        next_y += gabor_impl_contracted_3d(y_1, y_2, none, slice.window, w);
-        next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(slice.window), w);
+                                           along_z, w);
+        next_y += gabor_impl_contracted_3d(y_1, y_2, none, along_z, w);
+        next_z += gabor_impl_contracted_3d(y_0, y_1, y_2, gabor_impl_next(along_z), w);
     } while (++k < slices);
     // The derivatives follow as in the plane. In the sum over the series, n / 4g times the previous factor becomes
     // w / 4g times the next factor of the other axes.
@@ -200,9 +203,10 @@ GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, Gabo
                                   GABOR_RADIUS);
     float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     float3 blurred = gabor_impl_symmetric_3d(pixel, wave);
-    gabor_impl_filter(x, pixel.diagonal.x, blurred.x);
-    gabor_impl_filter(y, pixel.diagonal.y, blurred.y);
-    gabor_impl_filter(z, pixel.diagonal.z, blurred.z);
+    GaborAxis unused;
+    gabor_impl_filter(x, pixel.diagonal.x, blurred.x, unused);
+    gabor_impl_filter(y, pixel.diagonal.y, blurred.y, unused);
+    gabor_impl_filter(z, pixel.diagonal.z, blurred.z, unused);
     float4 sum = (float4)(0.0), slopes = (float4)(0.0);
     for (int k = 0; k < 3; ++k) {
         float4 slice, slope;

@@ -1,7 +1,7 @@
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_filter_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl. Paste or include it after gabor_filter.wgsl. Paste or include it after gabor_noise_3d.wgsl.
-// Digest of the GLSL and of this file: 9b208e1d8fd4dcd8
+// Digest of the GLSL and of this file: 4f46ad9d3817e11b
 //
 //     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
 //
@@ -297,22 +297,22 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var m_4: GaborMatrix;
     var adjugate: GaborMatrix;
     var blurred_3: vec3<f32>;
-    var c_5: vec3<f32>;
-    var d_7: vec3<f32>;
+    var c_6: vec3<f32>;
+    var d_8: vec3<f32>;
     var pairs: vec3<f32>;
     var w_3: vec3<f32>;
     var x_18: GaborFilteredAxis;
     var y_15: GaborFilteredAxis;
     var z_8: GaborFilteredAxis;
-    var columns_4: GaborColumns;
-    var first_2: GaborFilteredLine;
+    var columns_5: GaborColumns;
+    var first_3: GaborFilteredLine;
     var slice_3: GaborFilteredLine;
-    var none: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
+    var none_1: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
     var local_44: i32;
-    var rows_2: i32;
+    var rows_3: i32;
     var local_45: i32;
     var slices: i32;
-    var value_11: vec2<f32> = vec2(0f);
+    var value_12: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
     var next_y_1: vec2<f32> = vec2(0f);
     var next_z: vec2<f32> = vec2(0f);
@@ -322,7 +322,10 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var y_2_2: GaborFactors;
     var row_9: GaborFilteredLine;
     var j_6: i32;
+    var edge_3: GaborFactors;
     var sum_26: GaborFactors;
+    var window_5: GaborFactors;
+    var along_z: GaborFactors;
     var real_3: vec3<f32>;
     var imaginary_3: vec3<f32>;
     var quarter_1: vec3<f32>;
@@ -341,16 +344,16 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e21 = blurred_3;
     let _e22 = gabor_impl_symmetric_3d(_e20, _e21);
     let _e23 = determinant_1;
-    c_5 = (_e22 / vec3(-(_e23)));
+    c_6 = (_e22 / vec3(-(_e23)));
     let _e28 = m_4;
     let _e30 = determinant_1;
     let _e32 = adjugate;
-    d_7 = sqrt(((_e28.diagonal * _e30) / _e32.diagonal));
-    let _e37 = d_7;
-    let _e39 = d_7;
+    d_8 = sqrt(((_e28.diagonal * _e30) / _e32.diagonal));
+    let _e37 = d_8;
+    let _e39 = d_8;
     pairs = sqrt((_e37.yzx * _e39.zxy));
     let _e45 = m_4;
-    let _e47 = d_7;
+    let _e47 = d_8;
     let _e52 = pairs;
     let _e57 = gabor_impl_adjugate(GaborMatrix((vec3(1f) + (_e45.diagonal / _e47)), (s.mixed / _e52)), (&determinant_1));
     adjugate = _e57;
@@ -358,29 +361,29 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e61 = pairs;
     let _e63 = adjugate;
     w_3 = (((157.91367f / _e59) * _e61) * _e63.mixed);
-    let _e70 = d_7;
-    let _e72 = c_5;
+    let _e70 = d_8;
+    let _e72 = c_6;
     let _e86 = gabor_impl_wave((wave.x / 1.5f));
     let _e87 = gabor_impl_filtered_axis(sqrt(s.diagonal.x), _e70.x, _e72.x, place.cell.x, place.local.x, place.period.x, salt, _e86);
     x_18 = _e87;
-    let _e92 = d_7;
-    let _e94 = c_5;
+    let _e92 = d_8;
+    let _e94 = c_6;
     let _e110 = gabor_impl_wave((wave.y / 1.5f));
     let _e111 = gabor_impl_filtered_axis(sqrt(s.diagonal.y), _e92.y, _e94.y, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), _e110);
     y_15 = _e111;
-    let _e116 = d_7;
-    let _e118 = c_5;
+    let _e116 = d_8;
+    let _e118 = c_6;
     let _e134 = gabor_impl_wave((wave.z / 1.5f));
     let _e135 = gabor_impl_filtered_axis(sqrt(s.diagonal.z), _e116.z, _e118.z, place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), _e134);
     z_8 = _e135;
     let _e137 = x_18;
     let _e138 = gabor_impl_columns(_e137);
-    columns_4 = _e138;
+    columns_5 = _e138;
     let _e140 = y_15;
     let _e141 = y_15;
     let _e144 = y_15;
     let _e149 = gabor_impl_line_before(_e140, vec2<f32>(_e141.back.x, -(_e144.back.y)));
-    first_2 = _e149;
+    first_3 = _e149;
     let _e151 = z_8;
     let _e152 = x_18;
     let _e154 = y_15;
@@ -395,7 +398,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
         local_44 = 0i;
     }
     let _e180 = local_44;
-    rows_2 = _e180;
+    rows_3 = _e180;
     if wanted {
         let _e182 = z_8;
         local_45 = _e182.count;
@@ -414,13 +417,13 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
             let _e207 = gabor_impl_fade(_e205, _e206);
             let _e208 = gabor_impl_next_line(_e202, _e203, _e204, _e207);
             slice_3 = _e208;
-            let _e209 = none;
+            let _e209 = none_1;
             y_0_2 = _e209;
-            let _e211 = none;
+            let _e211 = none_1;
             y_1_2 = _e211;
-            let _e213 = none;
+            let _e213 = none_1;
             y_2_2 = _e213;
-            let _e215 = first_2;
+            let _e215 = first_3;
             row_9 = _e215;
             j_6 = 0i;
             loop {
@@ -433,142 +436,148 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
                     let _e224 = gabor_impl_fade(_e222, _e223);
                     let _e225 = gabor_impl_next_line(_e219, _e220, _e221, _e224);
                     row_9 = _e225;
-                    let _e226 = columns_4;
-                    let _e227 = row_9;
-                    let _e229 = slice_3;
-                    let _e231 = gabor_impl_slice_word(_e227.word, _e229.word);
-                    let _e233 = gabor_impl_filtered_row(_e226, _e231, place.time);
-                    sum_26 = _e233;
-                    let _e235 = y_0_2;
-                    let _e236 = sum_26;
-                    let _e237 = row_9;
-                    let _e241 = row_9;
-                    let _e245 = gabor_impl_plus_product(_e235, _e236, _e237.window.real.x, _e241.window.imaginary.x);
-                    y_0_2 = _e245;
-                    let _e246 = y_1_2;
-                    let _e247 = sum_26;
-                    let _e248 = row_9;
-                    let _e252 = row_9;
-                    let _e256 = gabor_impl_plus_product(_e246, _e247, _e248.window.real.y, _e252.window.imaginary.y);
-                    y_1_2 = _e256;
-                    let _e257 = y_2_2;
-                    let _e258 = sum_26;
-                    let _e259 = row_9;
-                    let _e263 = row_9;
-                    let _e267 = gabor_impl_plus_product(_e257, _e258, _e259.window.real.z, _e263.window.imaginary.z);
+                    let _e227 = columns_5;
+                    let _e228 = row_9;
+                    let _e230 = slice_3;
+                    let _e232 = gabor_impl_slice_word(_e228.word, _e230.word);
+                    let _e236 = gabor_impl_filtered_row(_e227, _e232, place.time, (&edge_3));
+                    sum_26 = _e236;
+                    let _e238 = row_9;
+                    let _e239 = gabor_impl_faded(_e238);
+                    window_5 = _e239;
+                    let _e241 = y_0_2;
+                    let _e242 = sum_26;
+                    let _e243 = window_5;
+                    let _e246 = window_5;
+                    let _e249 = gabor_impl_plus_product(_e241, _e242, _e243.real.x, _e246.imaginary.x);
+                    y_0_2 = _e249;
+                    let _e250 = y_1_2;
+                    let _e251 = sum_26;
+                    let _e252 = window_5;
+                    let _e255 = window_5;
+                    let _e258 = gabor_impl_plus_product(_e250, _e251, _e252.real.y, _e255.imaginary.y);
+                    y_1_2 = _e258;
+                    let _e259 = y_2_2;
+                    let _e260 = sum_26;
+                    let _e261 = window_5;
+                    let _e264 = window_5;
+                    let _e267 = gabor_impl_plus_product(_e259, _e260, _e261.real.z, _e264.imaginary.z);
                     y_2_2 = _e267;
                 }
                 let _e268 = j_6;
                 let _e270 = (_e268 + 1i);
                 j_6 = _e270;
-                let _e271 = rows_2;
+                let _e271 = rows_3;
                 if !((_e270 < _e271)) {
                     break;
                 }
             }
-            let _e274 = value_11;
-            let _e275 = y_0_2;
-            let _e276 = y_1_2;
-            let _e277 = y_2_2;
-            let _e278 = slice_3;
-            let _e280 = w_3;
-            let _e281 = gabor_impl_contracted_3d(_e275, _e276, _e277, _e278.window, _e280);
-            value_11 = (_e274 + _e281);
-            let _e283 = next_x_1;
-            let _e284 = y_0_2;
-            let _e285 = gabor_impl_next(_e284);
-            let _e286 = y_1_2;
+            let _e274 = slice_3;
+            let _e275 = gabor_impl_faded(_e274);
+            along_z = _e275;
+            let _e277 = value_12;
+            let _e278 = y_0_2;
+            let _e279 = y_1_2;
+            let _e280 = y_2_2;
+            let _e281 = along_z;
+            let _e282 = w_3;
+            let _e283 = gabor_impl_contracted_3d(_e278, _e279, _e280, _e281, _e282);
+            value_12 = (_e277 + _e283);
+            let _e285 = next_x_1;
+            let _e286 = y_0_2;
             let _e287 = gabor_impl_next(_e286);
-            let _e288 = y_2_2;
+            let _e288 = y_1_2;
             let _e289 = gabor_impl_next(_e288);
-            let _e290 = slice_3;
-            let _e292 = w_3;
-            let _e293 = gabor_impl_contracted_3d(_e285, _e287, _e289, _e290.window, _e292);
-            next_x_1 = (_e283 + _e293);
-            let _e295 = next_y_1;
-            let _e296 = y_1_2;
-            let _e297 = y_2_2;
-            let _e298 = none;
-            let _e299 = slice_3;
+            let _e290 = y_2_2;
+            let _e291 = gabor_impl_next(_e290);
+            let _e292 = along_z;
+            let _e293 = w_3;
+            let _e294 = gabor_impl_contracted_3d(_e287, _e289, _e291, _e292, _e293);
+            next_x_1 = (_e285 + _e294);
+            let _e296 = next_y_1;
+            let _e297 = y_1_2;
+            let _e298 = y_2_2;
+            let _e299 = none_1;
+            let _e300 = along_z;
             let _e301 = w_3;
-            let _e302 = gabor_impl_contracted_3d(_e296, _e297, _e298, _e299.window, _e301);
-            next_y_1 = (_e295 + _e302);
+            let _e302 = gabor_impl_contracted_3d(_e297, _e298, _e299, _e300, _e301);
+            next_y_1 = (_e296 + _e302);
             let _e304 = next_z;
             let _e305 = y_0_2;
             let _e306 = y_1_2;
             let _e307 = y_2_2;
-            let _e308 = slice_3;
-            let _e310 = gabor_impl_next(_e308.window);
-            let _e311 = w_3;
-            let _e312 = gabor_impl_contracted_3d(_e305, _e306, _e307, _e310, _e311);
-            next_z = (_e304 + _e312);
+            let _e308 = along_z;
+            let _e309 = gabor_impl_next(_e308);
+            let _e310 = w_3;
+            let _e311 = gabor_impl_contracted_3d(_e305, _e306, _e307, _e309, _e310);
+            next_z = (_e304 + _e311);
         }
-        let _e314 = k_2;
-        let _e316 = (_e314 + 1i);
-        k_2 = _e316;
-        let _e317 = slices;
-        if !((_e316 < _e317)) {
+        let _e313 = k_2;
+        let _e315 = (_e313 + 1i);
+        k_2 = _e315;
+        let _e316 = slices;
+        if !((_e315 < _e316)) {
             break;
         }
     }
-    let _e320 = next_x_1;
-    let _e322 = next_y_1;
-    let _e324 = next_z;
-    real_3 = vec3<f32>(_e320.x, _e322.x, _e324.x);
-    let _e328 = next_x_1;
-    let _e330 = next_y_1;
-    let _e332 = next_z;
-    imaginary_3 = vec3<f32>(_e328.y, _e330.y, _e332.y);
-    let _e337 = d_7;
-    quarter_1 = (vec3(0.012665148f) / _e337);
-    let _e341 = real_3;
-    let _e342 = c_5;
-    let _e344 = value_11;
-    let _e347 = quarter_1;
-    let _e350 = w_3;
-    let _e352 = real_3;
-    let _e353 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e350), _e352);
-    real_3 = (_e341 + (((wave + _e342) * _e344.x) + (_e347 * _e353)));
-    let _e357 = imaginary_3;
-    let _e358 = c_5;
-    let _e360 = value_11;
-    let _e363 = quarter_1;
-    let _e366 = w_3;
-    let _e368 = imaginary_3;
-    let _e369 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e366), _e368);
-    imaginary_3 = (_e357 + (((wave + _e358) * _e360.y) + (_e363 * _e369)));
-    let _e374 = c_5;
-    let _e376 = blurred_3;
-    let _e378 = d_7;
-    let _e379 = c_5;
-    let _e380 = c_5;
-    exponent_2 = (19.739208f * (dot((wave + _e374), _e376) + dot(_e378, (_e379 * _e380))));
-    let _e387 = determinant_1;
+    let _e319 = next_x_1;
+    let _e321 = next_y_1;
+    let _e323 = next_z;
+    real_3 = vec3<f32>(_e319.x, _e321.x, _e323.x);
+    let _e327 = next_x_1;
+    let _e329 = next_y_1;
+    let _e331 = next_z;
+    imaginary_3 = vec3<f32>(_e327.y, _e329.y, _e331.y);
+    let _e336 = d_8;
+    quarter_1 = (vec3(0.012665148f) / _e336);
+    let _e340 = real_3;
+    let _e341 = c_6;
+    let _e343 = value_12;
+    let _e346 = quarter_1;
+    let _e349 = w_3;
+    let _e351 = real_3;
+    let _e352 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e349), _e351);
+    real_3 = (_e340 + (((wave + _e341) * _e343.x) + (_e346 * _e352)));
+    let _e356 = imaginary_3;
+    let _e357 = c_6;
+    let _e359 = value_12;
+    let _e362 = quarter_1;
+    let _e365 = w_3;
+    let _e367 = imaginary_3;
+    let _e368 = gabor_impl_symmetric_3d(GaborMatrix(vec3(0f), _e365), _e367);
+    imaginary_3 = (_e356 + (((wave + _e357) * _e359.y) + (_e362 * _e368)));
+    let _e373 = c_6;
+    let _e375 = blurred_3;
+    let _e377 = d_8;
+    let _e378 = c_6;
+    let _e379 = c_6;
+    exponent_2 = (19.739208f * (dot((wave + _e373), _e375) + dot(_e377, (_e378 * _e379))));
+    let _e386 = determinant_1;
     if false {
         local_46 = 1f;
     } else {
         local_46 = 1.125f;
     }
-    let _e398 = local_46;
-    let _e401 = exponent_2;
-    scale_3 = (sqrt(((8f / _e387) / _e398)) * exp(-(_e401)));
-    let _e406 = scale_3;
+    let _e397 = local_46;
+    let _e400 = exponent_2;
+    scale_3 = (sqrt(((8f / _e386) / _e397)) * exp(-(_e400)));
+    let _e405 = scale_3;
     if false {
         local_47 = 1f;
     } else {
         local_47 = 1.125f;
     }
-    let _e417 = local_47;
-    scale_3 = (_e406 / (1459955300000000000000000000f * _e417));
-    let _e420 = scale_3;
-    let _e421 = value_11;
-    let _e425 = scale_3;
-    let _e427 = real_3;
-    let _e429 = scale_3;
-    let _e430 = value_11;
-    let _e435 = scale_3;
-    let _e437 = imaginary_3;
-    return GaborField3d((_e420 * _e421.y), ((6.2831855f * _e425) * _e427), (_e429 * _e430.x), ((-6.2831855f * _e435) * _e437), 0f);
+    let _e416 = local_47;
+    scale_3 = (_e405 / (1459955300000000000000000000f * _e416));
+    let _e419 = scale_3;
+    let _e420 = value_12;
+    let _e424 = scale_3;
+    let _e426 = real_3;
+    let _e428 = scale_3;
+    let _e429 = value_12;
+    let _e434 = scale_3;
+    let _e436 = imaginary_3;
+    return GaborField3d((_e419 * _e420.y), ((6.2831855f * _e424) * _e426), (_e428 * _e429.x), ((-6.2831855f * _e434) * _e436), 0f);
 }
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
@@ -583,7 +592,7 @@ fn gabor_impl_pixel(dx: vec3<f32>, dy: vec3<f32>, stretch: vec3<f32>) -> GaborPi
     var dy_7: vec3<f32>;
     var twice_1: vec2<f32>;
     var cosine_1: f32;
-    var turn_15: vec2<f32>;
+    var turn_14: vec2<f32>;
 
     dx_7 = dx;
     dy_7 = dy;
@@ -602,19 +611,19 @@ fn gabor_impl_pixel(dx: vec3<f32>, dy: vec3<f32>, stretch: vec3<f32>) -> GaborPi
     let _e37 = twice_1;
     cosine_1 = (_e35.x / max(length(_e37), 0.000000000000000000000000000001f));
     let _e48 = cosine_1;
-    turn_15 = sqrt(max((vec2(0.5f) + (vec2<f32>(0.5f, -0.5f) * _e48)), vec2(0f)));
+    turn_14 = sqrt(max((vec2(0.5f) + (vec2<f32>(0.5f, -0.5f) * _e48)), vec2(0f)));
     let _e57 = twice_1;
     if (_e57.y < 0f) {
-        let _e62 = turn_15;
-        turn_15.y = -(_e62.y);
+        let _e62 = turn_14;
+        turn_14.y = -(_e62.y);
     }
-    let _e65 = turn_15;
+    let _e65 = turn_14;
     let _e67 = dx_7;
-    let _e69 = turn_15;
+    let _e69 = turn_14;
     let _e71 = dy_7;
-    let _e74 = turn_15;
+    let _e74 = turn_14;
     let _e76 = dy_7;
-    let _e78 = turn_15;
+    let _e78 = turn_14;
     let _e80 = dx_7;
     return GaborPixelAxes(((_e65.x * _e67) + (_e69.y * _e71)), ((_e74.x * _e76) - (_e78.y * _e80)));
 }
@@ -648,17 +657,17 @@ fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
 
 // The share of a lobe's variance that a pixel's filter keeps.
 fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
-    var d_8: vec2<f32>;
+    var d_9: vec2<f32>;
     var k_3: vec2<f32>;
 
     let _e2 = gabor_impl_spread(pixel);
-    d_8 = _e2;
+    d_9 = _e2;
     k_3 = vec2<f32>(dot(wave, pixel.major), dot(wave, pixel.minor));
     let _e11 = k_3;
     let _e12 = k_3;
-    let _e15 = d_8;
-    let _e24 = d_8;
-    let _e26 = d_8;
+    let _e15 = d_9;
+    let _e24 = d_9;
+    let _e26 = d_9;
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
@@ -668,8 +677,9 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
     var x_19: GaborAxis;
     var y_16: GaborAxis;
     var z_9: GaborAxis;
-    var turn_16: vec2<f32>;
+    var turn_15: vec2<f32>;
     var blurred_4: vec3<f32>;
+    var unused: GaborAxis;
     var sum_27: vec4<f32> = vec4(0f);
     var slopes_4: vec4<f32> = vec4(0f);
     var k_4: i32 = 0i;
@@ -689,66 +699,66 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
     let _e58 = z_9;
     let _e60 = z_9;
     let _e64 = gabor_impl_wave((((_e47.turns * _e49.offset) + (_e52.turns * _e54.offset)) + (_e58.turns * _e60.offset)));
-    turn_16 = _e64;
+    turn_15 = _e64;
     let _e66 = gabor_impl_symmetric_3d(pixel, wave);
     blurred_4 = _e66;
-    let _e71 = blurred_4;
-    gabor_impl_filter((&x_19), pixel.diagonal.x, _e71.x);
-    let _e77 = blurred_4;
-    gabor_impl_filter((&y_16), pixel.diagonal.y, _e77.y);
-    let _e83 = blurred_4;
-    gabor_impl_filter((&z_9), pixel.diagonal.z, _e83.z);
+    let _e72 = blurred_4;
+    gabor_impl_filter((&x_19), pixel.diagonal.x, _e72.x, (&unused));
+    let _e80 = blurred_4;
+    gabor_impl_filter((&y_16), pixel.diagonal.y, _e80.y, (&unused));
+    let _e88 = blurred_4;
+    gabor_impl_filter((&z_9), pixel.diagonal.z, _e88.z, (&unused));
     loop {
-        let _e94 = k_4;
-        if !((_e94 < 3i)) {
+        let _e101 = k_4;
+        if !((_e101 < 3i)) {
             break;
         }
         {
-            let _e103 = x_19;
-            let _e104 = y_16;
-            let _e105 = z_9;
-            let _e106 = k_4;
-            gabor_impl_sum_slice(_e103, _e104, _e105, _e106, place.time, (&slice_4), (&slope_11));
-            let _e113 = slice_4;
-            let _e114 = k_4;
-            let _e117 = z_9.node[_e114];
-            gabor_impl_add_products((&sum_27), _e113, _e117.xy);
-            let _e120 = slopes_4;
-            let _e121 = slope_11;
-            let _e123 = k_4;
-            let _e126 = z_9.node[_e123];
-            let _e128 = gabor_impl_product(_e121.xy, _e126.xy);
-            let _e129 = slice_4;
-            let _e131 = k_4;
-            let _e134 = z_9.node[_e131];
-            let _e136 = gabor_impl_product(_e129.xy, _e134.zw);
-            slopes_4 = (_e120 + vec4<f32>(_e128.x, _e128.y, _e136.x, _e136.y));
-            let _e143 = sum_27;
-            let _e145 = sum_27;
-            let _e149 = slope_11;
-            let _e154 = slice_4;
-            let _e158 = k_4;
-            let _e161 = z_9.node[_e158];
-            let _e163 = gabor_impl_product(((pixel.mixed.x * _e149.xy) + (pixel.mixed.y * _e154.zw)), _e161.zw);
-            let _e166 = slope_11;
-            let _e168 = k_4;
-            let _e171 = z_9.node[_e168];
-            let _e173 = gabor_impl_product(_e166.zw, _e171.xy);
-            let _e176 = (_e145.xy + (_e163 + (pixel.mixed.z * _e173)));
-            sum_27.x = _e176.x;
-            sum_27.y = _e176.y;
+            let _e110 = x_19;
+            let _e111 = y_16;
+            let _e112 = z_9;
+            let _e113 = k_4;
+            gabor_impl_sum_slice(_e110, _e111, _e112, _e113, place.time, (&slice_4), (&slope_11));
+            let _e120 = slice_4;
+            let _e121 = k_4;
+            let _e124 = z_9.node[_e121];
+            gabor_impl_add_products((&sum_27), _e120, _e124.xy);
+            let _e127 = slopes_4;
+            let _e128 = slope_11;
+            let _e130 = k_4;
+            let _e133 = z_9.node[_e130];
+            let _e135 = gabor_impl_product(_e128.xy, _e133.xy);
+            let _e136 = slice_4;
+            let _e138 = k_4;
+            let _e141 = z_9.node[_e138];
+            let _e143 = gabor_impl_product(_e136.xy, _e141.zw);
+            slopes_4 = (_e127 + vec4<f32>(_e135.x, _e135.y, _e143.x, _e143.y));
+            let _e150 = sum_27;
+            let _e152 = sum_27;
+            let _e156 = slope_11;
+            let _e161 = slice_4;
+            let _e165 = k_4;
+            let _e168 = z_9.node[_e165];
+            let _e170 = gabor_impl_product(((pixel.mixed.x * _e156.xy) + (pixel.mixed.y * _e161.zw)), _e168.zw);
+            let _e173 = slope_11;
+            let _e175 = k_4;
+            let _e178 = z_9.node[_e175];
+            let _e180 = gabor_impl_product(_e173.zw, _e178.xy);
+            let _e183 = (_e152.xy + (_e170 + (pixel.mixed.z * _e180)));
+            sum_27.x = _e183.x;
+            sum_27.y = _e183.y;
         }
         continuing {
-            let _e98 = k_4;
-            k_4 = (_e98 + 1i);
+            let _e105 = k_4;
+            k_4 = (_e105 + 1i);
         }
     }
-    let _e181 = sum_27;
-    let _e182 = slopes_4;
-    let _e185 = blurred_4;
-    let _e191 = turn_16;
-    let _e193 = gabor_impl_field_3d(_e181, _e182, (exp((-19.739208f * max(dot(wave, _e185), 0f))) * _e191), wave);
-    return _e193;
+    let _e188 = sum_27;
+    let _e189 = slopes_4;
+    let _e192 = blurred_4;
+    let _e198 = turn_15;
+    let _e200 = gabor_impl_field_3d(_e188, _e189, (exp((-19.739208f * max(dot(wave, _e192), 0f))) * _e198), wave);
+    return _e200;
 }
 
 // A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
@@ -763,29 +773,29 @@ struct GaborFilteredNode {
 
 fn gabor_impl_filtered_node_3d(node: GaborNode, variance: f32) -> GaborFilteredNode {
     var width_4: f32;
-    var t_9: f32;
-    var fade_6: f32;
+    var t_10: f32;
+    var fade_4: f32;
     var fall_2: f32;
-    var faded_2: f32;
+    var faded_4: f32;
 
     width_4 = clamp((0.5f * sqrt(variance)), 0.001f, 0.05f);
     let _e13 = width_4;
-    t_9 = clamp(((1f - abs(node.offset)) / _e13), 0f, 1f);
-    let _e19 = t_9;
-    let _e20 = t_9;
-    let _e24 = t_9;
-    fade_6 = ((_e19 * _e20) * (3f - (2f * _e24)));
-    let _e29 = fade_6;
+    t_10 = clamp(((1f - abs(node.offset)) / _e13), 0f, 1f);
+    let _e19 = t_10;
+    let _e20 = t_10;
+    let _e24 = t_10;
+    fade_4 = ((_e19 * _e20) * (3f - (2f * _e24)));
+    let _e29 = fade_4;
     fall_2 = (_e29 * exp((-4.934802f * variance)));
     let _e38 = width_4;
-    let _e40 = t_9;
-    let _e43 = t_9;
-    let _e49 = fade_6;
-    faded_2 = (((((-6f / _e38) * _e40) * (1f - _e43)) * sign(node.offset)) / max(_e49, 0.000001f));
-    let _e56 = fade_6;
+    let _e40 = t_10;
+    let _e43 = t_10;
+    let _e49 = fade_4;
+    faded_4 = (((((-6f / _e38) * _e40) * (1f - _e43)) * sign(node.offset)) / max(_e49, 0.000001f));
+    let _e56 = fade_4;
     let _e58 = fall_2;
     let _e63 = fall_2;
-    let _e66 = faded_2;
+    let _e66 = faded_4;
     return GaborFilteredNode(node.offset, (0.5f * _e56), (_e58 * (node.value - 0.5f)), (_e63 * node.slope), _e66);
 }
 
@@ -806,10 +816,10 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     var i_slope: vec3<f32>;
     var real_4: vec3<f32>;
     var imaginary_4: vec3<f32>;
-    var value_12: vec2<f32>;
+    var value_13: vec2<f32>;
     var slope_12: vec3<f32>;
     var turned_1: vec3<f32>;
-    var faded_3: vec3<f32>;
+    var faded_5: vec3<f32>;
 
     let _e8 = gabor_impl_amplitude_at(word, time);
     let _e10 = gabor_impl_wave(wave.w);
@@ -873,7 +883,7 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     let _e155 = real_4;
     let _e160 = a_9;
     let _e161 = gabor_impl_product(vec2<f32>((((_e135.x * _e137.x) - (_e140.x * _e142.x)) + _e146), ((_e148.x * _e150.x) + (_e153.x * _e155.x))), _e160);
-    value_12 = _e161;
+    value_13 = _e161;
     let _e163 = even_3;
     let _e164 = sine;
     let _e166 = real_4;
@@ -886,41 +896,41 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     let _e178 = i_slope;
     let _e179 = real_4;
     turned_1 = (((_e173 * _e174) * _e176) + (_e178 * _e179));
-    faded_3 = vec3<f32>(x.faded, y.faded, z.faded);
+    faded_5 = vec3<f32>(x.faded, y.faded, z.faded);
     let _e189 = (*sum);
-    let _e191 = value_12;
+    let _e191 = value_13;
     (*sum).noise = (_e189.noise + _e191.y);
     let _e195 = (*sum);
     let _e197 = slope_12;
     let _e198 = a_9;
     let _e201 = turned_1;
     let _e202 = a_9;
-    let _e206 = value_12;
-    let _e208 = faded_3;
-    let _e212 = value_12;
+    let _e206 = value_13;
+    let _e208 = faded_5;
+    let _e212 = value_13;
     (*sum).gradient = (_e195.gradient + ((((_e197 * _e198.y) + (_e201 * _e202.x)) + (_e206.y * _e208)) + ((6.2831855f * _e212.x) * wave.xyz)));
     let _e220 = (*sum);
-    let _e222 = value_12;
+    let _e222 = value_13;
     (*sum).quadrature = (_e220.quadrature + _e222.x);
     let _e226 = (*sum);
     let _e228 = slope_12;
     let _e229 = a_9;
     let _e232 = turned_1;
     let _e233 = a_9;
-    let _e237 = value_12;
-    let _e239 = faded_3;
-    let _e243 = value_12;
+    let _e237 = value_13;
+    let _e239 = faded_5;
+    let _e243 = value_13;
     (*sum).quadrature_gradient = (_e226.quadrature_gradient + ((((_e228 * _e229.x) - (_e232 * _e233.y)) + (_e237.x * _e239)) - ((6.2831855f * _e243.y) * wave.xyz)));
     return;
 }
 
 fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, scale: vec3<f32>, time: f32, pixel: GaborMatrix, tangents: GaborTangents, column: u32, row: vec4<u32>) {
-    var d_9: vec3<f32>;
+    var d_10: vec3<f32>;
     var star_4: GaborStar3d;
     var unit_6: vec4<f32>;
 
-    d_9 = (scale * vec3<f32>(x.offset, y.offset, z.offset));
-    let _e16 = d_9;
+    d_10 = (scale * vec3<f32>(x.offset, y.offset, z.offset));
+    let _e16 = d_10;
     let _e19 = gabor_impl_star_3d(tangents, _e16, (column * row.w));
     star_4 = _e19;
     unit_6 = vec4<f32>(scale.x, scale.y, scale.z, 1f);
@@ -945,11 +955,11 @@ fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFi
 // gabor_impl_spread. If q_1 is the larger, the mean of the exponential over the sphere is nearly the mean of
 // exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
 fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tangents: GaborTangents) -> f32 {
-    var d_10: vec2<f32>;
+    var d_11: vec2<f32>;
     var unit_7: vec2<f32>;
     var mean_2: f32;
     var a_10: vec2<f32>;
-    var b_9: vec2<f32>;
+    var b_10: vec2<f32>;
     var sum_32: f32;
     var apart_2: f32;
     var q_2: vec2<f32>;
@@ -957,27 +967,27 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
     var smaller_2: f32;
 
     let _e3 = gabor_impl_spread(pixel);
-    d_10 = _e3;
-    let _e10 = d_10;
+    d_11 = _e3;
+    let _e10 = d_11;
     unit_7 = (vec2(min(((9.869604f * frequency) * frequency), 1000000f)) / _e10);
     if tangents.only {
         {
             a_10 = vec2<f32>(dot(tangents.along, pixel.major), dot(tangents.along, pixel.minor));
-            b_9 = vec2<f32>(dot(tangents.across, pixel.major), dot(tangents.across, pixel.minor));
+            b_10 = vec2<f32>(dot(tangents.across, pixel.major), dot(tangents.across, pixel.minor));
             let _e32 = unit_7;
             let _e33 = a_10;
             let _e34 = a_10;
-            let _e36 = b_9;
-            let _e37 = b_9;
+            let _e36 = b_10;
+            let _e37 = b_10;
             sum_32 = dot(_e32, ((_e33 * _e34) + (_e36 * _e37)));
             let _e42 = unit_7;
             let _e43 = a_10;
             let _e44 = a_10;
-            let _e46 = b_9;
-            let _e47 = b_9;
+            let _e46 = b_10;
+            let _e47 = b_10;
             let _e52 = unit_7;
             let _e53 = a_10;
-            let _e54 = b_9;
+            let _e54 = b_10;
             apart_2 = length(vec2<f32>(dot(_e42, ((_e43 * _e44) - (_e46 * _e47))), (2f * dot(_e52, (_e53 * _e54)))));
             let _e62 = apart_2;
             let _e63 = sum_32;
@@ -1009,8 +1019,8 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
         }
     }
     let _e132 = mean_2;
-    let _e133 = d_10;
-    let _e135 = d_10;
+    let _e133 = d_11;
+    let _e135 = d_11;
     return (_e132 * inverseSqrt((_e133.x * _e135.y)));
 }
 

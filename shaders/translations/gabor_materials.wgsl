@@ -1,7 +1,7 @@
 // gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
 //
 // Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl. Paste or include it after gabor_filter.wgsl.
-// Digest of the GLSL and of this file: d20c4b9c86b91530
+// Digest of the GLSL and of this file: 75ca09f63ba65e1f
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -202,7 +202,7 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var thick: vec2<f32>;
     var inside: vec2<f32>;
     var crest: vec2<f32>;
-    var first_1: bool;
+    var first_2: bool;
     var top: f32;
     var local_31: vec3<f32>;
     var tone_1: vec3<f32>;
@@ -218,7 +218,7 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var height_2: f32;
     var cords: f32;
     var damped: f32;
-    var turn_12: f32;
+    var turn_11: f32;
     var cord: f32;
 
     let _e5 = gabor_impl_repeated(pixel, fabric.threads, 2f);
@@ -281,11 +281,11 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     crest = ((((_e126 * sqrt(max(_e127, vec2(0f)))) - vec2(1f)) + (((0.55f * _e137) * cos((3.1415927f * _e140.yx))) * vec2<f32>(1f, -1f))) - select(vec2(0f), vec2(1f), (_e151 < vec2(0f))));
     let _e162 = crest;
     let _e164 = crest;
-    first_1 = (_e162.x > _e164.y);
+    first_2 = (_e162.x > _e164.y);
     let _e168 = crest;
     let _e170 = crest;
     top = max(max(_e168.x, _e170.y), -1.3f);
-    let _e177 = first_1;
+    let _e177 = first_2;
     if _e177 {
         let _e178 = upright;
         local_31 = _e178;
@@ -295,7 +295,7 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     }
     let _e181 = local_31;
     tone_1 = _e181;
-    let _e183 = first_1;
+    let _e183 = first_2;
     if _e183 {
         let _e184 = upright_fibre;
         local_32 = _e184;
@@ -321,7 +321,7 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e231 = top;
     let _e233 = kept_2;
     light = mix((0.8572f + (_e220 * (0.005f + (0.0083f * _e223)))), smoothstep(-1.3f, 0.5f, _e231), _e233);
-    let _e237 = first_1;
+    let _e237 = first_2;
     if _e237 {
         local_33 = 1f;
     } else {
@@ -362,13 +362,13 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
             damped = exp(-(min((((4.934802f * _e307) * _e309) * ((_e311.dx.x * _e314.dx.x) + (_e318.dy.x * _e321.dy.x))), 20f)));
             let _e333 = cords;
             let _e334 = cloth;
-            turn_12 = (6.2831855f * fract((_e333 * _e334.p.x)));
+            turn_11 = (6.2831855f * fract((_e333 * _e334.p.x)));
             let _e342 = damped;
-            let _e344 = turn_12;
+            let _e344 = turn_11;
             let _e348 = damped;
             let _e350 = damped;
             let _e352 = damped;
-            let _e355 = turn_12;
+            let _e355 = turn_11;
             cord = (0.625f - (_e342 * ((0.5f * cos(_e344)) + ((((0.125f * _e348) * _e350) * _e352) * cos((2f * _e355))))));
             let _e363 = colour_2;
             let _e366 = cord;
@@ -422,7 +422,7 @@ fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabo
     var tone_2: vec3<f32>;
     var powers: vec2<f32>;
     var a_7: vec2<f32>;
-    var b_9: vec2<f32>;
+    var b_10: vec2<f32>;
     var cells: f32;
     var shares: vec2<f32>;
     var kept_3: f32;
@@ -466,11 +466,11 @@ fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabo
     a_7 = (_e70.xy * inverseSqrt((_e72.x + 0.12f)));
     let _e79 = other_1;
     let _e81 = powers;
-    b_9 = (_e79.xy * inverseSqrt((_e81.y + 0.12f)));
+    b_10 = (_e79.xy * inverseSqrt((_e81.y + 0.12f)));
     let _e88 = a_7;
-    let _e90 = b_9;
+    let _e90 = b_10;
     let _e93 = a_7;
-    let _e94 = b_9;
+    let _e94 = b_10;
     let _e95 = gabor_impl_product(_e93, _e94);
     cells = ((_e88.x + _e90.x) + _e95.x);
     let _e99 = powers;
@@ -938,7 +938,7 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
     var whole_2: f32 = 1f;
     var height_7: f32 = 0f;
     var size_1: f32 = 1f;
-    var turn_13: f32 = 0.0955f;
+    var turn_12: f32 = 0.0955f;
     var threshold_2: f32;
     var i_11: i32 = 0i;
     var turned_1: GaborPixel;
@@ -953,7 +953,7 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
             break;
         }
         {
-            let _e30 = turn_13;
+            let _e30 = turn_12;
             let _e35 = gabor_impl_turned(pixel, (scratches.direction + (scratches.spread * (_e30 - 0.5f))));
             turned_1 = _e35;
             let _e37 = turned_1;
@@ -989,8 +989,8 @@ fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -
             height_7 = (_e96 - ((scratches.depth * _e98) * _e100));
             let _e103 = size_1;
             size_1 = (_e103 * 0.9138315f);
-            let _e106 = turn_13;
-            turn_13 = fract((_e106 + 0.763932f));
+            let _e106 = turn_12;
+            turn_12 = fract((_e106 + 0.763932f));
         }
         continuing {
             let _e25 = i_11;
@@ -1244,8 +1244,8 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
     var within_2: vec2<f32>;
-    var turn_14: f32;
-    var first_2: bool;
+    var turn_13: f32;
+    var first_3: bool;
     var local_34: vec3<f32>;
     var fibre_2: vec3<f32>;
     var local_35: vec2<f32>;
@@ -1283,10 +1283,10 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     within_2 = ((_e41 * _e42.p) - _e45);
     let _e50 = tow;
     let _e52 = tow;
-    turn_14 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
-    let _e63 = turn_14;
-    first_2 = (_e63 < 1.5f);
-    let _e67 = first_2;
+    turn_13 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
+    let _e63 = turn_13;
+    first_3 = (_e63 < 1.5f);
+    let _e67 = first_3;
     if _e67 {
         let _e68 = upright_1;
         local_34 = _e68;
@@ -1296,7 +1296,7 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     }
     let _e71 = local_34;
     fibre_2 = _e71;
-    let _e73 = first_2;
+    let _e73 = first_3;
     if _e73 {
         let _e74 = within_2;
         local_35 = _e74.yx;
@@ -1307,7 +1307,7 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     let _e78 = local_35;
     along_across = _e78;
     let _e81 = along_across;
-    let _e84 = turn_14;
+    let _e84 = turn_13;
     if (fract(((0.5f * _e84) + 0.25f)) < 0.5f) {
         local_36 = 0f;
     } else {
@@ -1589,24 +1589,24 @@ fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f
 // Displaces p by two noises, and changes dx and dy accordingly.
 fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
     var field_11: GaborField;
-    var along_x_2: vec2<f32>;
-    var along_y_2: vec2<f32>;
+    var along_x_3: vec2<f32>;
+    var along_y_3: vec2<f32>;
 
     let _e4 = gabor_impl_place(pixel, density);
     let _e7 = gabor_field(_e4, vec2(0f), seed);
     field_11 = _e7;
     let _e11 = field_11;
     let _e14 = field_11;
-    along_x_2 = ((amplitude * density.x) * vec2<f32>(_e11.quadrature_gradient.x, _e14.gradient.x));
+    along_x_3 = ((amplitude * density.x) * vec2<f32>(_e11.quadrature_gradient.x, _e14.gradient.x));
     let _e22 = field_11;
     let _e25 = field_11;
-    along_y_2 = ((amplitude * density.y) * vec2<f32>(_e22.quadrature_gradient.y, _e25.gradient.y));
+    along_y_3 = ((amplitude * density.y) * vec2<f32>(_e22.quadrature_gradient.y, _e25.gradient.y));
     let _e32 = field_11;
     let _e34 = field_11;
-    let _e42 = along_x_2;
-    let _e47 = along_y_2;
-    let _e53 = along_x_2;
-    let _e58 = along_y_2;
+    let _e42 = along_x_3;
+    let _e47 = along_y_3;
+    let _e53 = along_x_3;
+    let _e58 = along_y_3;
     return GaborPixel((pixel.p + (amplitude * vec2<f32>(_e32.quadrature, _e34.noise))), ((pixel.dx + (pixel.dx.x * _e42)) + (pixel.dx.y * _e47)), ((pixel.dy + (pixel.dy.x * _e53)) + (pixel.dy.y * _e58)), pixel.filtered, pixel.period);
 }
 
@@ -1615,7 +1615,7 @@ fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, 
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
 fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
-    var turn_11: vec2<f32>;
+    var turn_10: vec2<f32>;
     var x_13: vec2<f32>;
     var y_9: vec2<f32>;
     var period_6: vec2<f32> = vec2(0f);
@@ -1630,15 +1630,15 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var other: vec2<f32>;
 
     let _e4 = gabor_impl_wave((0.15915494f * angle));
-    turn_11 = _e4;
-    let _e6 = turn_11;
+    turn_10 = _e4;
+    let _e6 = turn_10;
     x_13 = _e6;
-    let _e8 = turn_11;
-    let _e11 = turn_11;
+    let _e8 = turn_10;
+    let _e11 = turn_10;
     y_9 = vec2<f32>(-(_e8.y), _e11.x);
     if (pixel.period.x > 0f) {
         {
-            let _e23 = turn_11;
+            let _e23 = turn_10;
             whole = floor(((3f * normalize((_e23 / pixel.period))) + vec2(0.5f)));
             let _e33 = whole;
             size = abs(_e33);
@@ -1769,15 +1769,15 @@ fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
 // The integral of the square of a sawtooth that rises from 0 to 1.
 fn gabor_impl_rise_integral(x: f32) -> f32 {
     var turns_4: f32;
-    var t_9: f32;
+    var t_10: f32;
 
     turns_4 = floor(x);
     let _e3 = turns_4;
-    t_9 = (x - _e3);
+    t_10 = (x - _e3);
     let _e7 = turns_4;
-    let _e8 = t_9;
-    let _e9 = t_9;
-    let _e11 = t_9;
+    let _e8 = t_10;
+    let _e9 = t_10;
+    let _e11 = t_10;
     return (0.33333334f * (_e7 + ((_e8 * _e9) * _e11)));
 }
 
