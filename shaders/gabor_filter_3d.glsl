@@ -231,7 +231,7 @@ GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3 dx, vec3 dy, 
     GaborSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
-        vec3 wave = frequency * (i == 0 ? surface.direction : surface.other);
+        vec3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
         gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)), sqrt(power),
                                 vec3(1.0));

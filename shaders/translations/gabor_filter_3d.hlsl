@@ -247,7 +247,7 @@ GaborField3d gabor_field_surface_filtered(GaborPlace3d place, float3 dx, float3 
     GaborSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
-        float3 wave = frequency * (i == 0 ? surface.direction : surface.other);
+        float3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
         gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)), sqrt(power),
                                 (float3)(1.0));

@@ -232,7 +232,7 @@ GABOR_INLINE GaborField3d gabor_field_surface_filtered(GaborPlace3d place, gabor
     GaborSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = surface.second < 1.0f ? 0 : 1; i < (surface.second > 0.0f ? 2 : 1); ++i) {
-        gabor_vec3 wave = frequency * (i == 0 ? surface.direction : surface.other);
+        gabor_vec3 wave = gabor_cpp_abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0f - surface.second : surface.second);
         gabor_impl_add_field_3d(sum, gabor_field_3d_filtered(place, dx, dy, wave, gabor_lobe_seed(seed, i)), gabor_cpp_sqrt(power),
                                 gabor_vec3(1.0f));

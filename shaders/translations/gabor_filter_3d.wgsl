@@ -1,7 +1,7 @@
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_filter_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl. Paste or include it after gabor_filter.wgsl. Paste or include it after gabor_noise_3d.wgsl.
-// Digest of the GLSL and of this file: 4f46ad9d3817e11b
+// Digest of the GLSL and of this file: 319ca69f37cfac55
 //
 //     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
 //
@@ -130,41 +130,41 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32
             break;
         }
         {
-            let _e41 = i_13;
-            if (_e41 == 0i) {
-                let _e44 = surface_1;
-                local_50 = _e44.direction;
+            let _e42 = i_13;
+            if (_e42 == 0i) {
+                let _e45 = surface_1;
+                local_50 = _e45.direction;
             } else {
-                let _e46 = surface_1;
-                local_50 = _e46.other;
+                let _e47 = surface_1;
+                local_50 = _e47.other;
             }
-            let _e49 = local_50;
-            wave_27 = (frequency * _e49);
-            let _e52 = i_13;
-            if (_e52 == 0i) {
-                let _e56 = surface_1;
-                local_51 = (1f - _e56.second);
+            let _e50 = local_50;
+            wave_27 = (abs(frequency) * _e50);
+            let _e53 = i_13;
+            if (_e53 == 0i) {
+                let _e57 = surface_1;
+                local_51 = (1f - _e57.second);
             } else {
-                let _e59 = surface_1;
-                local_51 = _e59.second;
+                let _e60 = surface_1;
+                local_51 = _e60.second;
             }
-            let _e62 = local_51;
-            let _e63 = gabor_impl_takeover(_e62);
-            power_7 = _e63;
-            let _e66 = wave_27;
-            let _e67 = i_13;
-            let _e68 = gabor_lobe_seed(seed, _e67);
-            let _e69 = gabor_field_3d_filtered(place, dx, dy, _e66, _e68);
-            let _e70 = power_7;
-            gabor_impl_add_field_3d((&sum_29), _e69, sqrt(_e70), vec3(1f));
+            let _e63 = local_51;
+            let _e64 = gabor_impl_takeover(_e63);
+            power_7 = _e64;
+            let _e67 = wave_27;
+            let _e68 = i_13;
+            let _e69 = gabor_lobe_seed(seed, _e68);
+            let _e70 = gabor_field_3d_filtered(place, dx, dy, _e67, _e69);
+            let _e71 = power_7;
+            gabor_impl_add_field_3d((&sum_29), _e70, sqrt(_e71), vec3(1f));
         }
         continuing {
             let _e38 = i_13;
             i_13 = (_e38 + 1i);
         }
     }
-    let _e75 = sum_29;
-    return _e75;
+    let _e76 = sum_29;
+    return _e76;
 }
 
 // They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a

@@ -173,7 +173,7 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, gabor_vec3 wave, st
 }
 
 GABOR_INLINE float gabor_noise_3d(gabor_vec3 p, float frequency, gabor_vec3 direction, std::uint32_t seed) {
-    return gabor_field_3d(gabor_place_3d_at(p), frequency * gabor_impl_unit(direction), seed).noise;
+    return gabor_field_3d(gabor_place_3d_at(p), gabor_cpp_abs(frequency) * gabor_impl_unit(direction), seed).noise;
 }
 
 // The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
@@ -198,7 +198,7 @@ GABOR_INLINE GaborField3d gabor_field_surface(GaborPlace3d place, gabor_vec3 nor
     GaborSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     for (int i = surface.second < 1.0f ? 0 : 1; i < (surface.second > 0.0f ? 2 : 1); ++i) {
-        gabor_vec3 wave = frequency * (i == 0 ? surface.direction : surface.other);
+        gabor_vec3 wave = gabor_cpp_abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0f - surface.second : surface.second);
         gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_lobe_seed(seed, i)), gabor_cpp_sqrt(power), gabor_vec3(1.0f));
     }

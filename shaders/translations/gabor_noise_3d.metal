@@ -176,7 +176,7 @@ inline GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed) {
 }
 
 inline float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed) {
-    return gabor_field_3d(gabor_place_3d_at(p), frequency * gabor_impl_unit(direction), seed).noise;
+    return gabor_field_3d(gabor_place_3d_at(p), abs(frequency) * gabor_impl_unit(direction), seed).noise;
 }
 
 // The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
@@ -201,7 +201,7 @@ inline GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float
     GaborSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d{0.0, float3(0.0), 0.0, float3(0.0), 0.0};
     for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
-        float3 wave = frequency * (i == 0 ? surface.direction : surface.other);
+        float3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
         float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
         gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_lobe_seed(seed, i)), sqrt(power), float3(1.0));
     }

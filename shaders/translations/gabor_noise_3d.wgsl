@@ -2,7 +2,7 @@
 // distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_noise_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: d286ab876b962c22
+// Digest of the GLSL and of this file: 2da48cdda79e097b
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);   // 2 cycles per kernel radius, seed 7
 //
@@ -71,9 +71,9 @@ struct GaborField3d {
 // Noise with one wave vector, and continuous first derivatives.
 fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     let _e4 = gabor_place_3d_at(p);
-    let _e5 = gabor_impl_unit(direction);
-    let _e7 = gabor_field_3d(_e4, (frequency * _e5), seed);
-    return _e7.noise;
+    let _e6 = gabor_impl_unit(direction);
+    let _e8 = gabor_field_3d(_e4, (abs(frequency) * _e6), seed);
+    return _e8.noise;
 }
 
 fn gabor_field_3d(place: GaborPlace3d, wave: vec3<f32>, seed: u32) -> GaborField3d {
@@ -203,41 +203,41 @@ fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, d
             break;
         }
         {
-            let _e39 = i;
-            if (_e39 == 0i) {
-                let _e42 = surface;
-                local_18 = _e42.direction;
+            let _e40 = i;
+            if (_e40 == 0i) {
+                let _e43 = surface;
+                local_18 = _e43.direction;
             } else {
-                let _e44 = surface;
-                local_18 = _e44.other;
+                let _e45 = surface;
+                local_18 = _e45.other;
             }
-            let _e47 = local_18;
-            wave_8 = (frequency * _e47);
-            let _e50 = i;
-            if (_e50 == 0i) {
-                let _e54 = surface;
-                local_19 = (1f - _e54.second);
+            let _e48 = local_18;
+            wave_8 = (abs(frequency) * _e48);
+            let _e51 = i;
+            if (_e51 == 0i) {
+                let _e55 = surface;
+                local_19 = (1f - _e55.second);
             } else {
-                let _e57 = surface;
-                local_19 = _e57.second;
+                let _e58 = surface;
+                local_19 = _e58.second;
             }
-            let _e60 = local_19;
-            let _e61 = gabor_impl_takeover(_e60);
-            power_1 = _e61;
-            let _e64 = wave_8;
-            let _e65 = i;
-            let _e66 = gabor_lobe_seed(seed, _e65);
-            let _e67 = gabor_field_3d(place, _e64, _e66);
-            let _e68 = power_1;
-            gabor_impl_add_field_3d((&sum_11), _e67, sqrt(_e68), vec3(1f));
+            let _e61 = local_19;
+            let _e62 = gabor_impl_takeover(_e61);
+            power_1 = _e62;
+            let _e65 = wave_8;
+            let _e66 = i;
+            let _e67 = gabor_lobe_seed(seed, _e66);
+            let _e68 = gabor_field_3d(place, _e65, _e67);
+            let _e69 = power_1;
+            gabor_impl_add_field_3d((&sum_11), _e68, sqrt(_e69), vec3(1f));
         }
         continuing {
             let _e36 = i;
             i = (_e36 + 1i);
         }
     }
-    let _e73 = sum_11;
-    return _e73;
+    let _e74 = sum_11;
+    return _e74;
 }
 
 // Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
