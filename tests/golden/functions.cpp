@@ -29,10 +29,13 @@
 #include "gabor_direction.hpp"
 #elif defined GOLDEN_NOISE_3D
 #include "gabor_filter.hpp"
+
 #include "gabor_noise_3d.hpp"
+
 #include "gabor_filter_3d.hpp"
 #elif defined GOLDEN_SPECTRUM || defined GOLDEN_MATERIALS
 #include "gabor_spectrum.hpp"
+
 #include "gabor_filter.hpp"
 #endif
 #if defined GOLDEN_MATERIALS
