@@ -148,7 +148,7 @@ class Snippets(unittest.TestCase):
     def translated(self, number, text, ending):
         """Returns a snippet's translation without the header, or the reason of the refusal."""
         name = f"snippet{number}"
-        translate.DROP_INS[name], translate.TEXTURES[name] = None, self.folder / f"{name}.glsl"
+        translate.DROP_INS[name], translate.TEXTURES[name] = [], self.folder / f"{name}.glsl"
         translate.TEXTURES[name].write_text(snippet(text, number))
         try:
             if ending == "wgsl":
@@ -323,7 +323,7 @@ class Program(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             path = pathlib.Path(folder) / "gap.glsl"
             path.write_text("#define GABOR_TAPS 3\nfloat gap_a(float x) { return x; }\n#if GABOR_TAPS == 2\nfloat gap_b(float x) { return x; }\n#endif\n")
-            translate.DROP_INS["gap"], translate.TEXTURES["gap"] = None, path
+            translate.DROP_INS["gap"], translate.TEXTURES["gap"] = [], path
             with self.assertRaisesRegex(glsl.Refused, "gap.glsl:4: gap_b: naga or a condition leaves it out"):
                 translate.wgsl("gap")
             self.assertIn("fn gap_a", translate.wgsl("gap", ["GABOR_OTHER=1"]))
