@@ -127,9 +127,12 @@ void check_joint(Functions functions) {
 
 // Returns a sample at an offset from the corner of any cell.
 Sample solid_sample(Random& random, const Vector& local) {
-    Sample sample = test::somewhere<3>(random, 1);
+    Sample sample;
+    sample.place.cell = {random.cell(), random.cell(), random.cell()};
     sample.place.local = local;
+    sample.frequency = 1;
     sample.direction = {0.6, 0.48, 0.64};
+    sample.seed = random.word();
     return sample;
 }
 

@@ -3,6 +3,7 @@ they remove branches, and the time that they take grows faster than this number.
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -25,6 +26,11 @@ def instructions(spirv):
 
 
 class Instructions(unittest.TestCase):
+    def test_every_noise_is_listed(self):
+        noises = {name for text in calls.DROP_INS.values() for name in re.findall(r"^\w+ (gabor_(?:noise|field)\w*)\(", text, re.MULTILINE)}
+        listed = " ".join(call for call, _ in calls.table())
+        self.assertEqual(noises - set(re.findall(r"\w+", listed)), {"gabor_field_direction"})  # needs a map
+
     def test_no_call_has_grown(self):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
             source, spirv = (pathlib.Path(folder) / f"call.{kind}" for kind in ("comp", "spv"))
