@@ -7,8 +7,8 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 DROP_INS = {path.stem: path.read_text() for path in sorted((ROOT / "shaders").glob("gabor_*.glsl")) if path.stem != "gabor_sparse"}
 # What a call may use, and its number of components: the shaders read all from a buffer, so that no compiler folds a call.
-ARGUMENTS = {"p": 2, "dx": 2, "dy": 2, "wave": 2, "period": 2, "stripes": 2, "q": 3, "dx_3d": 3, "dy_3d": 3, "wave_3d": 3,
-             "period_3d": 3, "normal": 3, "direction": 3, "frequency": 1, "orientation": 1, "spread": 1, "time": 1, "seed": 1}
+ARGUMENTS = {"p": 2, "dx": 2, "dy": 2, "wave": 2, "period": 2, "q": 3, "dx_3d": 3, "dy_3d": 3, "wave_3d": 3, "normal": 3,
+             "direction": 3, "frequency": 1, "orientation": 1, "spread": 1, "time": 1, "seed": 1}
 VARIABLES = {"lobes": ("GaborLobes", "lobes.count = 3;\n" + "".join(
               f"lobes.lobe[{i}] = gabor_lobe(frequency, orientation, time + {i}.0, 1.0);\n" for i in range(3))),
           "waves": ("GaborWaves", "".join(f"waves.wave[{i}] = {i}.0 * wave;\n" for i in range(9)))}
