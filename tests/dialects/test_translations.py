@@ -29,7 +29,7 @@ CALLS = {  # each call, and its column in the matrix of docs/engines.md
     "gabor_noise(p, 4.0, 0.7854, 7u)": "noise",
     "gabor_noise_gradient(p, 4.0, 0.7854, 7u).y": "gradient",
     "gabor_noise_complex(p, 4.0, 0.7854, 7u).x": "complex",
-    "gabor_stripes(p, 0.3 * p, 1.0, 7u).x + gabor_profile_triangle(gabor_stripes(p, 0.3 * p, 9.0, 7u).xy)": "stripes",
+    "2.0 * gabor_stripes(p, 0.3 * p, 1.0, 7u).x + 2.0 * gabor_profile_triangle(0.5 * gabor_noise_complex(p, 2.0, 0.5, 7u))": "stripes",
     "gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u)": "tiled",
     "gabor_field(gabor_place_tiled(p, vec2(5.0, 7.5)), gabor_wave_vector(4.0, 0.7854), 7u).quadrature_gradient.x": "tiled",
     "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)": "animated",
@@ -37,7 +37,7 @@ CALLS = {  # each call, and its column in the matrix of docs/engines.md
     "gabor_noise_isotropic(p, 2.0, 7u)": "isotropic",
     "gabor_field_isotropic_filtered(gabor_place_at(p), vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 7u).noise": "isotropic",
     "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x": "filtered",
-    "gabor_stripes_of(gabor_field_filtered(gabor_place_at(p), vec2(0.1, 0.02), vec2(0.03, 0.12), 0.3 * p, 7u), 1.0).y": "filtered",
+    "2.0 * gabor_stripes_of(gabor_field_filtered(gabor_place_at(p), vec2(0.1, 0.02), vec2(0.03, 0.12), 0.3 * p, 7u), 1.0).y": "filtered",
     "gabor_field_lobes(gabor_place_at(p), six(), 7u).noise": "lobes",  # six are more than GABOR_LOBES' default, so the macro must work
     "gabor_field_direction(gabor_place_at(p), 7u).noise": "direction map",
     "gabor_noise_3d(q, 2.0, vec3(1.0, 2.0, 3.0), 7u)": "solid",
