@@ -290,16 +290,16 @@ void see_all(int i) {
     SEE(kept(gabor_stripes_of(gabor_field_filtered(gabor_place_at(s.p), s.dx, s.dy, uneven, s.seed), abs(s.time))))
     SEE(kept(gabor_stripes_of(gabor_field_filtered(tile, s.dx, s.dy, uneven, s.seed), abs(s.time))))
     vec2 blurred = 0.4f * vec2(s.direction.x, s.direction.y);
-    vec3 stripes = gabor_stripes(s.p, uneven, 2.0f, s.seed); // most have length 1
+    vec3 stripes = gabor_stripes(s.p, uneven, 2.0f, s.seed); // just below length 1, rounding changes profiles
     vec2 sharp = vec2(stripes.x, stripes.y);
     SEE(gabor_profile_sine(blurred))
     SEE(gabor_profile_triangle(blurred))
     SEE(gabor_profile_sawtooth(blurred))
     SEE(gabor_profile_pulse(blurred, 0.3f))
     SEE(gabor_profile_ridges(blurred))
-    SEE(gabor_profile_sine(sharp))
-    SEE(gabor_profile_triangle(sharp))
-    SEE(gabor_profile_ridges(sharp))
+    SEE(0.1f * gabor_profile_sine(sharp))
+    SEE(0.1f * gabor_profile_triangle(sharp))
+    SEE(0.1f * gabor_profile_ridges(sharp))
 #endif
 #if defined GOLDEN_DIRECTION
     vec2 p = i / 4 % 4 == 3 ? 1.0e-3f * s.p : s.p; // the map's frequencies grow with p

@@ -92,8 +92,8 @@ double sensitivity(const std::string& call, std::size_t point) {
         return 1000;
     if (has("gabor_er") && point / 4 % 4 == 3) // far from the origin, each octave rounds its position
         return 400;
-    // Phases of small values, sums of many waves, and profiles of stripes of almost length 1 are more sensitive.
-    return has("phasor") || has("SPREAD") ? 4 : has("(sharp)") ? 10 : 1;
+    // Phases of small values and sums of many waves are more sensitive.
+    return has("phasor") || has("SPREAD") ? 4 : 1;
 }
 
 void check(std::span<const Set> sets) {
