@@ -1,7 +1,7 @@
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire: for WGSL.
 //
 // Generated from shaders/gabor_filter.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 67cb9d68d76339c3
+// Digest of the GLSL and of this file: 2bb558dec0d86d42
 //
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //

@@ -1,7 +1,7 @@
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_filter_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl. Paste or include it after gabor_filter.wgsl. Paste or include it after gabor_noise_3d.wgsl.
-// Digest of the GLSL and of this file: 4f46ad9d3817e11b
+// Digest of the GLSL and of this file: d2a97032ae8eab3b
 //
 //     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
 //

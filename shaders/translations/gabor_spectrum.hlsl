@@ -297,12 +297,17 @@ float gabor_noise_isotropic(float2 p, float frequency, uint seed) {
 // turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
 // between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
 // the integral of one period.
-float3 gabor_impl_ends(float2 stripes) {
-    float2 phasor = gabor_phasor(stripes);
-    float y = max(1.0 - phasor.y, 0.0);
+float3 gabor_impl_ends_at(float phase, float span) {
+    float y = max(1.0 - span, 0.0);
     float width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376)));
     width = clamp(width, 0.001, 1.0);
-    return float3(phasor.x - 0.5 * width, phasor.x + 0.5 * width, 1.0 / width);
+    phase -= floor(phase);
+    return float3(phase - 0.5 * width, phase + 0.5 * width, 1.0 / width);
+}
+
+float3 gabor_impl_ends(float2 stripes) {
+    float2 phasor = gabor_phasor(stripes);
+    return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 
 float gabor_profile_sine(float2 stripes) {

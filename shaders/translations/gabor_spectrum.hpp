@@ -288,12 +288,17 @@ GABOR_INLINE float gabor_noise_isotropic(gabor_vec2 p, float frequency, std::uin
 // turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
 // between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
 // the integral of one period.
-GABOR_INLINE gabor_vec3 gabor_impl_ends(gabor_vec2 stripes) {
-    gabor_vec2 phasor = gabor_phasor(stripes);
-    float y = gabor_cpp_max(1.0f - phasor.y, 0.0f);
+GABOR_INLINE gabor_vec3 gabor_impl_ends_at(float phase, float span) {
+    float y = gabor_cpp_max(1.0f - span, 0.0f);
     float width = gabor_cpp_sqrt(y) * (0.7796968f + y * (0.13925488f + y * (0.1322011f * y - 0.05362376f)));
     width = gabor_cpp_clamp(width, 0.001f, 1.0f);
-    return gabor_vec3(phasor.x - 0.5f * width, phasor.x + 0.5f * width, 1.0f / width);
+    phase -= gabor_cpp_floor(phase);
+    return gabor_vec3(phase - 0.5f * width, phase + 0.5f * width, 1.0f / width);
+}
+
+GABOR_INLINE gabor_vec3 gabor_impl_ends(gabor_vec2 stripes) {
+    gabor_vec2 phasor = gabor_phasor(stripes);
+    return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 
 GABOR_INLINE float gabor_profile_sine(gabor_vec2 stripes) {

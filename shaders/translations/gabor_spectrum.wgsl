@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: a5b186a620a809f1
+// Digest of the GLSL and of this file: 4fef5908eeb0d6d3
 //
 //     float n = gabor_noise_isotropic(p, 2.0, 7u);   // waves in all directions: mean 0, variance 1
 //
@@ -574,28 +574,40 @@ fn gabor_impl_add_wave(sum: ptr<function, GaborField>, window: vec3<f32>, a: vec
 // turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
 // between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
 // the integral of one period.
-fn gabor_impl_ends(stripes: vec2<f32>) -> vec3<f32> {
-    var phasor: vec2<f32>;
+fn gabor_impl_ends_at(phase: f32, span: f32) -> vec3<f32> {
+    var phase_2: f32;
     var y_5: f32;
     var width_1: f32;
 
-    let _e1 = gabor_phasor(stripes);
-    phasor = _e1;
-    let _e4 = phasor;
-    y_5 = max((1f - _e4.y), 0f);
-    let _e10 = y_5;
+    phase_2 = phase;
+    y_5 = max((1f - span), 0f);
+    let _e8 = y_5;
+    let _e11 = y_5;
     let _e13 = y_5;
     let _e15 = y_5;
-    let _e17 = y_5;
-    width_1 = (sqrt(_e10) * (0.7796968f + (_e13 * (0.13925488f + (_e15 * ((0.1322011f * _e17) - 0.05362376f))))));
-    let _e27 = width_1;
-    width_1 = clamp(_e27, 0.001f, 1f);
-    let _e31 = phasor;
-    let _e34 = width_1;
-    let _e37 = phasor;
+    width_1 = (sqrt(_e8) * (0.7796968f + (_e11 * (0.13925488f + (_e13 * ((0.1322011f * _e15) - 0.05362376f))))));
+    let _e25 = width_1;
+    width_1 = clamp(_e25, 0.001f, 1f);
+    let _e29 = phase_2;
+    let _e30 = phase_2;
+    phase_2 = (_e29 - floor(_e30));
+    let _e33 = phase_2;
+    let _e35 = width_1;
+    let _e38 = phase_2;
     let _e40 = width_1;
     let _e44 = width_1;
-    return vec3<f32>((_e31.x - (0.5f * _e34)), (_e37.x + (0.5f * _e40)), (1f / _e44));
+    return vec3<f32>((_e33 - (0.5f * _e35)), (_e38 + (0.5f * _e40)), (1f / _e44));
+}
+
+fn gabor_impl_ends(stripes: vec2<f32>) -> vec3<f32> {
+    var phasor: vec2<f32>;
+
+    let _e1 = gabor_phasor(stripes);
+    phasor = _e1;
+    let _e3 = phasor;
+    let _e5 = phasor;
+    let _e7 = gabor_impl_ends_at(_e3.x, _e5.y);
+    return _e7;
 }
 
 fn gabor_impl_triangle_integral(x: f32) -> f32 {
