@@ -43,7 +43,7 @@ struct GaborWaves {
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
 
-// ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
+// ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. All functions below call it.

@@ -415,7 +415,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     vec2 thick = 1.0 + 0.16 * fabric.unevenness * vec2(upright.y, level.y);
     vec2 inside = 1.0 - 4.2 * within * within / (thick * thick);
     vec2 crest = thick * sqrt(max(inside, 0.0)) - 1.0
-                 + 0.55 * parity * cos(3.1415927 * within.yx) * vec2(1.0, -1.0) - vec2(lessThan(inside, vec2(0.0)));
+                 + 0.55 * parity * cos(3.1415927 * within.yx) * vec2(1.0, -1.0) - (1.0 - step(0.0, inside));
     bool first = crest.x > crest.y;
     float top = max(max(crest.x, crest.y), -1.3);
     vec3 tone = first ? upright : level;

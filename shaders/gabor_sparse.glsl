@@ -151,11 +151,12 @@ struct GaborField {
 //
 // After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, vec3 window) {
+float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, int phases, vec3 window) {
+    return float(n + phases) + r + a + window.x;
 }
-void gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
-                                                       GABOR_WINDOW);
+float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+                                                            GABOR_PHASES, GABOR_WINDOW);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------

@@ -628,7 +628,7 @@ GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel, GaborFootpr
     vec3 s = footprint.resolved;
     uint salt = gabor_impl_salt(seed);
     float amplitude = 1.0;
-    if (any(notEqual(footprint.resolved, footprint.covariance)))
+    if (distance(footprint.resolved, footprint.covariance) > 0.0)
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     if (wide < 1.0)
         gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude);
