@@ -1,25 +1,22 @@
-"""Other files made from the drop-ins: the page and bundles that contain them, and the program's table of their structs'
-members. tools/translate calls this module."""
+"""Other files made from the drop-ins: the page that contains them, and the program's table of their structs' members.
+tools/translate calls this module."""
 
 import math
 import pathlib
 import re
 
-import glsl
-
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-
-# The drop-ins in each single-file bundle.
-BUNDLES = {
-    "noise": ["gabor_noise"],
-    "materials": ["gabor_noise", "gabor_spectrum", "gabor_materials"],
-    "noise_3d": ["gabor_noise", "gabor_spectrum", "gabor_noise_3d"],
-    "direction": ["gabor_noise", "gabor_direction"],
-    "erosion": ["gabor_noise", "gabor_erosion"],
-}
+DROP_INS = sorted((ROOT / "shaders").glob("gabor_*.glsl"))
 # The page that contains drop-ins: it opens from disk, where a browser cannot read other files.
 DEMO = ROOT / "docs" / "demo" / "index.html"
 IN_PAGE = re.compile(r'(<script type="text/plain" id="(gabor_\w+)\.glsl">\n)(?:.*\n)*?(</script>\n)')
+
+
+def needed(path):
+    """Returns the drop-ins that must come before one."""
+    guard = re.search(r"^#ifndef (GABOR_\w+)_GLSL\n#error", path.read_text(), re.MULTILINE)
+    before = ROOT / "shaders" / f"{guard[1].lower()}.glsl" if guard else None
+    return [*needed(before), before] if guard else []
 
 
 def struct_rows(*trees):
@@ -50,18 +47,7 @@ def struct_rows(*trees):
     return "\n".join(lines) + "\n"
 
 
-def made(shader):
-    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
-    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(shader("gabor_materials"), shader("gabor_erosion"))
-    yield DEMO, IN_PAGE.sub(lambda match: match[1] + shader(match[2]).text + match[3], DEMO.read_text())
-
-
-def bundles(shader):
-    """Yields the name and text of each bundle, with and without comments."""
-    for bundle, names in BUNDLES.items():
-        text = "\n".join(shader(name).text for name in names)
-        notice = next(comment.text for comment in shader(names[0]).comments if comment.text.startswith("// Copyright"))
-        lines = [line.rstrip() for line in glsl.without_comments(text).splitlines()]
-        files = ", ".join(f"{name}.glsl" for name in names)
-        yield f"gabor_bundle_{bundle}.glsl", text
-        yield f"gabor_bundle_{bundle}.min.glsl", f"// {files}, without comments. {notice[3:]}\n" + "\n".join(filter(None, lines)) + "\n"
+def made(drop_in):
+    """Yields the path and text of each file. `drop_in` returns the syntax tree of one, by name."""
+    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(drop_in("gabor_materials"), drop_in("gabor_erosion"))
+    yield DEMO, IN_PAGE.sub(lambda match: match[1] + drop_in(match[2]).text + match[3], DEMO.read_text())

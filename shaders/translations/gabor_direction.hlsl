@@ -1,7 +1,9 @@
-// gabor_direction.hlsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
-// pixel: for HLSL, shader model 5.0 and up.
+// Generated from gabor_direction.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl.
+// gabor_direction.hlsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
+// pixel.
+//
+// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3.
 //
 //     float2 flow(float2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -43,7 +45,7 @@ struct GaborWaves {
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
 
-// ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
+// ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. All functions below call it.

@@ -1,8 +1,10 @@
 // clang-format off
-// gabor_direction.hpp: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
-// pixel: for C++ on the CPU.
+// Generated from gabor_direction.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
+// gabor_direction.hpp: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
+// pixel.
+//
+// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3.
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -20,6 +22,8 @@
 // 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #ifndef GABOR_NOISE_HPP
 #error Include gabor_noise.hpp before gabor_direction.hpp
@@ -44,7 +48,7 @@ struct GaborWaves {
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
 
-// ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
+// ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. All functions below call it.

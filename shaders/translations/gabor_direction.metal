@@ -1,7 +1,9 @@
-// gabor_direction.metal: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
-// pixel: for the Metal shading language.
+// Generated from gabor_direction.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal.
+// gabor_direction.metal: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
+// pixel.
+//
+// Paste or include this file after gabor_noise.metal, with GABOR_TAPS 3.
 //
 //     float2 flow(float2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)
@@ -20,6 +22,10 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifndef GABOR_NOISE_METAL
 #error Include gabor_noise.metal before gabor_direction.metal
 #endif
@@ -28,10 +34,6 @@
 #endif
 #ifndef GABOR_DIRECTION_METAL
 #define GABOR_DIRECTION_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 
 // ---- With wave vectors that you read yourself, for several maps or a language without macros -----------------------
 
@@ -47,7 +49,7 @@ struct GaborWaves {
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
 
-// ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
+// ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. All functions below call it.

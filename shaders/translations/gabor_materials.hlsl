@@ -1,6 +1,8 @@
-// gabor_materials.hlsl: twelve materials from Gabor noise: for HLSL, shader model 5.0 and up.
+// Generated from gabor_materials.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl. Paste or include it after gabor_spectrum.hlsl.
+// gabor_materials.hlsl: twelve materials from Gabor noise.
+//
+// Paste or include this file after gabor_noise.hlsl and gabor_spectrum.hlsl, with GABOR_TAPS 3.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -586,7 +588,7 @@ GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
     float2 thick = 1.0 + 0.16 * fabric.unevenness * float2(upright.y, level.y);
     float2 inside = 1.0 - 4.2 * within * within / (thick * thick);
     float2 crest = thick * sqrt(max(inside, 0.0)) - 1.0
-                 + 0.55 * parity * cos(3.1415927 * within.yx) * float2(1.0, -1.0) - (float2)((inside < (float2)(0.0)));
+                 + 0.55 * parity * cos(3.1415927 * within.yx) * float2(1.0, -1.0) - (1.0 - step(0.0, inside));
     bool first = crest.x > crest.y;
     float top = max(max(crest.x, crest.y), -1.3);
     float3 tone = first ? upright : level;

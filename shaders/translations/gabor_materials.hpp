@@ -1,7 +1,9 @@
 // clang-format off
-// gabor_materials.hpp: twelve materials from Gabor noise: for C++ on the CPU.
+// Generated from gabor_materials.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp.
+// gabor_materials.hpp: twelve materials from Gabor noise.
+//
+// Paste or include this file after gabor_noise.hpp and gabor_spectrum.hpp, with GABOR_TAPS 3.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -13,6 +15,8 @@
 // One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #ifndef GABOR_SPECTRUM_HPP
 #error Include gabor_noise.hpp and gabor_spectrum.hpp before gabor_materials.hpp
@@ -416,7 +420,7 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
     gabor_vec2 thick = 1.0f + 0.16f * fabric.unevenness * gabor_vec2(upright.y, level.y);
     gabor_vec2 inside = 1.0f - 4.2f * within * within / (thick * thick);
     gabor_vec2 crest = thick * gabor_cpp_sqrt(gabor_cpp_max(inside, 0.0f)) - 1.0f
-                 + 0.55f * parity * gabor_cpp_cos(3.1415927f * within.yx()) * gabor_vec2(1.0f, -1.0f) - gabor_vec2((inside < gabor_vec2(0.0f)));
+                 + 0.55f * parity * gabor_cpp_cos(3.1415927f * within.yx()) * gabor_vec2(1.0f, -1.0f) - (1.0f - gabor_cpp_step(0.0f, inside));
     bool first = crest.x > crest.y;
     float top = gabor_cpp_max(gabor_cpp_max(crest.x, crest.y), -1.3f);
     gabor_vec3 tone = first ? upright : level;

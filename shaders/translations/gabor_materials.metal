@@ -1,6 +1,8 @@
-// gabor_materials.metal: twelve materials from Gabor noise: for the Metal shading language.
+// Generated from gabor_materials.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal. Paste or include it after gabor_spectrum.metal.
+// gabor_materials.metal: twelve materials from Gabor noise.
+//
+// Paste or include this file after gabor_noise.metal and gabor_spectrum.metal, with GABOR_TAPS 3.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -13,6 +15,10 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifndef GABOR_SPECTRUM_METAL
 #error Include gabor_noise.metal and gabor_spectrum.metal before gabor_materials.metal
 #endif
@@ -21,10 +27,6 @@
 #endif
 #ifndef GABOR_MATERIALS_METAL
 #define GABOR_MATERIALS_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 
 struct GaborMaterial {
     float3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
@@ -419,7 +421,7 @@ inline GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint 
     float2 thick = 1.0 + 0.16 * fabric.unevenness * float2(upright.y, level.y);
     float2 inside = 1.0 - 4.2 * within * within / (thick * thick);
     float2 crest = thick * sqrt(max(inside, 0.0)) - 1.0
-                 + 0.55 * parity * cos(3.1415927 * within.yx) * float2(1.0, -1.0) - float2((inside < float2(0.0)));
+                 + 0.55 * parity * cos(3.1415927 * within.yx) * float2(1.0, -1.0) - (1.0 - step(0.0, inside));
     bool first = crest.x > crest.y;
     float top = max(max(crest.x, crest.y), -1.3);
     float3 tone = first ? upright : level;

@@ -1,7 +1,7 @@
 // clang-format off
-// gabor_noise.hpp: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for C++ on the CPU.
+// Generated from gabor_noise.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+// gabor_noise.hpp: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -25,13 +25,13 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include "gabor_vectors.hpp"
+
 #ifdef GABOR_SPARSE_HPP
 #error Include gabor_sparse.hpp or gabor_noise.hpp, not both: they define the same functions
 #endif
 #ifndef GABOR_NOISE_HPP
 #define GABOR_NOISE_HPP
-
-#include "gabor_vectors.hpp"
 #define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
@@ -166,9 +166,9 @@ struct GaborField {
 
 // Hashes a word; each salt gives a different sequence. The constants are from the hash-prospector project.
 GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt) {
-    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
-    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
-    return word ^ (word >> 15u);
+    std::uint32_t once = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    std::uint32_t twice = (once ^ (once >> 15u)) * 0xd35a2d97u;
+    return twice ^ (twice >> 15u);
 }
 
 GABOR_INLINE std::uint32_t gabor_lobe_seed(std::uint32_t seed, int index) {
@@ -188,8 +188,7 @@ GABOR_INLINE std::uint32_t gabor_impl_salt(std::uint32_t seed) {
 // than a constant: two indices, however far apart, have equal words with probability 2^-22.
 GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt) {
     std::uint32_t word = std::uint32_t(index) * 0x9e3779b1u + salt;
-    word = word * (word ^ (word >> 15u));
-    return (word >> 8u) | 0x800001u;
+    return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
 }
 
 #define GABOR_IMPL_DEVIATION 1.4599553e27f // standard deviation of each part of an amplitude
@@ -225,15 +224,15 @@ GABOR_INLINE gabor_vec2 gabor_impl_half_turn(float t) {
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
 // reduced to [-1/2, 1/2], cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), where y = 1/4 - |t|.
 GABOR_INLINE gabor_vec2 gabor_impl_wave(float t) {
-    t -= gabor_cpp_floor(t + 0.5f);
-    gabor_vec2 turn = gabor_impl_half_turn(0.25f - gabor_cpp_abs(t));
-    return gabor_vec2(turn.y, t < 0.0f ? -turn.x : turn.x);
+    float within = t - gabor_cpp_floor(t + 0.5f);
+    gabor_vec2 turn = gabor_impl_half_turn(0.25f - gabor_cpp_abs(within));
+    return gabor_vec2(turn.y, within < 0.0f ? -turn.x : turn.x);
 }
 
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0f : 0.375f * float(GABOR_TAPS)) // the sum of the squared windows
 // Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
-#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0f : 0.375f * float(GABOR_TAPS)) // the sum of the squared windows
 GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
 #if GABOR_TAPS == 2
     // The squares of only two shifts of Hann's window do not sum to a constant. So the windows are 1 - s and s, with
@@ -333,6 +332,9 @@ GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, Ga
         gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3)
         gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+#ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
+    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0f)
+#endif
     {
         gabor_impl_add_products(sum, row, y.node[j].xy());
         gabor_impl_add_products(slope, row, y.node[j].zw());

@@ -1,6 +1,6 @@
-// gabor_noise.metal: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for the Metal shading language.
+// Generated from gabor_noise.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+// gabor_noise.metal: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -24,15 +24,15 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifdef GABOR_SPARSE_METAL
 #error Include gabor_sparse.metal or gabor_noise.metal, not both: they define the same functions
 #endif
 #ifndef GABOR_NOISE_METAL
 #define GABOR_NOISE_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 #define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
@@ -167,9 +167,9 @@ struct GaborField {
 
 // Hashes a word; each salt gives a different sequence. The constants are from the hash-prospector project.
 inline uint gabor_impl_mix(uint word, uint salt) {
-    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
-    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
-    return word ^ (word >> 15u);
+    uint once = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    uint twice = (once ^ (once >> 15u)) * 0xd35a2d97u;
+    return twice ^ (twice >> 15u);
 }
 
 inline uint gabor_lobe_seed(uint seed, int index) {
@@ -189,8 +189,7 @@ inline uint gabor_impl_salt(uint seed) {
 // than a constant: two indices, however far apart, have equal words with probability 2^-22.
 inline uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
-    word = word * (word ^ (word >> 15u));
-    return (word >> 8u) | 0x800001u;
+    return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
 }
 
 #define GABOR_IMPL_DEVIATION 1.4599553e27 // standard deviation of each part of an amplitude
@@ -226,15 +225,15 @@ inline float2 gabor_impl_half_turn(float t) {
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
 // reduced to [-1/2, 1/2], cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), where y = 1/4 - |t|.
 inline float2 gabor_impl_wave(float t) {
-    t -= floor(t + 0.5);
-    float2 turn = gabor_impl_half_turn(0.25 - abs(t));
-    return float2(turn.y, t < 0.0 ? -turn.x : turn.x);
+    float within = t - floor(t + 0.5);
+    float2 turn = gabor_impl_half_turn(0.25 - abs(within));
+    return float2(turn.y, within < 0.0 ? -turn.x : turn.x);
 }
 
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of the squared windows
 // Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
-#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of the squared windows
 inline void gabor_impl_windows(float x, thread float4& value, thread float4& slope) {
 #if GABOR_TAPS == 2
     // The squares of only two shifts of Hann's window do not sum to a constant. So the windows are 1 - s and s, with
@@ -334,7 +333,10 @@ inline void gabor_impl_add_node_row(thread float4& sum, thread float4& slope, Ga
         gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
     if (GABOR_TAPS > 3)
         gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
-    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always true, but keeps CPU compilers from spilling registers
+#ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
+    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0)
+#endif
+    {
         gabor_impl_add_products(sum, row, y.node[j].xy);
         gabor_impl_add_products(slope, row, y.node[j].zw);
     }

@@ -1,10 +1,10 @@
-// gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for WGSL.
+// Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest 68dcb2a62d0f70ea.
 //
-// Generated from shaders/gabor_noise.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 652561ece2d23be5
+// gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
-//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], for display
+//     f32 n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     f32 v = gabor_unorm(n);                    // in [0, 1], for display
 //
 // Values are normal up to three standard deviations. Values beyond 3.5 are 13 % too rare overall, and 56 % too rare at
 // the nodes of the lattice.
@@ -27,179 +27,49 @@
 
 const GABOR_NOISE_VERSION: u32 = 30000u;
 
-// The noise, with continuous first derivatives.
-fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    let _e11 = gabor_kernel(frequency, orientation);
-    let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
-    return _e12;
-}
+// f32 gabor_noise(vec2f p, f32 frequency, f32 orientation, u32 seed)
+// f32 gabor_noise_wave(vec2f p, vec2f wave, u32 seed)
+// f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
+// f32 gabor_noise_wave_tiled(vec2f p, vec2f period, vec2f wave, u32 seed)
+//     The noise, with continuous first derivatives.
 
-fn gabor_noise_wave(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
-    let _e10 = gabor_kernel_wave(wave);
-    let _e11 = gabor_noise_at(vec2(0i), (p * 1.5f), _e10, seed);
-    return _e11;
-}
+// f32 gabor_noise_animated(vec2f p, f32 time, f32 frequency, f32 orientation, u32 seed)
+//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
+//     cos^2(pi t). Costs three times as much as gabor_noise.
 
-fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
+// vec4f gabor_noise_four(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
+//     as much as gabor_noise.
 
-    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_2 = _e10;
-    let _e12 = place_2;
-    let _e13 = gabor_kernel(frequency, orientation);
-    let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
-}
+// vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)
+// vec3f gabor_noise_wave_gradient(vec2f p, vec2f wave, u32 seed)
+//     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
-fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
-    var place_4: GaborPlace;
+// vec2f gabor_noise_complex(vec2f p, f32 frequency, f32 orientation, u32 seed)
+// vec2f gabor_noise_wave_complex(vec2f p, vec2f wave, u32 seed)
+//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
+//     sines. At each point the two are independent and have variance 1.
 
-    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_4 = _e9;
-    let _e11 = place_4;
-    let _e12 = gabor_kernel_wave(wave);
-    let _e13 = gabor_field(_e11, _e12, seed);
-    return _e13.value.y;
-}
+// vec2f gabor_phasor(vec2f value)
+//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
+//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
-// Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
-// cos^2(pi t). Costs three times as much as gabor_noise.
-fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_3: GaborPlace;
+// vec3f gabor_stripes(vec2f p, vec2f wave, f32 sharpness, u32 seed)
+// vec3f gabor_stripes_tiled(vec2f p, vec2f period, vec2f wave, f32 sharpness, u32 seed)
+//     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
+//     2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
+//     exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
 
-    place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
-    let _e22 = place_3;
-    let _e23 = gabor_kernel(frequency, orientation);
-    let _e24 = gabor_field(_e22, _e23, seed);
-    return _e24.value.y;
-}
+// vec3f gabor_stripes_of(vec2f value, f32 sharpness)
+//     The same for any complex value.
 
-// Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
-// as much as gabor_noise.
-fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
-    let _e4 = gabor_noise(p, frequency, orientation, seed);
-    let _e7 = gabor_lobe_seed(seed, -1i);
-    let _e8 = gabor_noise(p, frequency, orientation, _e7);
-    let _e11 = gabor_lobe_seed(seed, -2i);
-    let _e12 = gabor_noise(p, frequency, orientation, _e11);
-    let _e15 = gabor_lobe_seed(seed, -3i);
-    let _e16 = gabor_noise(p, frequency, orientation, _e15);
-    return vec4<f32>(_e4, _e8, _e12, _e16);
-}
+// f32 gabor_unorm(f32 noise)
+//     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-// (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
-fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var field: GaborField;
+// u32 gabor_lobe_seed(u32 seed, i32 index)
+//     The seed of noise `index` in a sum of independent noises.
 
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = gabor_kernel(frequency, orientation);
-    let _e13 = gabor_field(_e11, _e12, seed);
-    field = _e13;
-    let _e15 = field;
-    let _e18 = field;
-    let _e21 = field;
-    return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-}
-
-fn gabor_noise_wave_gradient(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec3<f32> {
-    var field_1: GaborField;
-
-    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e11 = gabor_kernel_wave(wave);
-    let _e12 = gabor_field(_e10, _e11, seed);
-    field_1 = _e12;
-    let _e14 = field_1;
-    let _e17 = field_1;
-    let _e20 = field_1;
-    return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
-}
-
-// (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-// sines. At each point the two are independent and have variance 1.
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = gabor_kernel(frequency, orientation);
-    let _e13 = gabor_field(_e11, _e12, seed);
-    return _e13.value;
-}
-
-fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f32> {
-    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e11 = gabor_kernel_wave(wave);
-    let _e12 = gabor_field(_e10, _e11, seed);
-    return _e12.value;
-}
-
-// (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
-    var intensity: f32;
-    var local_11: f32;
-    var phase: f32;
-    var local_12: f32;
-
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_11 = (atan2(value.y, value.x) * 0.15915494f);
-    } else {
-        local_11 = 0f;
-    }
-    let _e13 = local_11;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_12 = min((_e18 + 1f), 0.99999994f);
-    } else {
-        let _e23 = phase;
-        local_12 = _e23;
-    }
-    let _e25 = local_12;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
-}
-
-// Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
-// 2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
-// exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
-fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
-    return _e12;
-}
-
-fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
-    var place_6: GaborPlace;
-
-    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_6 = _e10;
-    let _e12 = place_6;
-    let _e13 = gabor_stripes_at(_e12, wave, sharpness, seed);
-    return _e13;
-}
-
-// The same for any complex value.
-fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
-    var intensity_1: f32;
-
-    intensity_1 = length(value);
-    let _e4 = intensity_1;
-    let _e9 = ((sharpness / max((sharpness * _e4), 1f)) * value);
-    let _e10 = intensity_1;
-    return vec3<f32>(_e9.x, _e9.y, _e10);
-}
-
-// Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
-fn gabor_unorm(noise: f32) -> f32 {
-    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
-}
-
-// The seed of noise `index` in a sum of independent noises.
-fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
-    let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
-    return _e7;
-}
+// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
 // A wave vector, returned by gabor_kernel or gabor_kernel_wave.
 struct GaborKernel {
@@ -223,130 +93,28 @@ struct GaborField {
     slope_y: vec2<f32>,
 }
 
-// The kernel with a given frequency and orientation; ranges are those of gabor_noise.
-fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
-    let _e11 = gabor_impl_wave((0.15915494f * clamp(orientation, -1000000f, 1000000f)));
-    return GaborKernel((min(abs(frequency), 1000000f) * _e11));
-}
+// GaborKernel gabor_kernel(f32 frequency, f32 orientation)
+//     The kernel with a given frequency and orientation; ranges are those of gabor_noise.
 
-// The kernel with a given wave vector; its range is that of gabor_noise_wave.
-fn gabor_kernel_wave(wave: vec2<f32>) -> GaborKernel {
-    return GaborKernel(clamp(wave, vec2(-1000000f), vec2(1000000f)));
-}
+// GaborKernel gabor_kernel_wave(vec2f wave)
+//     The kernel with a given wave vector; its range is that of gabor_noise_wave.
 
-// The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-// axis.
-fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
-    return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
-}
+// GaborPlace gabor_place(vec2i cell, vec2f local)
+//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     axis.
 
-// The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
-// period holds a whole number of nodes, from GABOR_TAPS to 2^31.
-fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
-    var nodes: vec2<f32>;
-    var place_1: GaborPlace;
-    var local_6: f32;
-    var local_7: f32;
-    var local_8: i32;
-    var local_9: i32;
+// GaborPlace gabor_place_tiled(vec2f p, vec2f period)
+//     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
+//     period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 
-    nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
-    let _e20 = gabor_place(vec2(0i), vec2(0f));
-    place_1 = _e20;
-    if (period.x > 0f) {
-        let _e26 = nodes;
-        local_6 = (_e26.x / period.x);
-    } else {
-        local_6 = 1.5f;
-    }
-    let _e35 = local_6;
-    if (period.y > 0f) {
-        let _e39 = nodes;
-        local_7 = (_e39.y / period.y);
-    } else {
-        local_7 = 1.5f;
-    }
-    let _e48 = local_7;
-    place_1.radius = vec2<f32>(_e35, _e48);
-    if (period.x > 0f) {
-        let _e54 = nodes;
-        local_8 = i32(_e54.x);
-    } else {
-        local_8 = 0i;
-    }
-    let _e59 = local_8;
-    if (period.y > 0f) {
-        let _e63 = nodes;
-        local_9 = i32(_e63.y);
-    } else {
-        local_9 = 0i;
-    }
-    let _e68 = local_9;
-    place_1.period = vec2<i32>(_e59, _e68);
-    let _e71 = place_1;
-    place_1.local = (p * _e71.radius);
-    let _e74 = place_1;
-    return _e74;
-}
+// GaborField gabor_field(GaborPlace place, GaborKernel kernel, u32 seed)
+//     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 
-// The noise, its quadrature, and their gradients at `place`. All noise functions call it.
-fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    var kernel_1: GaborKernel;
-    var salt_3: u32;
-    var x_3: GaborAxis;
-    var y_3: GaborAxis;
-    var turn_5: vec2<f32>;
-    var sum_3: vec4<f32>;
-    var slope_5: vec4<f32>;
+// f32 gabor_noise_at(vec2i cell, vec2f local, GaborKernel kernel, u32 seed)
+//     The noise at gabor_place(cell, local).
 
-    kernel_1 = kernel;
-    let _e4 = gabor_impl_salt(seed);
-    salt_3 = _e4;
-    let _e12 = salt_3;
-    let _e13 = kernel_1;
-    let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-    x_3 = _e18;
-    let _e20 = salt_3;
-    salt_3 = (_e20 ^ 1540483477u);
-    let _e29 = salt_3;
-    let _e30 = kernel_1;
-    let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-    y_3 = _e35;
-    let _e37 = x_3;
-    let _e39 = x_3;
-    let _e42 = y_3;
-    let _e44 = y_3;
-    let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-    turn_5 = _e48;
-    let _e52 = x_3;
-    let _e53 = y_3;
-    gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
-    let _e60 = sum_3;
-    let _e61 = slope_5;
-    let _e62 = turn_5;
-    let _e63 = kernel_1;
-    let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
-    return _e72;
-}
-
-// The noise at gabor_place(cell, local).
-fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
-    var kernel_3: GaborKernel;
-
-    kernel_3 = kernel;
-    let _e5 = gabor_place(cell, local);
-    let _e6 = kernel_3;
-    let _e7 = gabor_field(_e5, _e6, seed);
-    return _e7.value.y;
-}
-
-// The same as gabor_stripes, at `place`.
-fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
-    let _e4 = gabor_kernel_wave(wave);
-    let _e5 = gabor_field(place, _e4, seed);
-    let _e7 = gabor_stripes_of(_e5.value, sharpness);
-    return _e7;
-}
+// vec3f gabor_stripes_at(GaborPlace place, vec2f wave, f32 sharpness, u32 seed)
+//     The same as gabor_stripes, at `place`.
 
 // ====================================================================================================================
 // Private implementation
@@ -376,20 +144,24 @@ fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u3
 //
 // After [TNVT19] Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
+// ---- Randomness ----------------------------------------------------------------------------------------------------
+
 // Hashes a word; each salt gives a different sequence. The constants are from the hash-prospector project.
 fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
-    var word_1: u32;
+    var once: u32;
+    var twice: u32;
+    once = (((word ^ (word >> 16u)) * 569420461u) + salt);
+    let _e9 = once;
+    let _e10 = once;
+    twice = ((_e9 ^ (_e10 >> 15u)) * 3545902487u);
+    let _e17 = twice;
+    let _e18 = twice;
+    return (_e17 ^ (_e18 >> 15u));
+}
 
-    word_1 = word;
-    let _e3 = word_1;
-    let _e4 = word_1;
-    word_1 = (((_e3 ^ (_e4 >> 16u)) * 569420461u) + salt);
-    let _e11 = word_1;
-    let _e12 = word_1;
-    word_1 = ((_e11 ^ (_e12 >> 15u)) * 3545902487u);
-    let _e18 = word_1;
-    let _e19 = word_1;
-    return (_e18 ^ (_e19 >> 15u));
+fn gabor_lobe_seed(seed: u32, index: i32) -> u32 {
+    let _e7 = gabor_impl_mix((seed + (u32(index) * 2246822507u)), 2654435761u);
+    return _e7;
 }
 
 // The salt of the columns; xor it with GABOR_IMPL_ROWS to get the salt of the rows. With equal salts, the word of node
@@ -404,15 +176,12 @@ fn gabor_impl_salt(seed: u32) -> u32 {
 // numbers. Their highest bit is set, so that products fill all 32 bits. The factor (word ^ (word >> 15)) mixes better
 // than a constant: two indices, however far apart, have equal words with probability 2^-22.
 fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
-    var word_2: u32;
-
-    word_2 = ((u32(index) * 2654435761u) + salt);
-    let _e7 = word_2;
-    let _e8 = word_2;
-    let _e9 = word_2;
-    word_2 = (_e7 * (_e8 ^ (_e9 >> 15u)));
-    let _e14 = word_2;
-    return ((_e14 >> 8u) | 8388609u);
+    var word_1: u32;
+    word_1 = ((u32(index) * 2654435761u) + salt);
+    let _e7 = word_1;
+    let _e8 = word_1;
+    let _e9 = word_1;
+    return (((_e7 * (_e8 ^ (_e9 >> 15u))) >> 8u) | 8388609u);
 }
 
 // Computes an amplitude from a word: the real part from the whole word, the imaginary part from its low 20 bits. They
@@ -422,7 +191,6 @@ fn gabor_impl_line_word(index: i32, salt: u32) -> u32 {
 // node's amplitude.
 fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     var u: vec2<f32>;
-
     u = vec2<f32>(f32(i32(word)), f32(i32((word << 12u))));
     let _e9 = u;
     let _e11 = u;
@@ -430,6 +198,8 @@ fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     let _e21 = u;
     return ((_e9 - (0.89289314f * clamp(_e11, vec2(-2011925800f), vec2(2011925800f)))) * ((_e20 * _e21) + vec2(7397391600000000000f)));
 }
+
+// ---- Waves and windows ---------------------------------------------------------------------------------------------
 
 // The product of two complex numbers.
 fn gabor_impl_product(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
@@ -447,7 +217,6 @@ fn gabor_impl_add_products(sums: ptr<function, vec4<f32>>, pair: vec4<f32>, z: v
 fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
     var s: f32;
     var r: f32;
-
     s = (t * t);
     let _e3 = s;
     let _e4 = s;
@@ -466,37 +235,35 @@ fn gabor_impl_half_turn(t: f32) -> vec2<f32> {
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
 // reduced to [-1/2, 1/2], cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), where y = 1/4 - |t|.
 fn gabor_impl_wave(t: f32) -> vec2<f32> {
-    var t_2: f32;
+    var within: f32;
     var turn: vec2<f32>;
     var local: f32;
-
-    t_2 = t;
-    let _e2 = t_2;
-    let _e3 = t_2;
-    t_2 = (_e2 - floor((_e3 + 0.5f)));
-    let _e9 = t_2;
-    let _e12 = gabor_impl_half_turn((0.25f - abs(_e9)));
-    turn = _e12;
-    let _e14 = turn;
-    let _e16 = t_2;
-    if (_e16 < 0f) {
-        let _e19 = turn;
-        local = -(_e19.x);
+    within = (t - floor((t + 0.5f)));
+    let _e7 = within;
+    let _e10 = gabor_impl_half_turn((0.25f - abs(_e7)));
+    turn = _e10;
+    let _e12 = turn;
+    let _e14 = within;
+    if (_e14 < 0f) {
+        let _e17 = turn;
+        local = -(_e17.x);
     } else {
-        let _e22 = turn;
-        local = _e22.x;
+        let _e20 = turn;
+        local = _e20.x;
     }
-    let _e25 = local;
-    return vec2<f32>(_e14.y, _e25);
+    let _e23 = local;
+    return vec2<f32>(_e12.y, _e23);
 }
 
+// Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
+// derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
+// [-1, 0] for two.
 fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     var y: f32;
     var c: f32;
     var s_1: f32;
     var a_1: f32;
     var b_1: f32;
-
     y = (x * x);
     let _e6 = y;
     let _e8 = y;
@@ -525,21 +292,22 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
     return;
 }
 
+// ---- The sum -------------------------------------------------------------------------------------------------------
+
 // Wraps an index into a period.
 fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
-    var within: i32;
+    var within_1: i32;
     var local_1: i32;
-
     if (period == 0i) {
         return index;
     }
-    within = (index - ((index / period) * period));
-    let _e8 = within;
+    within_1 = (index - ((index / period) * period));
+    let _e8 = within_1;
     if (_e8 < 0i) {
-        let _e11 = within;
+        let _e11 = within_1;
         local_1 = (_e11 + period);
     } else {
-        let _e13 = within;
+        let _e13 = within_1;
         local_1 = _e13;
     }
     let _e15 = local_1;
@@ -549,7 +317,6 @@ fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
 // The next index, wrapped into a period without a division.
 fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
     var local_2: i32;
-
     if ((period == 0i) || ((index + 1i) < period)) {
         local_2 = (index + 1i);
     } else {
@@ -576,8 +343,7 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     var slope_1: vec4<f32>;
     var turn_1: vec2<f32>;
     var back: vec2<f32>;
-    var twice: vec2<f32>;
-
+    var twice_1: vec2<f32>;
     zero = floor((local + 0.5f));
     let _e17 = zero;
     axis.offset = clamp((local - _e17), -0.5f, 0.5f);
@@ -615,7 +381,7 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     let _e85 = back;
     let _e86 = back;
     let _e87 = gabor_impl_product(_e85, _e86);
-    twice = _e87;
+    twice_1 = _e87;
     let _e92 = value_1;
     let _e94 = turn_1;
     let _e95 = (_e92.x * _e94);
@@ -634,10 +400,10 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     let _e125 = (_e122.z * _e124);
     axis.node[2i] = vec4<f32>(_e121.x, _e121.y, _e125.x, _e125.y);
     let _e134 = value_1;
-    let _e136 = twice;
+    let _e136 = twice_1;
     let _e137 = (_e134.w * _e136);
     let _e138 = slope_1;
-    let _e140 = twice;
+    let _e140 = twice_1;
     let _e141 = (_e138.w * _e140);
     axis.node[3i] = vec4<f32>(_e137.x, _e137.y, _e141.x, _e141.y);
     let _e147 = axis;
@@ -651,7 +417,6 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     var second: u32;
     var third: u32;
     var turn_2: vec2<f32>;
-
     let _e3 = gabor_impl_amplitude(word);
     amplitude = _e3;
     if !(animated) {
@@ -680,7 +445,6 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
 // loops over nodes and rows, so each node and each row has its own line.
 fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
     var row: vec4<f32> = vec4(0f);
-
     let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
     gabor_impl_add_products((&row), x.node[0], _e20);
     let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
@@ -730,7 +494,6 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
     var local_4: f32;
     var value_2: vec2<f32>;
     var turned: vec2<f32>;
-
     turn_4 = turn;
     let _e6 = turn_4;
     if false {
@@ -755,3 +518,264 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
     let _e51 = turned;
     return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
 }
+
+fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
+    var kernel_1: GaborKernel;
+    var salt_3: u32;
+    var x_3: GaborAxis;
+    var y_3: GaborAxis;
+    var turn_5: vec2<f32>;
+    var sum_3: vec4<f32>;
+    var slope_5: vec4<f32>;
+    kernel_1 = kernel;
+    let _e4 = gabor_impl_salt(seed);
+    salt_3 = _e4;
+    let _e12 = salt_3;
+    let _e13 = kernel_1;
+    let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
+    x_3 = _e18;
+    let _e20 = salt_3;
+    salt_3 = (_e20 ^ 1540483477u);
+    let _e29 = salt_3;
+    let _e30 = kernel_1;
+    let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
+    y_3 = _e35;
+    let _e37 = x_3;
+    let _e39 = x_3;
+    let _e42 = y_3;
+    let _e44 = y_3;
+    let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
+    turn_5 = _e48;
+    let _e52 = x_3;
+    let _e53 = y_3;
+    gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+    let _e60 = sum_3;
+    let _e61 = slope_5;
+    let _e62 = turn_5;
+    let _e63 = kernel_1;
+    let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
+    return _e72;
+}
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
+    return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
+}
+
+fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
+    var nodes: vec2<f32>;
+    var place_1: GaborPlace;
+    var local_6: f32;
+    var local_7: f32;
+    var local_8: i32;
+    var local_9: i32;
+    nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
+    let _e20 = gabor_place(vec2(0i), vec2(0f));
+    place_1 = _e20;
+    if (period.x > 0f) {
+        let _e26 = nodes;
+        local_6 = (_e26.x / period.x);
+    } else {
+        local_6 = 1.5f;
+    }
+    let _e35 = local_6;
+    if (period.y > 0f) {
+        let _e39 = nodes;
+        local_7 = (_e39.y / period.y);
+    } else {
+        local_7 = 1.5f;
+    }
+    let _e48 = local_7;
+    place_1.radius = vec2<f32>(_e35, _e48);
+    if (period.x > 0f) {
+        let _e54 = nodes;
+        local_8 = i32(_e54.x);
+    } else {
+        local_8 = 0i;
+    }
+    let _e59 = local_8;
+    if (period.y > 0f) {
+        let _e63 = nodes;
+        local_9 = i32(_e63.y);
+    } else {
+        local_9 = 0i;
+    }
+    let _e68 = local_9;
+    place_1.period = vec2<i32>(_e59, _e68);
+    let _e71 = place_1;
+    place_1.local = (p * _e71.radius);
+    let _e74 = place_1;
+    return _e74;
+}
+
+fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
+    let _e11 = gabor_impl_wave((0.15915494f * clamp(orientation, -1000000f, 1000000f)));
+    return GaborKernel((min(abs(frequency), 1000000f) * _e11));
+}
+
+fn gabor_kernel_wave(wave: vec2<f32>) -> GaborKernel {
+    return GaborKernel(clamp(wave, vec2(-1000000f), vec2(1000000f)));
+}
+
+fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
+    var kernel_3: GaborKernel;
+    kernel_3 = kernel;
+    let _e5 = gabor_place(cell, local);
+    let _e6 = kernel_3;
+    let _e7 = gabor_field(_e5, _e6, seed);
+    return _e7.value.y;
+}
+
+fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    let _e11 = gabor_kernel(frequency, orientation);
+    let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
+    return _e12;
+}
+
+fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
+    var field: GaborField;
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = gabor_kernel(frequency, orientation);
+    let _e13 = gabor_field(_e11, _e12, seed);
+    field = _e13;
+    let _e15 = field;
+    let _e18 = field;
+    let _e21 = field;
+    return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+}
+
+fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = gabor_kernel(frequency, orientation);
+    let _e13 = gabor_field(_e11, _e12, seed);
+    return _e13.value;
+}
+
+fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
+    let _e4 = gabor_noise(p, frequency, orientation, seed);
+    let _e7 = gabor_lobe_seed(seed, -1i);
+    let _e8 = gabor_noise(p, frequency, orientation, _e7);
+    let _e11 = gabor_lobe_seed(seed, -2i);
+    let _e12 = gabor_noise(p, frequency, orientation, _e11);
+    let _e15 = gabor_lobe_seed(seed, -3i);
+    let _e16 = gabor_noise(p, frequency, orientation, _e15);
+    return vec4<f32>(_e4, _e8, _e12, _e16);
+}
+
+fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+    var intensity: f32;
+    var local_11: f32;
+    var phase: f32;
+    var local_12: f32;
+    intensity = length(value);
+    let _e3 = intensity;
+    if (_e3 > 0f) {
+        local_11 = (atan2(value.y, value.x) * 0.15915494f);
+    } else {
+        local_11 = 0f;
+    }
+    let _e13 = local_11;
+    phase = _e13;
+    let _e15 = phase;
+    if (_e15 < 0f) {
+        let _e18 = phase;
+        local_12 = min((_e18 + 1f), 0.99999994f);
+    } else {
+        let _e23 = phase;
+        local_12 = _e23;
+    }
+    let _e25 = local_12;
+    let _e26 = intensity;
+    return vec2<f32>(_e25, _e26);
+}
+
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_2: GaborPlace;
+    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_2 = _e10;
+    let _e12 = place_2;
+    let _e13 = gabor_kernel(frequency, orientation);
+    let _e14 = gabor_field(_e12, _e13, seed);
+    return _e14.value.y;
+}
+
+fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_3: GaborPlace;
+    place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
+    let _e22 = place_3;
+    let _e23 = gabor_kernel(frequency, orientation);
+    let _e24 = gabor_field(_e22, _e23, seed);
+    return _e24.value.y;
+}
+
+fn gabor_noise_wave(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
+    let _e10 = gabor_kernel_wave(wave);
+    let _e11 = gabor_noise_at(vec2(0i), (p * 1.5f), _e10, seed);
+    return _e11;
+}
+
+fn gabor_noise_wave_gradient(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec3<f32> {
+    var field_1: GaborField;
+    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e11 = gabor_kernel_wave(wave);
+    let _e12 = gabor_field(_e10, _e11, seed);
+    field_1 = _e12;
+    let _e14 = field_1;
+    let _e17 = field_1;
+    let _e20 = field_1;
+    return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
+}
+
+fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f32> {
+    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e11 = gabor_kernel_wave(wave);
+    let _e12 = gabor_field(_e10, _e11, seed);
+    return _e12.value;
+}
+
+fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
+    var place_4: GaborPlace;
+    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_4 = _e9;
+    let _e11 = place_4;
+    let _e12 = gabor_kernel_wave(wave);
+    let _e13 = gabor_field(_e11, _e12, seed);
+    return _e13.value.y;
+}
+
+fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
+    var intensity_1: f32;
+    intensity_1 = length(value);
+    let _e4 = intensity_1;
+    let _e9 = ((sharpness / max((sharpness * _e4), 1f)) * value);
+    let _e10 = intensity_1;
+    return vec3<f32>(_e9.x, _e9.y, _e10);
+}
+
+fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
+    let _e4 = gabor_kernel_wave(wave);
+    let _e5 = gabor_field(place, _e4, seed);
+    let _e7 = gabor_stripes_of(_e5.value, sharpness);
+    return _e7;
+}
+
+fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
+    return _e12;
+}
+
+fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
+    var place_6: GaborPlace;
+    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_6 = _e10;
+    let _e12 = place_6;
+    let _e13 = gabor_stripes_at(_e12, wave, sharpness, seed);
+    return _e13;
+}
+
+fn gabor_unorm(noise: f32) -> f32 {
+    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
+}
+

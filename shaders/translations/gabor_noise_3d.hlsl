@@ -1,7 +1,9 @@
-// gabor_noise_3d.hlsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
-// a normal distribution at every point: for HLSL, shader model 5.0 and up.
+// Generated from gabor_noise_3d.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_noise_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl. Paste or include it after gabor_spectrum.hlsl.
+// gabor_noise_3d.hlsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// a normal distribution at every point.
+//
+// Paste or include this file after gabor_noise.hlsl and gabor_spectrum.hlsl, with GABOR_TAPS 3, the default.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh

@@ -1,8 +1,10 @@
 // clang-format off
-// gabor_noise_3d.hpp: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
-// a normal distribution at every point: for C++ on the CPU.
+// Generated from gabor_noise_3d.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_noise_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp.
+// gabor_noise_3d.hpp: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// a normal distribution at every point.
+//
+// Paste or include this file after gabor_noise.hpp and gabor_spectrum.hpp, with GABOR_TAPS 3, the default.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
@@ -15,6 +17,8 @@
 // All may vary with p; where they are continuous, so is the noise.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #ifndef GABOR_NOISE_3D_HPP
 #define GABOR_NOISE_3D_HPP

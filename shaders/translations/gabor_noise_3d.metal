@@ -1,7 +1,9 @@
-// gabor_noise_3d.metal: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
-// a normal distribution at every point: for the Metal shading language.
+// Generated from gabor_noise_3d.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_noise_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal. Paste or include it after gabor_spectrum.metal.
+// gabor_noise_3d.metal: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
+// a normal distribution at every point.
+//
+// Paste or include this file after gabor_noise.metal and gabor_spectrum.metal, with GABOR_TAPS 3, the default.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
@@ -15,12 +17,12 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-#ifndef GABOR_NOISE_3D_METAL
-#define GABOR_NOISE_3D_METAL
-
 #include <metal_stdlib>
 
 using namespace metal;
+
+#ifndef GABOR_NOISE_3D_METAL
+#define GABOR_NOISE_3D_METAL
 #ifndef GABOR_SPECTRUM_METAL
 #error Include gabor_noise.metal and gabor_spectrum.metal before gabor_noise_3d.metal
 #elif GABOR_TAPS != 3

@@ -1,11 +1,13 @@
+// Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest 37c5937c0ebb4a7d.
+//
 // gabor_noise_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
-// a normal distribution at every point: for WGSL.
+// a normal distribution at every point.
 //
-// Generated from shaders/gabor_noise_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: df44653152a0417e
+// Paste or include this file after gabor_noise.wgsl and gabor_spectrum.wgsl, with GABOR_TAPS 3, the default.
 //
-//     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
-//     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
+//     f32 n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
+//     f32 s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
 //
 // Arguments of all functions, besides those of gabor_noise.wgsl:
 //     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
@@ -16,156 +18,57 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// The noise, with continuous first derivatives.
-fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    return _e12.noise;
-}
+// ---- Solid noise with one wave vector ------------------------------------------------------------------------------
 
-fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var period_12: vec3<f32>;
-    var nodes_1: vec3<f32>;
-    var place_35: GaborPlace3d;
+// f32 gabor_noise_3d(vec3f p, f32 frequency, vec3f direction, u32 seed)
+// f32 gabor_noise_3d_tiled(vec3f p, vec3f period, f32 frequency, vec3f direction, u32 seed)
+//     The noise, with continuous first derivatives.
 
-    period_12 = period;
-    let _e6 = period_12;
-    period_12 = clamp(_e6, vec3(0.0009765625f), vec3(1000000000f));
-    let _e12 = period_12;
-    nodes_1 = max(floor(((_e12 * 1.5f) + vec3(0.5f))), vec3(3f));
-    let _e28 = period_12;
-    let _e31 = period_12;
-    let _e34 = nodes_1;
-    let _e35 = period_12;
-    let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
-    place_35 = _e38;
-    let _e41 = nodes_1;
-    let _e42 = period_12;
-    place_35.radius = (_e41 / _e42);
-    let _e45 = nodes_1;
-    place_35.period = vec3<i32>(_e45);
-    let _e47 = place_35;
-    let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
-    return _e48.noise;
-}
+// f32 gabor_noise_3d_animated(vec3f p, f32 time, f32 frequency, vec3f direction, u32 seed)
+// vec4f gabor_noise_3d_four(vec3f p, f32 frequency, vec3f direction, u32 seed)
+// vec2f gabor_noise_3d_complex(vec3f p, f32 frequency, vec3f direction, u32 seed)
+//     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
 
-// Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
-fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    var place_36: GaborPlace3d;
+// vec4f gabor_noise_3d_gradient(vec3f p, f32 frequency, vec3f direction, u32 seed)
+//     (noise, d/dx, d/dy, d/dz). The derivatives are per kernel radius, for a constant wave vector. For a bump map,
+//     subtract the gradient's component along the normal.
 
-    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    place_36 = _e12;
-    place_36.animated = true;
-    place_36.time = time;
-    let _e17 = place_36;
-    let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
-    return _e18.noise;
-}
+// vec2f gabor_noise_3d_filtered(vec3f p, vec3f dx, vec3f dy, f32 frequency, vec3f direction, u32 seed)
+//     (noise, removed): the noise averaged over a pixel, and the share of its variance that averaging removed. The
+//     error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
+//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
+//     most 6.6 times (125 nodes).
 
-fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    let _e4 = gabor_noise_3d(p, frequency, direction, seed);
-    let _e7 = gabor_lobe_seed(seed, -1i);
-    let _e8 = gabor_noise_3d(p, frequency, direction, _e7);
-    let _e11 = gabor_lobe_seed(seed, -2i);
-    let _e12 = gabor_noise_3d(p, frequency, direction, _e11);
-    let _e15 = gabor_lobe_seed(seed, -3i);
-    let _e16 = gabor_noise_3d(p, frequency, direction, _e15);
-    return vec4<f32>(_e4, _e8, _e12, _e16);
-}
+// ---- Isotropic solid noise -----------------------------------------------------------------------------------------
 
-fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var field_16: GaborField3d;
+// f32 gabor_noise_3d_isotropic(vec3f p, f32 frequency, u32 seed)
+//     Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
+//     Value and gradient are normal, with the same variance at every point. The power varies with direction only
+//     because of the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
+//     together, follow mixtures of normal distributions.
 
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    field_16 = _e12;
-    let _e14 = field_16;
-    let _e16 = field_16;
-    return vec2<f32>(_e14.quadrature, _e16.noise);
-}
+// vec4f gabor_noise_3d_isotropic_gradient(vec3f p, f32 frequency, u32 seed)
+//     (noise, d/dx, d/dy, d/dz), per kernel radius.
 
-// (noise, d/dx, d/dy, d/dz). The derivatives are per kernel radius, for a constant wave vector. For a bump map,
-// subtract the gradient's component along the normal.
-fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
-    var field_15: GaborField3d;
+// vec2f gabor_noise_3d_isotropic_filtered(vec3f p, vec3f dx, vec3f dy, f32 frequency, u32 seed)
+//     Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
+//     exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel
+//     radii, and 3 % at 0.4. For larger pixels, only the variance is right.
 
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
-    field_15 = _e12;
-    let _e14 = field_15;
-    let _e16 = field_15;
-    return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
-}
+// ---- Noise on a surface --------------------------------------------------------------------------------------------
 
-// (noise, removed): the noise averaged over a pixel, and the share of its variance that averaging removed. The
-// error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-// radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
-// as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
-// most 6.6 times (125 nodes).
-fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
-    var field_17: GaborField3d;
+// f32 gabor_noise_surface(vec3f p, vec3f normal, f32 frequency, vec3f direction, u32 seed)
+//     Noise at point p on a surface, with waves along the projection of a direction onto the tangent plane. As the
+//     angle between direction and normal falls from 30 to 14 degrees, a second noise, whose direction is perpendicular
+//     to the given one, takes over; in between, both are computed. On a curved surface, waves bend within each kernel.
 
-    let _e6 = gabor_impl_place_of_pixel(p, dx, dy);
-    let _e7 = gabor_field_3d(_e6, frequency, direction, seed);
-    field_17 = _e7;
-    let _e9 = field_17;
-    let _e11 = field_17;
-    return vec2<f32>(_e9.noise, _e11.removed);
-}
+// f32 gabor_noise_surface_isotropic(vec3f p, vec3f normal, f32 frequency, u32 seed)
+//     Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
+//     and about ten times where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
+//     have the distributions of gabor_noise_3d_isotropic.
 
-// Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
-// Value and gradient are normal, with the same variance at every point. The power varies with direction only
-// because of the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
-// together, follow mixtures of normal distributions.
-fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
-    let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e11 = gabor_field_3d_isotropic(_e10, frequency, seed);
-    return _e11.noise;
-}
-
-// (noise, d/dx, d/dy, d/dz), per kernel radius.
-fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) -> vec4<f32> {
-    var field_18: GaborField3d;
-
-    let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e11 = gabor_field_3d_isotropic(_e10, frequency, seed);
-    field_18 = _e11;
-    let _e13 = field_18;
-    let _e15 = field_18;
-    return vec4<f32>(_e13.noise, _e15.gradient.x, _e15.gradient.y, _e15.gradient.z);
-}
-
-// Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
-// exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel
-// radii, and 3 % at 0.4. For larger pixels, only the variance is right.
-fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
-    var field_19: GaborField3d;
-
-    let _e5 = gabor_impl_place_of_pixel(p, dx, dy);
-    let _e6 = gabor_field_3d_isotropic(_e5, frequency, seed);
-    field_19 = _e6;
-    let _e8 = field_19;
-    let _e10 = field_19;
-    return vec2<f32>(_e8.noise, _e10.removed);
-}
-
-// Noise at point p on a surface, with waves along the projection of a direction onto the tangent plane. As the
-// angle between direction and normal falls from 30 to 14 degrees, a second noise, whose direction is perpendicular
-// to the given one, takes over; in between, both are computed. On a curved surface, waves bend within each kernel.
-fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
-    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e13 = gabor_field_surface(_e12, normal, frequency, direction, seed);
-    return _e13.noise;
-}
-
-// Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
-// and about ten times where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
-// have the distributions of gabor_noise_3d_isotropic.
-fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
-    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
-    let _e12 = gabor_field_surface_isotropic(_e11, normal, frequency, seed);
-    return _e12.noise;
-}
+// ---- For large worlds, and for periods, time and filters combined --------------------------------------------------
 
 // A position in node spacings of the lattice, with a period, a time and a pixel: see GaborPlace.
 struct GaborPlace3d {
@@ -189,291 +92,27 @@ struct GaborField3d {
     removed: f32,
 }
 
-// The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-// axis.
-fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
-    return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
-}
+// GaborPlace3d gabor_place_3d(vec3i cell, vec3f local)
+//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     axis.
 
-// The noises above, for a GaborPlace3d. All noise functions call these four.
-fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
-    var stretch_5: vec3<f32>;
-    var wave_22: vec3<f32>;
-    var salt_11: u32;
-    var amplitude_5: f32 = 1f;
-    var transmitted_1: f32 = 1f;
-    var wide_1: f32 = 0f;
-    var pixel_9: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
-    var whole: GaborPixelAxes;
-    var resolved: GaborPixelAxes;
-    var variance_1: vec3<f32>;
-    var sum_18: GaborField3d;
-    var noise_4: vec4<f32>;
-    var quadrature_1: vec4<f32>;
-
-    stretch_5 = (place.radius / vec3(1.5f));
-    let _e15 = gabor_impl_unit(direction);
-    let _e17 = stretch_5;
-    wave_22 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
-    let _e20 = gabor_impl_salt(seed);
-    salt_11 = _e20;
-    if place.filtered {
-        {
-            let _e35 = stretch_5;
-            let _e36 = gabor_impl_pixel(place, _e35);
-            whole = _e36;
-            let _e38 = whole;
-            let _e40 = gabor_impl_resolved(_e38, 1f);
-            resolved = _e40;
-            let _e42 = wave_22;
-            let _e43 = whole;
-            let _e44 = gabor_impl_transmitted_3d(_e42, _e43);
-            transmitted_1 = _e44;
-            let _e45 = transmitted_1;
-            let _e46 = wave_22;
-            let _e47 = resolved;
-            let _e48 = gabor_impl_transmitted_3d(_e46, _e47);
-            amplitude_5 = sqrt((_e45 / _e48));
-            let _e51 = transmitted_1;
-            if !((_e51 > 0.0000000001f)) {
-                transmitted_1 = 0f;
-            }
-            let _e56 = resolved;
-            let _e57 = gabor_impl_covariance(_e56);
-            pixel_9 = _e57;
-            let _e58 = pixel_9;
-            variance_1 = _e58.diagonal;
-            let _e62 = variance_1;
-            let _e64 = variance_1;
-            let _e67 = variance_1;
-            wide_1 = clamp(((100f * sqrt(max(max(_e62.x, _e64.y), _e67.z))) - 9f), 0f, 1f);
-        }
-    }
-    let _e84 = transmitted_1;
-    sum_18 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e84));
-    let _e88 = transmitted_1;
-    if (_e88 == 0f) {
-        let _e91 = sum_18;
-        return _e91;
-    }
-    let _e92 = wide_1;
-    if (_e92 < 1f) {
-        let _e96 = wave_22;
-        let _e97 = pixel_9;
-        let _e98 = salt_11;
-        let _e99 = gabor_impl_sum_3d(place, _e96, _e97, _e98);
-        let _e101 = wide_1;
-        let _e103 = amplitude_5;
-        let _e105 = stretch_5;
-        gabor_impl_add_field_3d((&sum_18), _e99, ((1f - _e101) * _e103), _e105);
-    }
-    let _e107 = wide_1;
-    if (_e107 > 0f) {
-        {
-            let _e117 = wave_22;
-            let _e118 = pixel_9;
-            let _e119 = wide_1;
-            let _e122 = salt_11;
-            gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, _e117, _e118, (_e119 > 0f), _e122, (&noise_4), (&quadrature_1));
-            let _e128 = noise_4;
-            let _e130 = noise_4;
-            let _e132 = quadrature_1;
-            let _e134 = quadrature_1;
-            let _e138 = wide_1;
-            let _e139 = amplitude_5;
-            let _e141 = stretch_5;
-            gabor_impl_add_field_3d((&sum_18), GaborField3d(_e128.x, _e130.yzw, _e132.x, _e134.yzw, 0f), (_e138 * _e139), _e141);
-        }
-    }
-    let _e143 = sum_18;
-    return _e143;
-}
-
-fn gabor_field_3d_isotropic(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
-    let _e13 = gabor_impl_isotropic(place, frequency, GaborTangents(false, vec3<f32>(1f, 0f, 0f), vec3<f32>(0f, 1f, 0f)), seed);
-    return _e13;
-}
-
-fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
-    var normal_1: vec3<f32>;
-    var direction_3: vec3<f32>;
-    var local_35: vec3<f32>;
-    var other: vec3<f32>;
-    var flat_length: f32;
-    var sum_20: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_36: i32;
-    var i_7: i32;
-    var local_37: i32;
-    var local_38: vec3<f32>;
-    var local_39: f32;
-
-    normal_1 = normal;
-    direction_3 = direction;
-    let _e7 = normal_1;
-    let _e8 = gabor_impl_unit(_e7);
-    normal_1 = _e8;
-    let _e9 = direction_3;
-    let _e10 = gabor_impl_unit(_e9);
-    direction_3 = _e10;
-    let _e11 = direction_3;
-    let _e12 = direction_3;
-    if (abs(_e12.z) < 0.7f) {
-        local_35 = vec3<f32>(0f, 0f, 1f);
-    } else {
-        local_35 = vec3<f32>(1f, 0f, 0f);
-    }
-    let _e26 = local_35;
-    other = cross(_e11, _e26);
-    let _e29 = direction_3;
-    let _e30 = direction_3;
-    let _e31 = normal_1;
-    let _e33 = normal_1;
-    direction_3 = (_e29 - (dot(_e30, _e31) * _e33));
-    let _e36 = other;
-    let _e37 = other;
-    let _e38 = normal_1;
-    let _e40 = normal_1;
-    other = (_e36 - (dot(_e37, _e38) * _e40));
-    let _e43 = direction_3;
-    let _e44 = direction_3;
-    flat_length = dot(_e43, _e44);
-    let _e56 = flat_length;
-    if (_e56 > 0.0625f) {
-        local_36 = 0i;
-    } else {
-        local_36 = 1i;
-    }
-    let _e62 = local_36;
-    i_7 = _e62;
-    loop {
-        let _e64 = i_7;
-        let _e65 = flat_length;
-        if (_e65 < 0.25f) {
-            local_37 = 2i;
-        } else {
-            local_37 = 1i;
-        }
-        let _e71 = local_37;
-        if !((_e64 < _e71)) {
-            break;
-        }
-        let _e78 = i_7;
-        if (_e78 == 0i) {
-            let _e81 = direction_3;
-            local_38 = _e81;
-        } else {
-            let _e82 = other;
-            local_38 = _e82;
-        }
-        let _e84 = local_38;
-        let _e85 = i_7;
-        let _e86 = gabor_lobe_seed(seed, _e85);
-        let _e87 = gabor_field_3d(place, frequency, _e84, _e86);
-        let _e88 = i_7;
-        if (_e88 == 0i) {
-            let _e93 = flat_length;
-            local_39 = smoothstep(0.0625f, 0.25f, _e93);
-        } else {
-            let _e99 = flat_length;
-            local_39 = smoothstep(-0.25f, -0.0625f, -(_e99));
-        }
-        let _e103 = local_39;
-        gabor_impl_add_share_3d((&sum_20), _e87, _e103);
-        continuing {
-            let _e74 = i_7;
-            i_7 = (_e74 + 1i);
-        }
-    }
-    let _e105 = sum_20;
-    return _e105;
-}
-
-fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
-    var normal_3: vec3<f32>;
-    var aside: f32;
-    var sum_26: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_52: i32;
-    var i_9: i32;
-    var local_53: i32;
-    var local_54: vec3<f32>;
-    var along_1: vec3<f32>;
-    var term_1: GaborField3d;
-    var local_55: f32;
-
-    normal_3 = normal;
-    let _e5 = normal_3;
-    let _e6 = gabor_impl_unit(_e5);
-    normal_3 = _e6;
-    let _e7 = normal_3;
-    let _e9 = normal_3;
-    aside = dot(_e7.xy, _e9.xy);
-    let _e22 = aside;
-    if (_e22 > 0.25f) {
-        local_52 = 0i;
-    } else {
-        local_52 = 1i;
-    }
-    let _e28 = local_52;
-    i_9 = _e28;
-    loop {
-        let _e30 = i_9;
-        let _e31 = aside;
-        if (_e31 < 0.5f) {
-            local_53 = 2i;
-        } else {
-            local_53 = 1i;
-        }
-        let _e37 = local_53;
-        if !((_e30 < _e37)) {
-            break;
-        }
-        {
-            let _e43 = i_9;
-            if (_e43 == 0i) {
-                local_54 = vec3<f32>(0f, 0f, 1f);
-            } else {
-                local_54 = vec3<f32>(1f, 0f, 0f);
-            }
-            let _e55 = local_54;
-            let _e56 = normal_3;
-            let _e58 = gabor_impl_unit(cross(_e55, _e56));
-            along_1 = _e58;
-            let _e61 = along_1;
-            let _e62 = normal_3;
-            let _e63 = along_1;
-            let _e66 = i_9;
-            let _e67 = gabor_lobe_seed(seed, _e66);
-            let _e68 = gabor_impl_isotropic(place, frequency, GaborTangents(true, _e61, cross(_e62, _e63)), _e67);
-            term_1 = _e68;
-            let _e71 = term_1;
-            let _e72 = i_9;
-            if (_e72 == 0i) {
-                let _e77 = aside;
-                local_55 = smoothstep(0.25f, 0.5f, _e77);
-            } else {
-                let _e83 = aside;
-                local_55 = smoothstep(-0.5f, -0.25f, -(_e83));
-            }
-            let _e87 = local_55;
-            gabor_impl_add_share_3d((&sum_26), _e71, _e87);
-        }
-        continuing {
-            let _e40 = i_9;
-            i_9 = (_e40 + 1i);
-        }
-    }
-    let _e89 = sum_26;
-    return _e89;
-}
+// GaborField3d gabor_field_3d(GaborPlace3d place, f32 frequency, vec3f direction, u32 seed)
+// GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, f32 frequency, u32 seed)
+// GaborField3d gabor_field_surface(GaborPlace3d place, vec3f normal, f32 frequency, vec3f direction, u32 seed)
+// GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, vec3f normal, f32 frequency, u32 seed)
+//     The noises above, for a GaborPlace3d. All noise functions call these four.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
+fn gabor_place_3d(cell: vec3<i32>, local: vec3<f32>) -> GaborPlace3d {
+    return GaborPlace3d(cell, local, vec3(1.5f), vec3(0i), false, 0f, false, vec3(0f), vec3(0f));
+}
+
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
 fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     var v_4: vec3<f32>;
-
     v_4 = v;
     let _e2 = v_4;
     v_4 = clamp(_e2, vec3(-1000000000000000f), vec3(1000000000000000f));
@@ -483,6 +122,14 @@ fn gabor_impl_unit(v: vec3<f32>) -> vec3<f32> {
     return (_e9 * inverseSqrt(max(dot(_e10, _e11), 0.000000000000000000000000000001f)));
 }
 
+// ---- One wave vector -----------------------------------------------------------------------------------------------
+//
+// As in the plane, the nodes c of a lattice with R = 3/2 nodes per kernel radius emit waves under Hann's windows h,
+// with independent normal amplitudes A. The windows of the nearest node and its 26 neighbours reach a point:
+//     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) h(z - c_z) exp(2 pi i F.(p - c)),   sum h^2 = 9/8 along each axis.
+// The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
+// frequency and no trace of the lattice.
+
 // Adds slice k of nodes. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the
 // window; `slopes` receives the same part of its derivatives along y and z. The filter adds mixed derivatives, weighted
 // by its covariances yz, zx, xy.
@@ -491,7 +138,6 @@ fn gabor_impl_add_node_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function
     var j_5: i32 = 0i;
     var slice_3: vec4<f32>;
     var slope_9: vec4<f32>;
-
     y_10 = y;
     loop {
         let _e11 = j_5;
@@ -546,7 +192,6 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     var blurred_4: vec3<f32>;
     var sum_16: vec4<f32> = vec4(0f);
     var slopes_1: vec4<f32> = vec4(0f);
-
     let _e15 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
     x_15 = _e15;
     let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
@@ -650,10 +295,9 @@ struct GaborPixelAxes {
 fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
     var dx_9: vec3<f32>;
     var dy_9: vec3<f32>;
-    var twice_1: vec2<f32>;
+    var twice_2: vec2<f32>;
     var cosine: f32;
     var turn_11: vec2<f32>;
-
     dx_9 = (clamp(place.dx, vec3(-1000000f), vec3(1000000f)) * stretch);
     dy_9 = (clamp(place.dy, vec3(-1000000f), vec3(1000000f)) * stretch);
     let _e20 = dx_9;
@@ -662,13 +306,13 @@ fn gabor_impl_pixel(place: GaborPlace3d, stretch: vec3<f32>) -> GaborPixelAxes {
     let _e24 = dy_9;
     let _e28 = dx_9;
     let _e29 = dy_9;
-    twice_1 = vec2<f32>((dot(_e20, _e21) - dot(_e23, _e24)), (2f * dot(_e28, _e29)));
-    let _e34 = twice_1;
-    let _e36 = twice_1;
+    twice_2 = vec2<f32>((dot(_e20, _e21) - dot(_e23, _e24)), (2f * dot(_e28, _e29)));
+    let _e34 = twice_2;
+    let _e36 = twice_2;
     cosine = (_e34.x / max(length(_e36), 0.000000000000000000000000000001f));
     let _e47 = cosine;
     turn_11 = sqrt(max((vec2(0.5f) + (vec2<f32>(0.5f, -0.5f) * _e47)), vec2(0f)));
-    let _e56 = twice_1;
+    let _e56 = twice_2;
     if (_e56.y < 0f) {
         let _e61 = turn_11;
         turn_11.y = -(_e61.y);
@@ -692,7 +336,6 @@ fn gabor_impl_resolved(pixel: GaborPixelAxes, most: f32) -> GaborPixelAxes {
 fn gabor_impl_covariance(pixel: GaborPixelAxes) -> GaborMatrix {
     var major: vec3<f32>;
     var minor: vec3<f32>;
-
     major = (0.5f * pixel.major);
     minor = (0.5f * pixel.minor);
     let _e9 = major;
@@ -715,7 +358,6 @@ fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
 fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     var d_6: vec2<f32>;
     var k_2: vec2<f32>;
-
     let _e2 = gabor_impl_spread(pixel);
     d_6 = _e2;
     k_2 = vec2<f32>(dot(wave, pixel.major), dot(wave, pixel.minor));
@@ -727,10 +369,103 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
+// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
+// node spacings.
+fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
+    var stretch_5: vec3<f32>;
+    var wave_22: vec3<f32>;
+    var salt_11: u32;
+    var amplitude_5: f32 = 1f;
+    var transmitted_1: f32 = 1f;
+    var wide_1: f32 = 0f;
+    var pixel_9: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
+    var whole: GaborPixelAxes;
+    var resolved: GaborPixelAxes;
+    var variance_1: vec3<f32>;
+    var sum_18: GaborField3d;
+    var noise_4: vec4<f32>;
+    var quadrature_1: vec4<f32>;
+    stretch_5 = (place.radius / vec3(1.5f));
+    let _e15 = gabor_impl_unit(direction);
+    let _e17 = stretch_5;
+    wave_22 = ((min(abs(frequency), 1000000f) * _e15) / _e17);
+    let _e20 = gabor_impl_salt(seed);
+    salt_11 = _e20;
+    if place.filtered {
+        {
+            let _e35 = stretch_5;
+            let _e36 = gabor_impl_pixel(place, _e35);
+            whole = _e36;
+            let _e38 = whole;
+            let _e40 = gabor_impl_resolved(_e38, 1f);
+            resolved = _e40;
+            let _e42 = wave_22;
+            let _e43 = whole;
+            let _e44 = gabor_impl_transmitted_3d(_e42, _e43);
+            transmitted_1 = _e44;
+            let _e45 = transmitted_1;
+            let _e46 = wave_22;
+            let _e47 = resolved;
+            let _e48 = gabor_impl_transmitted_3d(_e46, _e47);
+            amplitude_5 = sqrt((_e45 / _e48));
+            let _e51 = transmitted_1;
+            if !((_e51 > 0.0000000001f)) {
+                transmitted_1 = 0f;
+            }
+            let _e56 = resolved;
+            let _e57 = gabor_impl_covariance(_e56);
+            pixel_9 = _e57;
+            let _e58 = pixel_9;
+            variance_1 = _e58.diagonal;
+            let _e62 = variance_1;
+            let _e64 = variance_1;
+            let _e67 = variance_1;
+            wide_1 = clamp(((100f * sqrt(max(max(_e62.x, _e64.y), _e67.z))) - 9f), 0f, 1f);
+        }
+    }
+    let _e84 = transmitted_1;
+    sum_18 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e84));
+    let _e88 = transmitted_1;
+    if (_e88 == 0f) {
+        let _e91 = sum_18;
+        return _e91;
+    }
+    let _e92 = wide_1;
+    if (_e92 < 1f) {
+        let _e96 = wave_22;
+        let _e97 = pixel_9;
+        let _e98 = salt_11;
+        let _e99 = gabor_impl_sum_3d(place, _e96, _e97, _e98);
+        let _e101 = wide_1;
+        let _e103 = amplitude_5;
+        let _e105 = stretch_5;
+        gabor_impl_add_field_3d((&sum_18), _e99, ((1f - _e101) * _e103), _e105);
+    }
+    let _e107 = wide_1;
+    if (_e107 > 0f) {
+        {
+            let _e117 = wave_22;
+            let _e118 = pixel_9;
+            let _e119 = wide_1;
+            let _e122 = salt_11;
+            gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, _e117, _e118, (_e119 > 0f), _e122, (&noise_4), (&quadrature_1));
+            let _e128 = noise_4;
+            let _e130 = noise_4;
+            let _e132 = quadrature_1;
+            let _e134 = quadrature_1;
+            let _e138 = wide_1;
+            let _e139 = amplitude_5;
+            let _e141 = stretch_5;
+            gabor_impl_add_field_3d((&sum_18), GaborField3d(_e128.x, _e130.yzw, _e132.x, _e134.yzw, 0f), (_e138 * _e139), _e141);
+        }
+    }
+    let _e143 = sum_18;
+    return _e143;
+}
+
 // Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
 fn gabor_impl_add_share_3d(sum: ptr<function, GaborField3d>, term: GaborField3d, x: f32) {
     var power_5: f32;
-
     let _e3 = gabor_impl_takeover(x);
     power_5 = _e3;
     let _e6 = power_5;
@@ -740,6 +475,109 @@ fn gabor_impl_add_share_3d(sum: ptr<function, GaborField3d>, term: GaborField3d,
     (*sum).removed = (_e12.removed + (_e14 * term.removed));
     return;
 }
+
+fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
+    var normal_1: vec3<f32>;
+    var direction_3: vec3<f32>;
+    var local_35: vec3<f32>;
+    var other: vec3<f32>;
+    var flat_length: f32;
+    var sum_20: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_36: i32;
+    var i_7: i32;
+    var local_37: i32;
+    var local_38: vec3<f32>;
+    var local_39: f32;
+    normal_1 = normal;
+    direction_3 = direction;
+    let _e7 = normal_1;
+    let _e8 = gabor_impl_unit(_e7);
+    normal_1 = _e8;
+    let _e9 = direction_3;
+    let _e10 = gabor_impl_unit(_e9);
+    direction_3 = _e10;
+    let _e11 = direction_3;
+    let _e12 = direction_3;
+    if (abs(_e12.z) < 0.7f) {
+        local_35 = vec3<f32>(0f, 0f, 1f);
+    } else {
+        local_35 = vec3<f32>(1f, 0f, 0f);
+    }
+    let _e26 = local_35;
+    other = cross(_e11, _e26);
+    let _e29 = direction_3;
+    let _e30 = direction_3;
+    let _e31 = normal_1;
+    let _e33 = normal_1;
+    direction_3 = (_e29 - (dot(_e30, _e31) * _e33));
+    let _e36 = other;
+    let _e37 = other;
+    let _e38 = normal_1;
+    let _e40 = normal_1;
+    other = (_e36 - (dot(_e37, _e38) * _e40));
+    let _e43 = direction_3;
+    let _e44 = direction_3;
+    flat_length = dot(_e43, _e44);
+    let _e56 = flat_length;
+    if (_e56 > 0.0625f) {
+        local_36 = 0i;
+    } else {
+        local_36 = 1i;
+    }
+    let _e62 = local_36;
+    i_7 = _e62;
+    loop {
+        let _e64 = i_7;
+        let _e65 = flat_length;
+        if (_e65 < 0.25f) {
+            local_37 = 2i;
+        } else {
+            local_37 = 1i;
+        }
+        let _e71 = local_37;
+        if !((_e64 < _e71)) {
+            break;
+        }
+        let _e78 = i_7;
+        if (_e78 == 0i) {
+            let _e81 = direction_3;
+            local_38 = _e81;
+        } else {
+            let _e82 = other;
+            local_38 = _e82;
+        }
+        let _e84 = local_38;
+        let _e85 = i_7;
+        let _e86 = gabor_lobe_seed(seed, _e85);
+        let _e87 = gabor_field_3d(place, frequency, _e84, _e86);
+        let _e88 = i_7;
+        if (_e88 == 0i) {
+            let _e93 = flat_length;
+            local_39 = smoothstep(0.0625f, 0.25f, _e93);
+        } else {
+            let _e99 = flat_length;
+            local_39 = smoothstep(-0.25f, -0.0625f, -(_e99));
+        }
+        let _e103 = local_39;
+        gabor_impl_add_share_3d((&sum_20), _e87, _e103);
+        continuing {
+            let _e74 = i_7;
+            i_7 = (_e74 + 1i);
+        }
+    }
+    let _e105 = sum_20;
+    return _e105;
+}
+
+// ---- Isotropic noise -----------------------------------------------------------------------------------------------
+//
+// Node c emits waves along three perpendicular unit vectors u_cm, turned at random, each with its own amplitude:
+//     n(p) = K Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
+// Given the directions, n is normal with the constant variance K^2 E[|A|^2] / 2 sum_c 3 h_c^2. The gradient is
+// independent of the value and has the constant covariance K^2 E[|A|^2] / 2 sum_c (3 grad h grad h^T + 4 pi^2 F^2 h^2
+// I), because sum_m u_cm u_cm^T is the identity I. Since none of this depends on the directions, both are also normal
+// over random directions. On a surface there are two tangent vectors, and the same holds for the value and its
+// derivatives along the surface.
 
 // Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
 // node to the point. The filter (see gabor_spectrum.wgsl) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
@@ -762,7 +600,6 @@ fn gabor_impl_add_node_wave_3d(sum: ptr<function, GaborField3d>, x: vec4<f32>, y
     var i_slope: vec3<f32>;
     var real_4: vec3<f32>;
     var imaginary_4: vec3<f32>;
-
     let _e10 = gabor_impl_amplitude_at(word, place.animated, place.time);
     let _e12 = gabor_impl_wave(wave.w);
     let _e13 = gabor_impl_product(_e10, _e12);
@@ -888,7 +725,7 @@ struct GaborTangents {
 // along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
 // surface. In space, the first vector also tilts along z, and the other two turn around it within a quarter circle.
 fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: vec4<f32>, y: vec4<f32>, z: vec4<f32>, place: GaborPlace3d, pixel: GaborMatrix, scale: vec3<f32>, tangents: GaborTangents, column: u32, row: vec4<u32>) {
-    var word_7: u32;
+    var word_6: u32;
     var turn_12: vec2<f32>;
     var first_3: vec3<f32>;
     var second_3: vec3<f32>;
@@ -902,9 +739,8 @@ fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: vec4<f32>, 
     var across_1: vec4<f32>;
     var lifted: vec4<f32>;
     var unit_4: vec4<f32>;
-
-    word_7 = (column * row.w);
-    let _e14 = word_7;
+    word_6 = (column * row.w);
+    let _e14 = word_6;
     let _e18 = gabor_impl_half_turn((0.00000000011641532f * f32(i32(_e14))));
     turn_12 = _e18;
     let _e20 = turn_12;
@@ -926,12 +762,12 @@ fn gabor_impl_add_node_waves_3d(sum: ptr<function, GaborField3d>, x: vec4<f32>, 
     w_3 = vec4<f32>(0f, 0f, 1f, _e67.z);
     if !(tangents.only) {
         {
-            let _e74 = word_7;
+            let _e74 = word_6;
             rise_2 = (0.0000000004656613f * f32(i32((_e74 << 12u))));
             let _e82 = rise_2;
             let _e83 = rise_2;
             level = sqrt(max((1f - (_e82 * _e83)), 0f));
-            let _e91 = word_7;
+            let _e91 = word_6;
             let _e97 = gabor_impl_half_turn((0.00000000005820766f * f32(i32((_e91 << 20u)))));
             spin = _e97;
             let _e99 = v_5;
@@ -982,7 +818,6 @@ fn gabor_impl_node(offset: f32, node: vec4<f32>, variance: f32) -> vec4<f32> {
     var offset_1: f32;
     var fade_5: f32 = 1f;
     var fall_1: f32 = 1f;
-
     offset_1 = offset;
     let _e4 = offset_1;
     offset_1 = (_e4 / 1.5f);
@@ -1007,7 +842,6 @@ fn gabor_impl_node(offset: f32, node: vec4<f32>, variance: f32) -> vec4<f32> {
 
 fn gabor_impl_nodes(cell: i32, local: f32, period: i32, salt: u32, variance: f32) -> GaborAxis {
     var axis_3: GaborAxis;
-
     let _e10 = gabor_impl_axis(cell, local, period, salt, 0f, 1.5f);
     axis_3 = _e10;
     let _e15 = axis_3;
@@ -1045,9 +879,8 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
     var local_46: u32;
     var local_47: u32;
     var local_48: u32;
-    var word_8: u32;
+    var word_7: u32;
     var row_8: vec4<u32>;
-
     s_8 = pixel.diagonal;
     let _e13 = s_8;
     let _e15 = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, _e13.x);
@@ -1136,8 +969,8 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
                 local_48 = _e150;
             }
             let _e152 = local_48;
-            word_8 = (_e130 * _e152);
-            let _e155 = word_8;
+            word_7 = (_e130 * _e152);
+            let _e155 = word_7;
             let _e156 = gabor_impl_row(_e155);
             row_8 = _e156;
             let _e162 = x_19.node[0];
@@ -1183,7 +1016,6 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
     var q_2: vec2<f32>;
     var larger_1: f32;
     var smaller_2: f32;
-
     let _e3 = gabor_impl_spread(pixel);
     d_8 = _e3;
     let _e10 = d_8;
@@ -1254,7 +1086,6 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     var whole_1: GaborPixelAxes;
     var resolved_1: GaborPixelAxes;
     var sum_25: GaborField3d;
-
     frequency_31 = frequency;
     stretch_6 = (place.radius / vec3(1.5f));
     let _e13 = frequency_31;
@@ -1324,6 +1155,214 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     return _e116;
 }
 
+fn gabor_field_3d_isotropic(place: GaborPlace3d, frequency: f32, seed: u32) -> GaborField3d {
+    let _e13 = gabor_impl_isotropic(place, frequency, GaborTangents(false, vec3<f32>(1f, 0f, 0f), vec3<f32>(0f, 1f, 0f)), seed);
+    return _e13;
+}
+
+// Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
+// near that axis, around the x axis.
+fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
+    var normal_3: vec3<f32>;
+    var aside: f32;
+    var sum_26: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_52: i32;
+    var i_9: i32;
+    var local_53: i32;
+    var local_54: vec3<f32>;
+    var along_1: vec3<f32>;
+    var term_1: GaborField3d;
+    var local_55: f32;
+    normal_3 = normal;
+    let _e5 = normal_3;
+    let _e6 = gabor_impl_unit(_e5);
+    normal_3 = _e6;
+    let _e7 = normal_3;
+    let _e9 = normal_3;
+    aside = dot(_e7.xy, _e9.xy);
+    let _e22 = aside;
+    if (_e22 > 0.25f) {
+        local_52 = 0i;
+    } else {
+        local_52 = 1i;
+    }
+    let _e28 = local_52;
+    i_9 = _e28;
+    loop {
+        let _e30 = i_9;
+        let _e31 = aside;
+        if (_e31 < 0.5f) {
+            local_53 = 2i;
+        } else {
+            local_53 = 1i;
+        }
+        let _e37 = local_53;
+        if !((_e30 < _e37)) {
+            break;
+        }
+        {
+            let _e43 = i_9;
+            if (_e43 == 0i) {
+                local_54 = vec3<f32>(0f, 0f, 1f);
+            } else {
+                local_54 = vec3<f32>(1f, 0f, 0f);
+            }
+            let _e55 = local_54;
+            let _e56 = normal_3;
+            let _e58 = gabor_impl_unit(cross(_e55, _e56));
+            along_1 = _e58;
+            let _e61 = along_1;
+            let _e62 = normal_3;
+            let _e63 = along_1;
+            let _e66 = i_9;
+            let _e67 = gabor_lobe_seed(seed, _e66);
+            let _e68 = gabor_impl_isotropic(place, frequency, GaborTangents(true, _e61, cross(_e62, _e63)), _e67);
+            term_1 = _e68;
+            let _e71 = term_1;
+            let _e72 = i_9;
+            if (_e72 == 0i) {
+                let _e77 = aside;
+                local_55 = smoothstep(0.25f, 0.5f, _e77);
+            } else {
+                let _e83 = aside;
+                local_55 = smoothstep(-0.5f, -0.25f, -(_e83));
+            }
+            let _e87 = local_55;
+            gabor_impl_add_share_3d((&sum_26), _e71, _e87);
+        }
+        continuing {
+            let _e40 = i_9;
+            i_9 = (_e40 + 1i);
+        }
+    }
+    let _e89 = sum_26;
+    return _e89;
+}
+
+// ---- Functions of a position ---------------------------------------------------------------------------------------
+
+fn gabor_noise_3d(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    return _e12.noise;
+}
+
+fn gabor_noise_3d_gradient(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    var field_15: GaborField3d;
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    field_15 = _e12;
+    let _e14 = field_15;
+    let _e16 = field_15;
+    return vec4<f32>(_e14.noise, _e16.gradient.x, _e16.gradient.y, _e16.gradient.z);
+}
+
+fn gabor_noise_3d_complex(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var field_16: GaborField3d;
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_3d(_e11, frequency, direction, seed);
+    field_16 = _e12;
+    let _e14 = field_16;
+    let _e16 = field_16;
+    return vec2<f32>(_e14.quadrature, _e16.noise);
+}
+
+fn gabor_noise_3d_four(p: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec4<f32> {
+    let _e4 = gabor_noise_3d(p, frequency, direction, seed);
+    let _e7 = gabor_lobe_seed(seed, -1i);
+    let _e8 = gabor_noise_3d(p, frequency, direction, _e7);
+    let _e11 = gabor_lobe_seed(seed, -2i);
+    let _e12 = gabor_noise_3d(p, frequency, direction, _e11);
+    let _e15 = gabor_lobe_seed(seed, -3i);
+    let _e16 = gabor_noise_3d(p, frequency, direction, _e15);
+    return vec4<f32>(_e4, _e8, _e12, _e16);
+}
+
+fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    var period_12: vec3<f32>;
+    var nodes_1: vec3<f32>;
+    var place_35: GaborPlace3d;
+    period_12 = period;
+    let _e6 = period_12;
+    period_12 = clamp(_e6, vec3(0.0009765625f), vec3(1000000000f));
+    let _e12 = period_12;
+    nodes_1 = max(floor(((_e12 * 1.5f) + vec3(0.5f))), vec3(3f));
+    let _e28 = period_12;
+    let _e31 = period_12;
+    let _e34 = nodes_1;
+    let _e35 = period_12;
+    let _e38 = gabor_place_3d(vec3(0i), ((p - (floor((p / _e28)) * _e31)) * (_e34 / _e35)));
+    place_35 = _e38;
+    let _e41 = nodes_1;
+    let _e42 = period_12;
+    place_35.radius = (_e41 / _e42);
+    let _e45 = nodes_1;
+    place_35.period = vec3<i32>(_e45);
+    let _e47 = place_35;
+    let _e48 = gabor_field_3d(_e47, frequency, direction, seed);
+    return _e48.noise;
+}
+
+fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    var place_36: GaborPlace3d;
+    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    place_36 = _e12;
+    place_36.animated = true;
+    place_36.time = time;
+    let _e17 = place_36;
+    let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
+    return _e18.noise;
+}
+
 fn gabor_impl_place_of_pixel(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>) -> GaborPlace3d {
     return GaborPlace3d(vec3(0i), (p * 1.5f), vec3(1.5f), vec3(0i), false, 0f, true, dx, dy);
 }
+
+fn gabor_noise_3d_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> vec2<f32> {
+    var field_17: GaborField3d;
+    let _e6 = gabor_impl_place_of_pixel(p, dx, dy);
+    let _e7 = gabor_field_3d(_e6, frequency, direction, seed);
+    field_17 = _e7;
+    let _e9 = field_17;
+    let _e11 = field_17;
+    return vec2<f32>(_e9.noise, _e11.removed);
+}
+
+fn gabor_noise_3d_isotropic(p: vec3<f32>, frequency: f32, seed: u32) -> f32 {
+    let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e11 = gabor_field_3d_isotropic(_e10, frequency, seed);
+    return _e11.noise;
+}
+
+fn gabor_noise_3d_isotropic_gradient(p: vec3<f32>, frequency: f32, seed: u32) -> vec4<f32> {
+    var field_18: GaborField3d;
+    let _e10 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e11 = gabor_field_3d_isotropic(_e10, frequency, seed);
+    field_18 = _e11;
+    let _e13 = field_18;
+    let _e15 = field_18;
+    return vec4<f32>(_e13.noise, _e15.gradient.x, _e15.gradient.y, _e15.gradient.z);
+}
+
+fn gabor_noise_3d_isotropic_filtered(p: vec3<f32>, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> vec2<f32> {
+    var field_19: GaborField3d;
+    let _e5 = gabor_impl_place_of_pixel(p, dx, dy);
+    let _e6 = gabor_field_3d_isotropic(_e5, frequency, seed);
+    field_19 = _e6;
+    let _e8 = field_19;
+    let _e10 = field_19;
+    return vec2<f32>(_e8.noise, _e10.removed);
+}
+
+fn gabor_noise_surface(p: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+    let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e13 = gabor_field_surface(_e12, normal, frequency, direction, seed);
+    return _e13.noise;
+}
+
+fn gabor_noise_surface_isotropic(p: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> f32 {
+    let _e11 = gabor_place_3d(vec3(0i), (p * 1.5f));
+    let _e12 = gabor_field_surface_isotropic(_e11, normal, frequency, seed);
+    return _e12.noise;
+}
+

@@ -1,7 +1,7 @@
-// gabor_sparse.hlsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point: for HLSL, shader model 5.0 and up.
+// Generated from gabor_sparse.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_sparse.glsl by tools/translate: change that file, not this one.
+// gabor_sparse.hlsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -174,11 +174,12 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
 //
 // After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-void gabor_impl_macros_must_be_int_float_float_int_vec3(int, float, float, int, float3) {
+float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, int phases, float3 window) {
+    return float(n + phases) + r + a + window.x;
 }
-void gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
-                                                       GABOR_WINDOW);
+float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+                                                            GABOR_PHASES, GABOR_WINDOW);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 // clang-format off
-// gabor_sparse.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point: for C++ on the CPU.
+// Generated from gabor_sparse.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_sparse.glsl by tools/translate: change that file, not this one.
+// gabor_sparse.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -13,13 +13,13 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include "gabor_vectors.hpp"
+
 #ifdef GABOR_NOISE_HPP
 #error Include gabor_sparse.hpp or gabor_noise.hpp, not both: they define the same functions
 #endif
 #ifndef GABOR_SPARSE_HPP
 #define GABOR_SPARSE_HPP
-
-#include "gabor_vectors.hpp"
 
 #define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
@@ -148,11 +148,12 @@ struct GaborField {
 //
 // After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int, float, float, int, gabor_vec3) {
+GABOR_INLINE float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, int phases, gabor_vec3 window) {
+    return float(n + phases) + r + a + window.x;
 }
-GABOR_INLINE void gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
-                                                       GABOR_WINDOW);
+GABOR_INLINE float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+                                                            GABOR_PHASES, GABOR_WINDOW);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
-// gabor_sparse.metal: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point: for the Metal shading language.
+// Generated from gabor_sparse.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_sparse.glsl by tools/translate: change that file, not this one.
+// gabor_sparse.metal: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -12,15 +12,15 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifdef GABOR_NOISE_METAL
 #error Include gabor_sparse.metal or gabor_noise.metal, not both: they define the same functions
 #endif
 #ifndef GABOR_SPARSE_METAL
 #define GABOR_SPARSE_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 
 #define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
@@ -149,11 +149,12 @@ struct GaborField {
 //
 // After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-inline void gabor_impl_macros_must_be_int_float_float_int_vec3(int, float, float, int, float3) {
+inline float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, int phases, float3 window) {
+    return float(n + phases) + r + a + window.x;
 }
-inline void gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
-                                                       GABOR_WINDOW);
+inline float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+                                                            GABOR_PHASES, GABOR_WINDOW);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------

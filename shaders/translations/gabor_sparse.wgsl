@@ -1,11 +1,11 @@
+// Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest 83b200a0b7f4cb86.
+//
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point: for WGSL.
+// point.
 //
-// Generated from shaders/gabor_sparse.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 792f1ebe9a4a1b68
-//
-//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], for display
+//     f32 n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     f32 v = gabor_unorm(n);                    // in [0, 1], for display
 //
 // Use this file for the paper's own noise. The noise of gabor_noise.wgsl, which has the same functions, is faster and
 // is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
@@ -15,129 +15,50 @@
 
 const GABOR_NOISE_VERSION: u32 = 30000u;
 
-// Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
-// all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
-//                steps of 0.008
-//   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
-//                too coarse for the exact variance
-//   orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
-//   seed         any; different seeds give independent noises
-// Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
-// value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
-fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    let _e8 = gabor_kernel(frequency, orientation);
-    let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
-    return _e9;
-}
+// ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 
-// (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
-fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var field: GaborField;
+// ---- Functions -----------------------------------------------------------------------------------------------------
 
-    let _e8 = gabor_place(vec2(0i), (p * 1f));
-    let _e9 = gabor_kernel(frequency, orientation);
-    let _e10 = gabor_field(_e8, _e9, seed);
-    field = _e10;
-    let _e12 = field;
-    let _e15 = field;
-    let _e18 = field;
-    return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
-}
+// f32 gabor_noise(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
+//     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
+//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//                    steps of 0.008
+//       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
+//                    too coarse for the exact variance
+//       orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
+//       seed         any; different seeds give independent noises
+//     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
+//     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
-// (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-// sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-// variance 1 only at frequencies of 1.5 and more.
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    let _e8 = gabor_place(vec2(0i), (p * 1f));
-    let _e9 = gabor_kernel(frequency, orientation);
-    let _e10 = gabor_field(_e8, _e9, seed);
-    return _e10.value;
-}
+// vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
-// (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
-    var intensity: f32;
-    var local_10: f32;
-    var phase: f32;
-    var local_11: f32;
+// vec2f gabor_noise_complex(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
+//     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
+//     variance 1 only at frequencies of 1.5 and more.
 
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_10 = (atan2(value.y, value.x) * 0.15915494f);
-    } else {
-        local_10 = 0f;
-    }
-    let _e13 = local_10;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_11 = min((_e18 + 1f), 0.99999994f);
-    } else {
-        let _e23 = phase;
-        local_11 = _e23;
-    }
-    let _e25 = local_11;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
-}
+// vec2f gabor_phasor(vec2f value)
+//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
+//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
-// Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-// mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
-// Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
-// 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
-// 2, the diameter of a kernel, counts as 2.
-fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var period_2: vec2<f32>;
-    var cells: vec2<f32>;
-    var radius: vec2<f32>;
-    var within_1: vec2<f32>;
-    var place_1: GaborPlace;
+// f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
+//     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
+//     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
+//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
+//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
+//     2, the diameter of a kernel, counts as 2.
 
-    period_2 = period;
-    let _e6 = period_2;
-    period_2 = max(_e6, vec2(2f));
-    let _e10 = period_2;
-    cells = floor((_e10 * 1f));
-    let _e15 = cells;
-    let _e16 = period_2;
-    radius = (_e15 / _e16);
-    let _e19 = period_2;
-    let _e22 = period_2;
-    within_1 = (p - (floor((p / _e19)) * _e22));
-    let _e28 = within_1;
-    let _e29 = radius;
-    let _e31 = radius;
-    let _e32 = cells;
-    place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
-    let _e37 = place_1;
-    let _e38 = gabor_kernel(frequency, orientation);
-    let _e39 = gabor_field(_e37, _e38, seed);
-    return _e39.value.y;
-}
+// f32 gabor_noise_animated(vec2f p, f32 time, f32 frequency, f32 orientation, u32 seed)
+//     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
+//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
+//     points, the noise hardly changes.
 
-// Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
-// is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-// points, the noise hardly changes.
-fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
+// f32 gabor_unorm(f32 noise)
+//     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-    let _e9 = gabor_place(vec2(0i), (p * 1f));
-    place_2 = _e9;
-    place_2.time = time;
-    let _e12 = place_2;
-    let _e13 = gabor_kernel(frequency, orientation);
-    let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
-}
-
-// Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
-fn gabor_unorm(noise: f32) -> f32 {
-    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
-}
+// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
@@ -162,8 +83,436 @@ struct GaborField {
     slope_y: vec2<f32>,
 }
 
-// The kernel with a given frequency and orientation; ranges are those of gabor_noise. Compute it once for many
-// calls.
+// GaborKernel gabor_kernel(f32 frequency, f32 orientation)
+//     The kernel with a given frequency and orientation; ranges are those of gabor_noise. Compute it once for many
+//     calls.
+
+// GaborPlace gabor_place(vec2i cell, vec2f local)
+//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     axis.
+
+// GaborField gabor_field(GaborPlace place, GaborKernel kernel, u32 seed)
+//     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
+
+// f32 gabor_noise_at(vec2i cell, vec2f local, GaborKernel kernel, u32 seed)
+//     The noise at gabor_place(cell, local).
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
+//
+//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
+//
+// with a fixed number of impulses in each cell of a grid, and weights that vary little. The unit of length is the
+// kernel radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every point. Each
+// wave's phase starts at its own impulse, so frequency and orientation may vary with the position.
+//
+// After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
+
+fn gabor_impl_needs_int_float_float_int_vec3_macros(n: i32, r: f32, a: f32, phases: i32, window: vec3<f32>) -> f32 {
+    return (((f32((n + phases)) + r) + a) + window.x);
+}
+fn gabor_impl_check_macros() -> f32 {
+    let _e9 = gabor_impl_needs_int_float_float_int_vec3_macros(1i, 1f, 0.675f, 256i, vec3<f32>(3f, -4.5f, 2.5f));
+    return _e9;
+}
+
+// Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
+// between the rounds, so that no salt's sequence is a shifted copy of another's.
+fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
+    var word_1: u32;
+    word_1 = word;
+    let _e3 = word_1;
+    let _e4 = word_1;
+    word_1 = (((_e3 ^ (_e4 >> 16u)) * 569420461u) + salt);
+    let _e11 = word_1;
+    let _e12 = word_1;
+    word_1 = ((_e11 ^ (_e12 >> 15u)) * 3545902487u);
+    let _e18 = word_1;
+    let _e19 = word_1;
+    return (_e18 ^ (_e19 >> 15u));
+}
+
+// The word of a seed determines the words of the rows of cells, which determine the words of the impulses.
+fn gabor_impl_seed_word(seed: u32) -> u32 {
+    let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
+    return _e4;
+}
+
+fn gabor_impl_row_word(row: i32, seed_word: u32) -> u32 {
+    let _e6 = gabor_impl_mix(((u32(row) * 2654435761u) + seed_word), seed_word);
+    return _e6;
+}
+
+// The word of impulse `index` in a cell. Its bits hold y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
+// phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading bits of y and trailing bits of
+// x: only offsets in x below 1/256 of a cell depend on y.
+fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
+    var salt_1: u32;
+    salt_1 = (row_word + (u32(index) * 2246822507u));
+    let _e11 = salt_1;
+    let _e13 = salt_1;
+    let _e14 = gabor_impl_mix(((u32(column) * 2654435761u) + _e11), _e13);
+    return _e14;
+}
+
+// The parts of an impulse's word. Positions are offset by 1, to [1, 2)^2, which avoids a conversion from integers.
+struct GaborImpulse {
+    position_plus_one: vec2<f32>,
+    phase: f32,
+    phase_rate: f32,
+    magnitude: f32,
+}
+
+fn gabor_impl_impulse(word: u32) -> GaborImpulse {
+    var position_plus_one: vec2<f32>;
+    var rate: f32;
+    var local: f32;
+    var local_1: f32;
+    position_plus_one = vec2<f32>(bitcast<f32>((1065353216u | ((word >> 8u) & 8388607u))), bitcast<f32>((1065353216u | (word & 8388607u))));
+    rate = (f32(((word >> 8u) & 7u)) - 4f);
+    let _e23 = position_plus_one;
+    let _e24 = position_plus_one;
+    let _e32 = rate;
+    if (_e32 < 0f) {
+        let _e35 = rate;
+        local = _e35;
+    } else {
+        let _e36 = rate;
+        local = (_e36 + 1f);
+    }
+    let _e40 = local;
+    if (i32(word) < 0i) {
+        local_1 = 1f;
+    } else {
+        local_1 = 0.675f;
+    }
+    let _e47 = local_1;
+    return GaborImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
+}
+
+// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
+// the rounding of t adds to it.
+fn gabor_impl_sine(t: f32) -> f32 {
+    var t_1: f32;
+    var s: f32;
+    var p: f32;
+    t_1 = t;
+    let _e2 = t_1;
+    t_1 = (fract(_e2) - 0.5f);
+    let _e6 = t_1;
+    let _e7 = t_1;
+    s = (_e6 * _e7);
+    let _e11 = s;
+    p = ((12.233303f * _e11) - 38.123196f);
+    let _e16 = p;
+    let _e17 = s;
+    p = ((_e16 * _e17) + 67.0439f);
+    let _e21 = p;
+    let _e22 = s;
+    p = ((_e21 * _e22) - 64.83468f);
+    let _e26 = p;
+    let _e27 = s;
+    p = ((_e26 * _e27) + 25.13273f);
+    let _e31 = t_1;
+    let _e32 = s;
+    let _e36 = p;
+    return ((_e31 * (_e32 - 0.25f)) * _e36);
+}
+
+// The unit vector at an angle in radians, within 1e-7. Multiples of pi/2 are subtracted in three steps, for precision;
+// minimax polynomials give the sine and cosine of the rest.
+fn gabor_impl_direction(angle: f32) -> vec2<f32> {
+    var quarter: f32;
+    var r_1: f32;
+    var local_2: f32;
+    var s_1: f32;
+    var sine: f32;
+    var cosine: f32;
+    var local_3: vec2<f32>;
+    var axis: vec2<f32>;
+    var local_4: vec2<f32>;
+    quarter = floor(((angle * 0.63661975f) + 0.5f));
+    let _e7 = quarter;
+    r_1 = (angle - (_e7 * 1.5703125f));
+    let _e12 = r_1;
+    let _e13 = quarter;
+    r_1 = (_e12 - (_e13 * 0.0004837513f));
+    let _e17 = r_1;
+    let _e18 = quarter;
+    r_1 = (_e17 - (_e18 * 0.0000000754979f));
+    let _e22 = r_1;
+    if (abs(_e22) < 1f) {
+        let _e26 = r_1;
+        local_2 = _e26;
+    } else {
+        local_2 = 0f;
+    }
+    let _e29 = local_2;
+    r_1 = _e29;
+    let _e30 = r_1;
+    let _e31 = r_1;
+    s_1 = (_e30 * _e31);
+    let _e34 = r_1;
+    let _e35 = r_1;
+    let _e36 = s_1;
+    let _e40 = s_1;
+    let _e42 = s_1;
+    sine = (_e34 + ((_e35 * _e36) * (-0.16666654f + (_e40 * (0.008332161f - (_e42 * 0.00019515296f))))));
+    let _e53 = s_1;
+    let _e56 = s_1;
+    let _e57 = s_1;
+    let _e60 = s_1;
+    let _e63 = s_1;
+    cosine = ((1f - (0.5f * _e53)) + ((_e56 * _e57) * (0.041666646f + (_e60 * (-0.0013887316f + (_e63 * 0.000024433157f))))));
+    let _e73 = quarter;
+    if (fract((0.5f * _e73)) < 0.25f) {
+        let _e78 = cosine;
+        let _e79 = sine;
+        local_3 = vec2<f32>(_e78, _e79);
+    } else {
+        let _e81 = sine;
+        let _e83 = cosine;
+        local_3 = vec2<f32>(-(_e81), _e83);
+    }
+    let _e86 = local_3;
+    axis = _e86;
+    let _e89 = quarter;
+    if (fract((0.25f * _e89)) < 0.375f) {
+        let _e94 = axis;
+        local_4 = _e94;
+    } else {
+        let _e95 = axis;
+        local_4 = -(_e95);
+    }
+    let _e98 = local_4;
+    return _e98;
+}
+
+// ---- Normalization -------------------------------------------------------------------------------------------------
+// With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
+// I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
+// Bessel function (Poisson's integral, DLMF 10.54.1). GaborEnergy holds the five c_n I_n and their sum, the integral of
+// q^2.
+struct GaborEnergy {
+    e4567_: vec4<f32>,
+    e8_: f32,
+    sum: f32,
+}
+
+fn gabor_impl_energy() -> GaborEnergy {
+    var c: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
+    var e4567_: vec4<f32>;
+    var e8_: f32;
+    let _e19 = c;
+    let _e21 = c;
+    let _e25 = c;
+    let _e28 = c;
+    let _e31 = c;
+    let _e33 = c;
+    let _e37 = c;
+    let _e40 = c;
+    let _e45 = c;
+    let _e48 = c;
+    e4567_ = (vec4<f32>(0.8126984f, 0.73881674f, 0.68198466f, 0.636519f) * vec4<f32>((_e19.x * _e21.x), ((2f * _e25.x) * _e28.y), ((_e31.y * _e33.y) + ((2f * _e37.x) * _e40.z)), ((2f * _e45.y) * _e48.z)));
+    let _e54 = c;
+    let _e56 = c;
+    e8_ = ((_e54.z * _e56.z) * 0.59907675f);
+    let _e64 = e4567_;
+    let _e65 = e8_;
+    let _e66 = e4567_;
+    let _e70 = e8_;
+    return GaborEnergy(_e64, _e65, (dot(_e66, vec4(1f)) + _e70));
+}
+
+// 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
+// a sine kernel with k cycles per radius, relative to the energy at high frequency. For small a, it is computed from
+// 1 - L_n, by the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from
+// L_0 = sin(a) / a:
+//     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
+fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
+    var a_1: f32;
+    var z: f32;
+    var d4567_: vec4<f32>;
+    var d78_: vec2<f32> = vec2(0f);
+    var term: vec2<f32> = vec2(1f);
+    var i: i32 = 1i;
+    var d6_: f32;
+    var d5_: f32;
+    var y: f32;
+    var l0_: f32;
+    var l1_: f32;
+    var l2_: f32;
+    var l3_: f32;
+    var l: vec4<f32>;
+    a_1 = (12.566371f * k);
+    let _e5 = a_1;
+    let _e6 = a_1;
+    z = (_e5 * _e6);
+    let _e13 = z;
+    if (_e13 < 64f) {
+        {
+            loop {
+                let _e21 = i;
+                if !((_e21 <= 14i)) {
+                    break;
+                }
+                {
+                    let _e28 = term;
+                    let _e31 = z;
+                    let _e33 = i;
+                    let _e35 = i;
+                    term = (_e28 * (vec2((-0.25f * _e31)) / (f32(_e33) * (vec2(f32(_e35)) + vec2<f32>(7.5f, 8.5f)))));
+                    let _e46 = d78_;
+                    let _e47 = term;
+                    d78_ = (_e46 - _e47);
+                }
+                continuing {
+                    let _e25 = i;
+                    i = (_e25 + 1i);
+                }
+            }
+            let _e49 = d78_;
+            let _e51 = z;
+            let _e53 = d78_;
+            d6_ = (_e49.x + ((_e51 * (1f - _e53.y)) * 0.003921569f));
+            let _e63 = d6_;
+            let _e64 = z;
+            let _e66 = d78_;
+            d5_ = (_e63 + ((_e64 * (1f - _e66.x)) * 0.0051282053f));
+            let _e76 = d5_;
+            let _e77 = z;
+            let _e79 = d6_;
+            let _e87 = d5_;
+            let _e88 = d6_;
+            let _e89 = d78_;
+            d4567_ = vec4<f32>((_e76 + ((_e77 * (1f - _e79)) * 0.006993007f)), _e87, _e88, _e89.x);
+        }
+    } else {
+        {
+            let _e93 = z;
+            y = (1f / _e93);
+            let _e98 = gabor_impl_sine((2f * k));
+            let _e99 = a_1;
+            l0_ = (_e98 / _e99);
+            let _e103 = y;
+            let _e105 = l0_;
+            let _e110 = gabor_impl_sine(((2f * k) + 0.25f));
+            l1_ = ((3f * _e103) * (_e105 - _e110));
+            let _e115 = y;
+            let _e117 = l1_;
+            let _e118 = l0_;
+            l2_ = ((15f * _e115) * (_e117 - _e118));
+            let _e123 = y;
+            let _e125 = l2_;
+            let _e126 = l1_;
+            l3_ = ((35f * _e123) * (_e125 - _e126));
+            let _e133 = y;
+            let _e135 = l3_;
+            let _e136 = l2_;
+            l.x = ((63f * _e133) * (_e135 - _e136));
+            let _e141 = y;
+            let _e143 = l;
+            let _e145 = l3_;
+            l.y = ((99f * _e141) * (_e143.x - _e145));
+            let _e150 = y;
+            let _e152 = l;
+            let _e154 = l;
+            l.z = ((143f * _e150) * (_e152.y - _e154.x));
+            let _e160 = y;
+            let _e162 = l;
+            let _e164 = l;
+            l.w = ((195f * _e160) * (_e162.z - _e164.y));
+            let _e171 = y;
+            let _e173 = l;
+            let _e175 = l;
+            d78_.y = (1f - ((255f * _e171) * (_e173.w - _e175.z)));
+            let _e181 = l;
+            d4567_ = (vec4(1f) - _e181);
+        }
+    }
+    let _e185 = d4567_;
+    let _e188 = d78_;
+    return ((dot(energy.e4567_, _e185) + (energy.e8_ * _e188.y)) / energy.sum);
+}
+
+// ---- Kernels -------------------------------------------------------------------------------------------------------
+// The window q along one axis, which is 0 for |x| >= 1, and its derivative.
+fn gabor_impl_window(x: f32) -> vec2<f32> {
+    var c_1: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
+    var u: f32;
+    u = max((1f - (x * x)), 0f);
+    let _e13 = u;
+    let _e14 = u;
+    let _e16 = c_1;
+    let _e18 = u;
+    let _e19 = c_1;
+    let _e21 = u;
+    let _e22 = c_1;
+    let _e32 = u;
+    let _e35 = c_1;
+    let _e38 = u;
+    let _e40 = c_1;
+    let _e43 = u;
+    let _e45 = c_1;
+    return vec2<f32>(((_e13 * _e14) * (_e16.x + (_e18 * (_e19.y + (_e21 * _e22.z))))), (((-2f * x) * _e32) * ((2f * _e35.x) + (_e38 * ((3f * _e40.y) + (_e43 * (4f * _e45.z)))))));
+}
+
+// Wraps a cell's coordinate into a period.
+fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
+    var within: i32;
+    var local_5: i32;
+    if (period == 0i) {
+        return cell;
+    }
+    within = (cell - ((cell / period) * period));
+    let _e8 = within;
+    if (_e8 < 0i) {
+        let _e11 = within;
+        local_5 = (_e11 + period);
+    } else {
+        let _e13 = within;
+        local_5 = _e13;
+    }
+    let _e15 = local_5;
+    return _e15;
+}
+
+// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
+// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
+fn gabor_impl_phase_gain(kernel: GaborKernel, time: f32) -> f32 {
+    var kernel_1: GaborKernel;
+    var sines: vec4<f32>;
+    var u_1: f32;
+    kernel_1 = kernel;
+    if (true || (time == 0f)) {
+        return 1f;
+    }
+    let _e10 = gabor_impl_sine(time);
+    let _e13 = gabor_impl_sine((2f * time));
+    let _e16 = gabor_impl_sine((3f * time));
+    let _e19 = gabor_impl_sine((4f * time));
+    sines = vec4<f32>(_e10, _e13, _e16, _e19);
+    let _e23 = sines;
+    let _e24 = sines;
+    u_1 = (0.5f * dot(_e23, _e24));
+    let _e29 = u_1;
+    let _e31 = kernel_1;
+    let _e35 = kernel_1;
+    return inverseSqrt((1f + ((_e29 * (1f - _e31.variance_factor)) / _e35.variance_factor)));
+}
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
+    return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
+}
+
+// There are N R^2 impulses per unit area, so by Campbell's theorem
+//     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
+// With two phases, sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, with a = 4 pi F omega.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     var local_7: f32;
     var wave: vec2<f32>;
@@ -174,7 +523,6 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     var x_1: f32;
     var y_1: f32;
     var variance_factor: f32;
-
     if (abs(frequency) > 0.000001f) {
         local_7 = abs(frequency);
     } else {
@@ -215,13 +563,6 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
 }
 
-// The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-// axis.
-fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
-    return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
-}
-
-// The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     var kernel_3: GaborKernel;
     var visited: i32 = 3i;
@@ -247,7 +588,6 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var wave_1: vec2<f32>;
     var turned: vec2<f32>;
     var scale: f32;
-
     kernel_3 = kernel;
     whole = floor(place.local);
     let _e16 = whole;
@@ -390,10 +730,8 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     return GaborField((_e243 * _e244.value), (_e247 * _e248.slope_x), (_e251 * _e252.slope_y));
 }
 
-// The noise at gabor_place(cell, local).
 fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
     var kernel_5: GaborKernel;
-
     kernel_5 = kernel;
     let _e5 = gabor_place(cell, local);
     let _e6 = kernel_5;
@@ -401,411 +739,98 @@ fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: 
     return _e7.value.y;
 }
 
-// ====================================================================================================================
-// Private implementation
-// ====================================================================================================================
-//
-// The noise is a sum of Gabor kernels, windowed waves, around random impulses x_i (sparse convolution):
-//
-//     n(p) = K sum_i w_i g_i(p - x_i),     g_i(d) = q(d.x) q(d.y) sin(2 pi (F d.omega + phase_i)),
-//
-// with a fixed number of impulses in each cell of a grid, and weights that vary little. The unit of length is the
-// kernel radius, where q and its slope are 0. K makes the variance exactly 1 at every frequency and every point. Each
-// wave's phase starts at its own impulse, so frequency and orientation may vary with the position.
-//
-// After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
-
-// Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
-// between the rounds, so that no salt's sequence is a shifted copy of another's.
-fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
-    var word_1: u32;
-
-    word_1 = word;
-    let _e3 = word_1;
-    let _e4 = word_1;
-    word_1 = (((_e3 ^ (_e4 >> 16u)) * 569420461u) + salt);
-    let _e11 = word_1;
-    let _e12 = word_1;
-    word_1 = ((_e11 ^ (_e12 >> 15u)) * 3545902487u);
-    let _e18 = word_1;
-    let _e19 = word_1;
-    return (_e18 ^ (_e19 >> 15u));
+fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    let _e8 = gabor_kernel(frequency, orientation);
+    let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
+    return _e9;
 }
 
-// The word of a seed determines the words of the rows of cells, which determine the words of the impulses.
-fn gabor_impl_seed_word(seed: u32) -> u32 {
-    let _e4 = gabor_impl_mix((seed * 2654435761u), 625341585u);
-    return _e4;
+fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
+    var field: GaborField;
+    let _e8 = gabor_place(vec2(0i), (p * 1f));
+    let _e9 = gabor_kernel(frequency, orientation);
+    let _e10 = gabor_field(_e8, _e9, seed);
+    field = _e10;
+    let _e12 = field;
+    let _e15 = field;
+    let _e18 = field;
+    return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
 }
 
-fn gabor_impl_row_word(row: i32, seed_word: u32) -> u32 {
-    let _e6 = gabor_impl_mix(((u32(row) * 2654435761u) + seed_word), seed_word);
-    return _e6;
+fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    let _e8 = gabor_place(vec2(0i), (p * 1f));
+    let _e9 = gabor_kernel(frequency, orientation);
+    let _e10 = gabor_field(_e8, _e9, seed);
+    return _e10.value;
 }
 
-// The word of impulse `index` in a cell. Its bits hold y in the cell (0 to 22), x (8 to 30), the phase (0 to 7), the
-// phase rate (8 to 10) and the magnitude (31). x and y share bits 8 to 22, the leading bits of y and trailing bits of
-// x: only offsets in x below 1/256 of a cell depend on y.
-fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
-    var salt_1: u32;
-
-    salt_1 = (row_word + (u32(index) * 2246822507u));
-    let _e11 = salt_1;
-    let _e13 = salt_1;
-    let _e14 = gabor_impl_mix(((u32(column) * 2654435761u) + _e11), _e13);
-    return _e14;
-}
-
-// The parts of an impulse's word. Positions are offset by 1, to [1, 2)^2, which avoids a conversion from integers.
-struct GaborImpulse {
-    position_plus_one: vec2<f32>,
-    phase: f32,
-    phase_rate: f32,
-    magnitude: f32,
-}
-
-fn gabor_impl_impulse(word: u32) -> GaborImpulse {
-    var position_plus_one: vec2<f32>;
-    var rate: f32;
-    var local: f32;
-    var local_1: f32;
-
-    position_plus_one = vec2<f32>(bitcast<f32>((1065353216u | ((word >> 8u) & 8388607u))), bitcast<f32>((1065353216u | (word & 8388607u))));
-    rate = (f32(((word >> 8u) & 7u)) - 4f);
-    let _e23 = position_plus_one;
-    let _e24 = position_plus_one;
-    let _e32 = rate;
-    if (_e32 < 0f) {
-        let _e35 = rate;
-        local = _e35;
+fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+    var intensity: f32;
+    var local_10: f32;
+    var phase: f32;
+    var local_11: f32;
+    intensity = length(value);
+    let _e3 = intensity;
+    if (_e3 > 0f) {
+        local_10 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        let _e36 = rate;
-        local = (_e36 + 1f);
+        local_10 = 0f;
     }
-    let _e40 = local;
-    if (i32(word) < 0i) {
-        local_1 = 1f;
+    let _e13 = local_10;
+    phase = _e13;
+    let _e15 = phase;
+    if (_e15 < 0f) {
+        let _e18 = phase;
+        local_11 = min((_e18 + 1f), 0.99999994f);
     } else {
-        local_1 = 0.675f;
+        let _e23 = phase;
+        local_11 = _e23;
     }
-    let _e47 = local_1;
-    return GaborImpulse(_e23, fract((_e24.y * 32768f)), _e40, _e47);
+    let _e25 = local_11;
+    let _e26 = intensity;
+    return vec2<f32>(_e25, _e26);
 }
 
-// sin(2 pi t), as t (1/4 - t^2) times a minimax polynomial in t^2. The error is at most 3e-7 in [-1, 1]; beyond that,
-// the rounding of t adds to it.
-fn gabor_impl_sine(t: f32) -> f32 {
-    var t_1: f32;
-    var s: f32;
-    var p: f32;
-
-    t_1 = t;
-    let _e2 = t_1;
-    t_1 = (fract(_e2) - 0.5f);
-    let _e6 = t_1;
-    let _e7 = t_1;
-    s = (_e6 * _e7);
-    let _e11 = s;
-    p = ((12.233303f * _e11) - 38.123196f);
-    let _e16 = p;
-    let _e17 = s;
-    p = ((_e16 * _e17) + 67.0439f);
-    let _e21 = p;
-    let _e22 = s;
-    p = ((_e21 * _e22) - 64.83468f);
-    let _e26 = p;
-    let _e27 = s;
-    p = ((_e26 * _e27) + 25.13273f);
-    let _e31 = t_1;
-    let _e32 = s;
-    let _e36 = p;
-    return ((_e31 * (_e32 - 0.25f)) * _e36);
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var period_2: vec2<f32>;
+    var cells: vec2<f32>;
+    var radius: vec2<f32>;
+    var within_1: vec2<f32>;
+    var place_1: GaborPlace;
+    period_2 = period;
+    let _e6 = period_2;
+    period_2 = max(_e6, vec2(2f));
+    let _e10 = period_2;
+    cells = floor((_e10 * 1f));
+    let _e15 = cells;
+    let _e16 = period_2;
+    radius = (_e15 / _e16);
+    let _e19 = period_2;
+    let _e22 = period_2;
+    within_1 = (p - (floor((p / _e19)) * _e22));
+    let _e28 = within_1;
+    let _e29 = radius;
+    let _e31 = radius;
+    let _e32 = cells;
+    place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
+    let _e37 = place_1;
+    let _e38 = gabor_kernel(frequency, orientation);
+    let _e39 = gabor_field(_e37, _e38, seed);
+    return _e39.value.y;
 }
 
-// The unit vector at an angle in radians, within 1e-7. Multiples of pi/2 are subtracted in three steps, for precision;
-// minimax polynomials give the sine and cosine of the rest.
-fn gabor_impl_direction(angle: f32) -> vec2<f32> {
-    var quarter: f32;
-    var r_1: f32;
-    var local_2: f32;
-    var s_1: f32;
-    var sine: f32;
-    var cosine: f32;
-    var local_3: vec2<f32>;
-    var axis: vec2<f32>;
-    var local_4: vec2<f32>;
-
-    quarter = floor(((angle * 0.63661975f) + 0.5f));
-    let _e7 = quarter;
-    r_1 = (angle - (_e7 * 1.5703125f));
-    let _e12 = r_1;
-    let _e13 = quarter;
-    r_1 = (_e12 - (_e13 * 0.0004837513f));
-    let _e17 = r_1;
-    let _e18 = quarter;
-    r_1 = (_e17 - (_e18 * 0.0000000754979f));
-    let _e22 = r_1;
-    if (abs(_e22) < 1f) {
-        let _e26 = r_1;
-        local_2 = _e26;
-    } else {
-        local_2 = 0f;
-    }
-    let _e29 = local_2;
-    r_1 = _e29;
-    let _e30 = r_1;
-    let _e31 = r_1;
-    s_1 = (_e30 * _e31);
-    let _e34 = r_1;
-    let _e35 = r_1;
-    let _e36 = s_1;
-    let _e40 = s_1;
-    let _e42 = s_1;
-    sine = (_e34 + ((_e35 * _e36) * (-0.16666654f + (_e40 * (0.008332161f - (_e42 * 0.00019515296f))))));
-    let _e53 = s_1;
-    let _e56 = s_1;
-    let _e57 = s_1;
-    let _e60 = s_1;
-    let _e63 = s_1;
-    cosine = ((1f - (0.5f * _e53)) + ((_e56 * _e57) * (0.041666646f + (_e60 * (-0.0013887316f + (_e63 * 0.000024433157f))))));
-    let _e73 = quarter;
-    if (fract((0.5f * _e73)) < 0.25f) {
-        let _e78 = cosine;
-        let _e79 = sine;
-        local_3 = vec2<f32>(_e78, _e79);
-    } else {
-        let _e81 = sine;
-        let _e83 = cosine;
-        local_3 = vec2<f32>(-(_e81), _e83);
-    }
-    let _e86 = local_3;
-    axis = _e86;
-    let _e89 = quarter;
-    if (fract((0.25f * _e89)) < 0.375f) {
-        let _e94 = axis;
-        local_4 = _e94;
-    } else {
-        let _e95 = axis;
-        local_4 = -(_e95);
-    }
-    let _e98 = local_4;
-    return _e98;
+fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_2: GaborPlace;
+    let _e9 = gabor_place(vec2(0i), (p * 1f));
+    place_2 = _e9;
+    place_2.time = time;
+    let _e12 = place_2;
+    let _e13 = gabor_kernel(frequency, orientation);
+    let _e14 = gabor_field(_e12, _e13, seed);
+    return _e14.value.y;
 }
 
-// ---- Normalization -------------------------------------------------------------------------------------------------
-// With u = 1 - x^2, q^2 is a polynomial: the sum of c4 u^4 ... c8 u^8. The integral over [-1, 1] of u^n cos(a x) is
-// I_n L_n(a), with I_n = I_(n-1) 2n / (2n+1), I_4 = 256/315, and L_n(a) = (2n+1)!! j_n(a) / a^n, j_n the spherical
-// Bessel function (Poisson's integral, DLMF 10.54.1). GaborEnergy holds the five c_n I_n and their sum, the integral of
-// q^2.
-struct GaborEnergy {
-    e4567_: vec4<f32>,
-    e8_: f32,
-    sum: f32,
+fn gabor_unorm(noise: f32) -> f32 {
+    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
 }
 
-fn gabor_impl_energy() -> GaborEnergy {
-    var c: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
-    var e4567_: vec4<f32>;
-    var e8_: f32;
-
-    let _e19 = c;
-    let _e21 = c;
-    let _e25 = c;
-    let _e28 = c;
-    let _e31 = c;
-    let _e33 = c;
-    let _e37 = c;
-    let _e40 = c;
-    let _e45 = c;
-    let _e48 = c;
-    e4567_ = (vec4<f32>(0.8126984f, 0.73881674f, 0.68198466f, 0.636519f) * vec4<f32>((_e19.x * _e21.x), ((2f * _e25.x) * _e28.y), ((_e31.y * _e33.y) + ((2f * _e37.x) * _e40.z)), ((2f * _e45.y) * _e48.z)));
-    let _e54 = c;
-    let _e56 = c;
-    e8_ = ((_e54.z * _e56.z) * 0.59907675f);
-    let _e64 = e4567_;
-    let _e65 = e8_;
-    let _e66 = e4567_;
-    let _e70 = e8_;
-    return GaborEnergy(_e64, _e65, (dot(_e66, vec4(1f)) + _e70));
-}
-
-// 1 - J(a) / J(0), with J(a) = integral over [-1, 1] of q(x)^2 cos(a x) dx and a = 4 pi k: the energy along one axis of
-// a sine kernel with k cycles per radius, relative to the energy at high frequency. For small a, it is computed from
-// 1 - L_n, by the power series of L_7 and L_8 and downward recurrence; for large a, by upward recurrence from
-// L_0 = sin(a) / a:
-//     L_(n-1) = L_n - a^2 L_(n+1) / ((2n+1) (2n+3))          (DLMF 10.51.1)
-fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
-    var a_1: f32;
-    var z: f32;
-    var d4567_: vec4<f32>;
-    var d78_: vec2<f32> = vec2(0f);
-    var term: vec2<f32> = vec2(1f);
-    var i: i32 = 1i;
-    var d6_: f32;
-    var d5_: f32;
-    var y: f32;
-    var l0_: f32;
-    var l1_: f32;
-    var l2_: f32;
-    var l3_: f32;
-    var l: vec4<f32>;
-
-    a_1 = (12.566371f * k);
-    let _e5 = a_1;
-    let _e6 = a_1;
-    z = (_e5 * _e6);
-    let _e13 = z;
-    if (_e13 < 64f) {
-        {
-            loop {
-                let _e21 = i;
-                if !((_e21 <= 14i)) {
-                    break;
-                }
-                {
-                    let _e28 = term;
-                    let _e31 = z;
-                    let _e33 = i;
-                    let _e35 = i;
-                    term = (_e28 * (vec2((-0.25f * _e31)) / (f32(_e33) * (vec2(f32(_e35)) + vec2<f32>(7.5f, 8.5f)))));
-                    let _e46 = d78_;
-                    let _e47 = term;
-                    d78_ = (_e46 - _e47);
-                }
-                continuing {
-                    let _e25 = i;
-                    i = (_e25 + 1i);
-                }
-            }
-            let _e49 = d78_;
-            let _e51 = z;
-            let _e53 = d78_;
-            d6_ = (_e49.x + ((_e51 * (1f - _e53.y)) * 0.003921569f));
-            let _e63 = d6_;
-            let _e64 = z;
-            let _e66 = d78_;
-            d5_ = (_e63 + ((_e64 * (1f - _e66.x)) * 0.0051282053f));
-            let _e76 = d5_;
-            let _e77 = z;
-            let _e79 = d6_;
-            let _e87 = d5_;
-            let _e88 = d6_;
-            let _e89 = d78_;
-            d4567_ = vec4<f32>((_e76 + ((_e77 * (1f - _e79)) * 0.006993007f)), _e87, _e88, _e89.x);
-        }
-    } else {
-        {
-            let _e93 = z;
-            y = (1f / _e93);
-            let _e98 = gabor_impl_sine((2f * k));
-            let _e99 = a_1;
-            l0_ = (_e98 / _e99);
-            let _e103 = y;
-            let _e105 = l0_;
-            let _e110 = gabor_impl_sine(((2f * k) + 0.25f));
-            l1_ = ((3f * _e103) * (_e105 - _e110));
-            let _e115 = y;
-            let _e117 = l1_;
-            let _e118 = l0_;
-            l2_ = ((15f * _e115) * (_e117 - _e118));
-            let _e123 = y;
-            let _e125 = l2_;
-            let _e126 = l1_;
-            l3_ = ((35f * _e123) * (_e125 - _e126));
-            let _e133 = y;
-            let _e135 = l3_;
-            let _e136 = l2_;
-            l.x = ((63f * _e133) * (_e135 - _e136));
-            let _e141 = y;
-            let _e143 = l;
-            let _e145 = l3_;
-            l.y = ((99f * _e141) * (_e143.x - _e145));
-            let _e150 = y;
-            let _e152 = l;
-            let _e154 = l;
-            l.z = ((143f * _e150) * (_e152.y - _e154.x));
-            let _e160 = y;
-            let _e162 = l;
-            let _e164 = l;
-            l.w = ((195f * _e160) * (_e162.z - _e164.y));
-            let _e171 = y;
-            let _e173 = l;
-            let _e175 = l;
-            d78_.y = (1f - ((255f * _e171) * (_e173.w - _e175.z)));
-            let _e181 = l;
-            d4567_ = (vec4(1f) - _e181);
-        }
-    }
-    let _e185 = d4567_;
-    let _e188 = d78_;
-    return ((dot(energy.e4567_, _e185) + (energy.e8_ * _e188.y)) / energy.sum);
-}
-
-// ---- Kernels -------------------------------------------------------------------------------------------------------
-// The window q along one axis, which is 0 for |x| >= 1, and its derivative.
-fn gabor_impl_window(x: f32) -> vec2<f32> {
-    var c_1: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
-    var u: f32;
-
-    u = max((1f - (x * x)), 0f);
-    let _e13 = u;
-    let _e14 = u;
-    let _e16 = c_1;
-    let _e18 = u;
-    let _e19 = c_1;
-    let _e21 = u;
-    let _e22 = c_1;
-    let _e32 = u;
-    let _e35 = c_1;
-    let _e38 = u;
-    let _e40 = c_1;
-    let _e43 = u;
-    let _e45 = c_1;
-    return vec2<f32>(((_e13 * _e14) * (_e16.x + (_e18 * (_e19.y + (_e21 * _e22.z))))), (((-2f * x) * _e32) * ((2f * _e35.x) + (_e38 * ((3f * _e40.y) + (_e43 * (4f * _e45.z)))))));
-}
-
-// Wraps a cell's coordinate into a period.
-fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
-    var within: i32;
-    var local_5: i32;
-
-    if (period == 0i) {
-        return cell;
-    }
-    within = (cell - ((cell / period) * period));
-    let _e8 = within;
-    if (_e8 < 0i) {
-        let _e11 = within;
-        local_5 = (_e11 + period);
-    } else {
-        let _e13 = within;
-        local_5 = _e13;
-    }
-    let _e15 = local_5;
-    return _e15;
-}
-
-// The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
-// J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-fn gabor_impl_phase_gain(kernel: GaborKernel, time: f32) -> f32 {
-    var kernel_1: GaborKernel;
-    var sines: vec4<f32>;
-    var u_1: f32;
-
-    kernel_1 = kernel;
-    if (true || (time == 0f)) {
-        return 1f;
-    }
-    let _e10 = gabor_impl_sine(time);
-    let _e13 = gabor_impl_sine((2f * time));
-    let _e16 = gabor_impl_sine((3f * time));
-    let _e19 = gabor_impl_sine((4f * time));
-    sines = vec4<f32>(_e10, _e13, _e16, _e19);
-    let _e23 = sines;
-    let _e24 = sines;
-    u_1 = (0.5f * dot(_e23, _e24));
-    let _e29 = u_1;
-    let _e31 = kernel_1;
-    let _e35 = kernel_1;
-    return inverseSqrt((1f + ((_e29 * (1f - _e31.variance_factor)) / _e35.variance_factor)));
-}

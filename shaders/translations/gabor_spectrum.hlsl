@@ -1,6 +1,8 @@
-// gabor_spectrum.hlsl: Gabor noise with any power spectrum, or averaged over a pixel: for HLSL, shader model 5.0 and up.
+// Generated from gabor_spectrum.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl.
+// gabor_spectrum.hlsl: Gabor noise with any power spectrum, or averaged over a pixel.
+//
+// Paste or include this file after gabor_noise.hlsl.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -205,6 +207,14 @@ struct GaborFootprint {
     float3 covariance; // xx, yy, xy in kernel radii^2
     float3 resolved;   // the same, limited to standard deviations of 1/2, the most that the windows allow
 };
+
+GaborFootprint GaborFootprint_of(float3 covariance, float3 resolved)
+{
+    GaborFootprint made;
+    made.covariance = covariance;
+    made.resolved = resolved;
+    return made;
+}
 #endif
 
 // GaborFootprint gabor_footprint(float2 dx, float2 dy)
@@ -449,6 +459,27 @@ struct GaborFilteredAxis {
     float2 back;      // the same for the noise's wave
 };
 
+GaborFilteredAxis GaborFilteredAxis_of(float3 even_0, float3 even_1, float3 even_2, float3 even_3, float3 odd_1, float3 odd_2, float3 odd_3, float reach, float offset, int count, int first, int period, uint salt, float2 turn_back, float2 back)
+{
+    GaborFilteredAxis made;
+    made.even_0 = even_0;
+    made.even_1 = even_1;
+    made.even_2 = even_2;
+    made.even_3 = even_3;
+    made.odd_1 = odd_1;
+    made.odd_2 = odd_2;
+    made.odd_3 = odd_3;
+    made.reach = reach;
+    made.offset = offset;
+    made.count = count;
+    made.first = first;
+    made.period = period;
+    made.salt = salt;
+    made.turn_back = turn_back;
+    made.back = back;
+    return made;
+}
+
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in space.
 GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, uint salt, float2 step) {
@@ -498,6 +529,16 @@ struct GaborFilteredLine {
     float2 phase; // the same for the noise's wave
 };
 
+GaborFilteredLine GaborFilteredLine_of(uint word, GaborFactors window, float2 turn, float2 phase)
+{
+    GaborFilteredLine made;
+    made.word = word;
+    made.window = window;
+    made.turn = turn;
+    made.phase = phase;
+    return made;
+}
+
 // The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
 float gabor_impl_fade(GaborFilteredAxis b, int index) {
     float fade = clamp(4.0 * (b.reach - abs(b.offset - float(index))), 0.0, 1.0);
@@ -532,6 +573,18 @@ struct GaborColumns {
     GaborFilteredLine column_4;
     bool five;
 };
+
+GaborColumns GaborColumns_of(GaborFilteredLine column_0, GaborFilteredLine column_1, GaborFilteredLine column_2, GaborFilteredLine column_3, GaborFilteredLine column_4, bool five)
+{
+    GaborColumns made;
+    made.column_0 = column_0;
+    made.column_1 = column_1;
+    made.column_2 = column_2;
+    made.column_3 = column_3;
+    made.column_4 = column_4;
+    made.five = five;
+    return made;
+}
 
 GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
     GaborColumns columns;
@@ -646,7 +699,7 @@ GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel_, GaborFootp
     float3 s = footprint.resolved;
     uint salt = gabor_impl_salt(seed);
     float amplitude = 1.0;
-    if (any((footprint.resolved != footprint.covariance)))
+    if (distance(footprint.resolved, footprint.covariance) > 0.0)
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     if (wide < 1.0)
         gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude);
@@ -805,6 +858,17 @@ struct GaborWindows {
     float2 cosine;
     float2 sine;
 };
+
+GaborWindows GaborWindows_of(float2 value, float2 slope, float2 middle, float2 cosine, float2 sine)
+{
+    GaborWindows made;
+    made.value = value;
+    made.slope = slope;
+    made.middle = middle;
+    made.cosine = cosine;
+    made.sine = sine;
+    return made;
+}
 
 // The covariance of a filter, and the factors by which it damps the cosines of the windows.
 struct GaborFilter {

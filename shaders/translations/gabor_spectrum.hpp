@@ -1,7 +1,9 @@
 // clang-format off
-// gabor_spectrum.hpp: Gabor noise with any power spectrum, or averaged over a pixel: for C++ on the CPU.
+// Generated from gabor_spectrum.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
+// gabor_spectrum.hpp: Gabor noise with any power spectrum, or averaged over a pixel.
+//
+// Paste or include this file after gabor_noise.hpp.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -10,6 +12,8 @@
 // the removed share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #ifndef GABOR_NOISE_HPP
 #error Include gabor_noise.hpp before gabor_spectrum.hpp
@@ -629,7 +633,7 @@ GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel
     gabor_vec3 s = footprint.resolved;
     std::uint32_t salt = gabor_impl_salt(seed);
     float amplitude = 1.0f;
-    if (gabor_cpp_any((footprint.resolved != footprint.covariance)))
+    if (gabor_cpp_distance(footprint.resolved, footprint.covariance) > 0.0f)
         amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
     if (wide < 1.0f)
         gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0f - wide) * amplitude);

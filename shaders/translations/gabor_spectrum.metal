@@ -1,6 +1,8 @@
-// gabor_spectrum.metal: Gabor noise with any power spectrum, or averaged over a pixel: for the Metal shading language.
+// Generated from gabor_spectrum.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal.
+// gabor_spectrum.metal: Gabor noise with any power spectrum, or averaged over a pixel.
+//
+// Paste or include this file after gabor_noise.metal.
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -10,15 +12,15 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifndef GABOR_NOISE_METAL
 #error Include gabor_noise.metal before gabor_spectrum.metal
 #endif
 #ifndef GABOR_SPECTRUM_METAL
 #define GABOR_SPECTRUM_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 
 // The maximum number of lobes in a GaborLobes; to change it, define it before this file.
 #ifndef GABOR_LOBES
@@ -632,7 +634,7 @@ inline GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel_, Gab
     float3 s = footprint.resolved;
     uint salt = gabor_impl_salt(seed);
     float amplitude = 1.0;
-    if (any((footprint.resolved != footprint.covariance)))
+    if (distance(footprint.resolved, footprint.covariance) > 0.0)
         amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
     if (wide < 1.0)
         gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude);

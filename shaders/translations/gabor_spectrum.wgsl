@@ -1,15 +1,19 @@
-// gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
+// Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest b6c4db73e7107657.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: 5a73cf787717371a
+// gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel.
 //
-//     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
-//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
+// Paste or include this file after gabor_noise.wgsl.
+//
+//     f32 n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
+//     vec2f f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
 //
 // Positions are in kernel radii, as in gabor_noise.wgsl. Noise has variance 1; filtered noise has variance 1 minus
 // the removed share. The filter needs GABOR_TAPS 3, the default.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+// ---- Sums of lobes -------------------------------------------------------------------------------------------------
 
 // A lobe: waves around one wave vector. gabor_lobe returns it and documents its members.
 struct GaborLobe {
@@ -25,464 +29,195 @@ struct GaborLobes {
     count: i32,
 }
 
-// A lobe of waves around one wave vector.
-//   frequency    cycles per unit of p, whatever the radius
-//   orientation  as in gabor_noise
-//   radius       radius of the lobe's kernels in units of p, positive. The lobe's standard deviation along each
-//                axis is 1/sqrt(12) / radius cycles per unit of p
-//   power        power relative to the other lobes, not negative
-fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
-    return GaborLobe(frequency, orientation, vec2(radius), power);
+// GaborLobe gabor_lobe(f32 frequency, f32 orientation, f32 radius, f32 power)
+//     A lobe of waves around one wave vector.
+//       frequency    cycles per unit of p, whatever the radius
+//       orientation  as in gabor_noise
+//       radius       radius of the lobe's kernels in units of p, positive. The lobe's standard deviation along each
+//                    axis is 1/sqrt(12) / radius cycles per unit of p
+//       power        power relative to the other lobes, not negative
+
+// GaborLobe gabor_lobe_elliptical(f32 frequency, f32 orientation, vec2f radius, f32 power)
+//     The same with different kernel radii along x and y, at the same cost.
+
+// f32 gabor_noise_lobes(vec2f p, GaborLobes lobes, u32 seed)
+//     The noise of several lobes at p: a sum of independent noises, normal with mean 0 and variance 1. Costs one
+//     gabor_noise per lobe.
+//         #define GABOR_LOBES 2              // before the file
+//         GaborLobes lobes;
+//         lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
+//         lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
+//         lobes.count = 2;
+
+// vec3f gabor_noise_lobes_gradient(vec2f p, GaborLobes lobes, u32 seed)
+//     The noise with its analytic gradient per unit of p: (noise, d/dx, d/dy).
+
+// vec2f gabor_noise_lobes_complex(vec2f p, GaborLobes lobes, u32 seed)
+//     The noise with its quadrature, like gabor_noise_complex.
+
+// ---- A range of waves, up to isotropic noise -----------------------------------------------------------------------
+
+// f32 gabor_noise_spread(vec2f p, f32 frequency, f32 orientation, f32 frequency_spread,
+//                          f32 orientation_spread, u32 seed)
+//     Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
+//     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, spread as evenly as lobes of kernel
+//     radius 1 allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most
+//     5 % at frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and
+//     its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
+//         2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
+//         (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
+//     both rounded down: 10 directions for isotropic noise of frequency 2. Just before one of these numbers changes,
+//     for a fifth of all arguments, the noise is a sum of both sets of lobes, the old and the new.
+
+// vec3f gabor_noise_spread_gradient(vec2f p, f32 frequency, f32 orientation, f32 frequency_spread,
+//                                  f32 orientation_spread, u32 seed)
+//     The noise with its analytic gradient: (noise, d/dx, d/dy).
+
+// vec2f gabor_noise_spread_complex(vec2f p, f32 frequency, f32 orientation, f32 frequency_spread,
+//                                 f32 orientation_spread, u32 seed)
+//     The noise with its quadrature, like gabor_noise_complex.
+
+// ---- Isotropic noise at a constant cost ----------------------------------------------------------------------------
+
+// f32 gabor_noise_isotropic(vec2f p, f32 frequency, u32 seed)
+//     Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times that of gabor_noise. It
+//     has mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only
+//     because of the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture
+//     of normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
+
+// vec3f gabor_noise_isotropic_gradient(vec2f p, f32 frequency, u32 seed)
+//     The noise with its analytic gradient: (noise, d/dx, d/dy).
+
+// f32 gabor_noise_isotropic_tiled(vec2f p, vec2f period, f32 frequency, u32 seed)
+//     The noise with a period, like gabor_noise_tiled.
+
+// vec2f gabor_noise_isotropic_filtered(vec2f p, vec2f dx, vec2f dy, f32 frequency, u32 seed)
+//     (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of gabor_noise_isotropic.
+//     The rms error against exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at
+//     most 0.3 kernel radii, and 4 % at 0.4. For larger pixels, only the variance is right.
+
+// ---- Filtered for a pixel, with GABOR_TAPS 3 -----------------------------------------------------------------------
+
+// vec2f gabor_noise_filtered(vec2f p, vec2f dx, vec2f dy, f32 frequency, f32 orientation, u32 seed)
+//     (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that averaging removed.
+//     A material can add the removed share, which is lost contrast, to its roughness.
+//       dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
+//               filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+//     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
+//     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
+//     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
+//     is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
+//     radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
+//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
+//     branch, the cost is 3 for small pixels and 5 for larger ones.
+
+// vec4f gabor_noise_filtered_gradient(vec2f p, vec2f dx, vec2f dy, f32 frequency, f32 orientation, u32 seed)
+//     The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
+//     error is up to 7 %.
+
+// vec4f gabor_noise_four_filtered(vec2f p, vec2f dx, vec2f dy, f32 frequency, f32 orientation, u32 seed,
+//                                out f32 removed)
+//     The four noises of gabor_noise_four, filtered, and the share of its variance that each lost.
+
+// vec2f gabor_noise_lobes_filtered(vec2f p, vec2f dx, vec2f dy, GaborLobes lobes, u32 seed)
+//     The noise of gabor_noise_lobes, filtered: (noise, removed).
+
+// vec4f gabor_noise_lobes_filtered_gradient(vec2f p, vec2f dx, vec2f dy, GaborLobes lobes, u32 seed)
+//     The noise with its gradient: (noise, d/dx, d/dy, removed).
+
+// vec4f gabor_stripes_filtered(vec2f p, vec2f dx, vec2f dy, vec2f wave, f32 sharpness, u32 seed)
+//     gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part of the
+//     noise, within 0.1. So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
+
+// ---- Profiles of a phase, each from 0 to 1 -------------------------------------------------------------------------
+//
+// The first five take a phase in turns and average over `width` turns, 0.001 to 1: the change of the phase over a
+// pixel, for example the frequency times the length of dFdx(p).
+
+// f32 gabor_profile_sine(f32 phase, f32 width)
+//     A sine wave from 0 at phase 0 to 1 at half a turn.
+
+// f32 gabor_profile_triangle(f32 phase, f32 width)
+//     Straight lines from 0 at phase 0 to 1 at half a turn and back.
+
+// f32 gabor_profile_sawtooth(f32 phase, f32 width)
+//     A straight line from 0 at phase 0 to 1 after a turn.
+
+// f32 gabor_profile_pulse(f32 phase, f32 duty, f32 width)
+//     1 for the first `duty` (0 to 1) of each turn, then 0.
+
+// f32 gabor_profile_ridges(f32 phase, f32 width)
+//     Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
+
+// The others take the (cosine, sine) of stripes instead of a phase and a width. The profile is sharp where this vector
+// has length 1. Where the vector is shorter, because variance was removed or stripes fork, the profile is averaged over
+// a range of phases whose mean vector has that length.
+
+// f32 gabor_stripes_sine(vec2f stripes)
+// f32 gabor_stripes_triangle(vec2f stripes)
+// f32 gabor_stripes_sawtooth(vec2f stripes)
+// f32 gabor_stripes_pulse(vec2f stripes, f32 duty)
+// f32 gabor_stripes_ridges(vec2f stripes)
+//     The profiles of gabor_profile_sine and so on.
+
+// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
+
+// GaborPlace gabor_place_scaled(GaborPlace place, f32 radius)
+// GaborPlace gabor_place_stretched(GaborPlace place, vec2f radius)
+//     The same position, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
+//     along x and y. The position is rounded to a f32, within the period if there is one.
+
+// GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, u32 seed)
+//     The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
+
+// GaborField gabor_field_spread(GaborPlace place, f32 frequency, f32 orientation, f32 frequency_spread,
+//                               f32 orientation_spread, u32 seed)
+//     The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
+
+// GaborField gabor_field_isotropic(GaborPlace place, f32 frequency, u32 seed)
+//     Isotropic noise at `place`, with quadrature and derivatives. At each point the quadrature is independent of the
+//     noise, but not of the noise's gradient.
+
+// The filter of a pixel, returned by gabor_footprint.
+struct GaborFootprint {
+    covariance: vec3<f32>,
+    resolved: vec3<f32>,
 }
 
-// The same with different kernel radii along x and y, at the same cost.
-fn gabor_lobe_elliptical(frequency: f32, orientation: f32, radius: vec2<f32>, power: f32) -> GaborLobe {
-    return GaborLobe(frequency, orientation, radius, power);
-}
+// GaborFootprint gabor_footprint(vec2f dx, vec2f dy)
+//     The footprint of a pixel, from dx and dy as in gabor_noise_filtered.
 
-// The noise of several lobes at p: a sum of independent noises, normal with mean 0 and variance 1. Costs one
-// gabor_noise per lobe.
-//     #define GABOR_LOBES 2              // before the file
-//     GaborLobes lobes;
-//     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
-//     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
-//     lobes.count = 2;
-fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
-    var lobes_3: GaborLobes;
+// vec4f gabor_stripes_filtered_at(GaborPlace place, vec2f wave, GaborFootprint footprint, f32 sharpness, u32 seed)
+//     The same as gabor_stripes_filtered, at `place`, with a footprint as in gabor_field_filtered.
 
-    lobes_3 = lobes;
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = lobes_3;
-    let _e13 = gabor_field_lobes(_e11, _e12, seed);
-    return _e13.value.y;
-}
+// GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, u32 seed,
+//                                 out f32 removed)
+//     The filtered noise at `place`, with quadrature and derivatives, and the removed share of its variance. With a
+//     period, multiply dx and dy by place.radius / GABOR_RADIUS before calling gabor_footprint, because nodes are then
+//     not 1 / GABOR_RADIUS kernel radii apart.
 
-// The noise with its analytic gradient per unit of p: (noise, d/dx, d/dy).
-fn gabor_noise_lobes_gradient(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec3<f32> {
-    var lobes_5: GaborLobes;
-    var field_6: GaborField;
+// GaborField gabor_field_isotropic_filtered(GaborPlace place, f32 frequency, GaborFootprint footprint, u32 seed,
+//                                           out f32 removed)
+//     The same for isotropic noise.
 
-    lobes_5 = lobes;
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = lobes_5;
-    let _e13 = gabor_field_lobes(_e11, _e12, seed);
-    field_6 = _e13;
-    let _e15 = field_6;
-    let _e18 = field_6;
-    let _e21 = field_6;
-    return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
-}
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
 
-// The noise with its quadrature, like gabor_noise_complex.
-fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
-    var lobes_7: GaborLobes;
-
-    lobes_7 = lobes;
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = lobes_7;
-    let _e13 = gabor_field_lobes(_e11, _e12, seed);
-    return _e13.value;
-}
-
-// Noise of many waves at p. Their orientations are within `orientation_spread` radians of `orientation`, and their
-// frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, spread as evenly as lobes of kernel
-// radius 1 allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most
-// 5 % at frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and
-// its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
-//     2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
-//     (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
-// both rounded down: 10 directions for isotropic noise of frequency 2. Just before one of these numbers changes,
-// for a fifth of all arguments, the noise is a sum of both sets of lobes, the old and the new.
-fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
-    var place_19: GaborPlace;
-
-    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-    place_19 = _e13;
-    let _e15 = place_19;
-    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-    return _e16.value.y;
-}
-
-// The noise with its analytic gradient: (noise, d/dx, d/dy).
-fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec3<f32> {
-    var place_20: GaborPlace;
-    var field_7: GaborField;
-
-    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-    place_20 = _e13;
-    let _e15 = place_20;
-    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-    field_7 = _e16;
-    let _e18 = field_7;
-    let _e21 = field_7;
-    let _e24 = field_7;
-    return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
-}
-
-// The noise with its quadrature, like gabor_noise_complex.
-fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec2<f32> {
-    var place_21: GaborPlace;
-
-    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-    place_21 = _e13;
-    let _e15 = place_21;
-    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
-    return _e16.value;
-}
-
-// Noise of waves in all directions at p, at the same cost for every frequency: 3.5 times that of gabor_noise. It
-// has mean 0 and variance 1; value and gradient are normal at every point. The power varies with direction only
-// because of the window, by 7 % at frequency 0 and 0.1 % at 1. Values at several points together follow a mixture
-// of normal distributions; those of gabor_noise_spread, a sum over directions, are jointly normal.
-fn gabor_noise_isotropic(p: vec2<f32>, frequency: f32, seed: u32) -> f32 {
-    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e11 = gabor_field_isotropic(_e10, frequency, seed);
-    return _e11.value.y;
-}
-
-// The noise with its analytic gradient: (noise, d/dx, d/dy).
-fn gabor_noise_isotropic_gradient(p: vec2<f32>, frequency: f32, seed: u32) -> vec3<f32> {
-    var field_8: GaborField;
-
-    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e11 = gabor_field_isotropic(_e10, frequency, seed);
-    field_8 = _e11;
-    let _e13 = field_8;
-    let _e16 = field_8;
-    let _e19 = field_8;
-    return vec3<f32>(_e13.value.y, _e16.slope_x.y, _e19.slope_y.y);
-}
-
-// The noise with a period, like gabor_noise_tiled.
-fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, seed: u32) -> f32 {
-    var place_22: GaborPlace;
-
-    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_22 = _e9;
-    let _e11 = place_22;
-    let _e12 = gabor_field_isotropic(_e11, frequency, seed);
-    return _e12.value.y;
-}
-
-// (noise, removed), like gabor_noise_filtered, with GABOR_TAPS 3, at about twice the cost of gabor_noise_isotropic.
-// The rms error against exactly filtered noise is 2 % of a standard deviation while the pixel's longest axis is at
-// most 0.3 kernel radii, and 4 % at 0.4. For larger pixels, only the variance is right.
-fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> vec2<f32> {
-    var removed_4: f32;
-    var field_11: GaborField;
-
-    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e14 = gabor_footprint(dx, dy);
-    let _e17 = gabor_field_isotropic_filtered(_e13, frequency, _e14, seed, (&removed_4));
-    field_11 = _e17;
-    let _e19 = field_11;
-    let _e22 = removed_4;
-    return vec2<f32>(_e19.value.y, _e22);
-}
-
-// (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that averaging removed.
-// A material can add the removed share, which is lost contrast, to its roughness.
-//   dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
-//           filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
-// The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
-// axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
-// radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
-// is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
-// radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
-// nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
-// branch, the cost is 3 for small pixels and 5 for larger ones.
-fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    var field_10: vec4<f32>;
-
-    let _e6 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
-    field_10 = _e6;
-    let _e8 = field_10;
-    let _e10 = field_10;
-    return vec2<f32>(_e8.x, _e10.w);
-}
-
-// The noise with its gradient: (noise, d/dx, d/dy, removed). The gradient ignores the fading of the windows, so its
-// error is up to 7 %.
-fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
-    var removed_3: f32;
-    var field_9: GaborField;
-
-    let _e14 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e15 = gabor_kernel(frequency, orientation);
-    let _e16 = gabor_footprint(dx, dy);
-    let _e19 = gabor_field_filtered(_e14, _e15, _e16, seed, (&removed_3));
-    field_9 = _e19;
-    let _e21 = field_9;
-    let _e24 = field_9;
-    let _e27 = field_9;
-    let _e30 = removed_3;
-    return vec4<f32>(_e21.value.y, _e24.slope_x.y, _e27.slope_y.y, _e30);
-}
-
-// The four noises of gabor_noise_four, filtered, and the share of its variance that each lost.
-fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
-    var four: vec4<f32>;
-    var i_5: i32 = 0i;
-    var local_29: u32;
-    var noise_2: vec4<f32>;
-
-    loop {
-        let _e10 = i_5;
-        if !((_e10 < 4i)) {
-            break;
-        }
-        {
-            let _e17 = i_5;
-            if (_e17 == 0i) {
-                local_29 = seed;
-            } else {
-                let _e20 = i_5;
-                let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_29 = _e22;
-            }
-            let _e24 = local_29;
-            let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
-            noise_2 = _e25;
-            let _e27 = i_5;
-            let _e29 = noise_2;
-            four[_e27] = _e29.x;
-            let _e31 = noise_2;
-            (*removed) = _e31.w;
-        }
-        continuing {
-            let _e14 = i_5;
-            i_5 = (_e14 + 1i);
-        }
-    }
-    let _e33 = four;
-    return _e33;
-}
-
-// The noise of gabor_noise_lobes, filtered: (noise, removed).
-fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
-    var lobes_11: GaborLobes;
-    var field_13: vec4<f32>;
-
-    lobes_11 = lobes;
-    let _e6 = lobes_11;
-    let _e7 = gabor_noise_lobes_filtered_gradient(p, dx, dy, _e6, seed);
-    field_13 = _e7;
-    let _e9 = field_13;
-    let _e11 = field_13;
-    return vec2<f32>(_e9.x, _e11.w);
-}
-
-// The noise with its gradient: (noise, d/dx, d/dy, removed).
-fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
-    var lobes_9: GaborLobes;
-    var sum_14: vec4<f32> = vec4(0f);
-    var power_3: f32 = 0f;
-    var i_6: i32 = 0i;
-    var lobe_2: GaborLobe;
-    var unit_3: vec2<f32>;
-    var removed_6: f32;
-    var field_12: GaborField;
-    var noise_3: vec3<f32>;
-    var local_30: vec4<f32>;
-
-    lobes_9 = lobes;
-    loop {
-        let _e13 = i_6;
-        let _e14 = lobes_9;
-        if !((_e13 < min(_e14.count, 4i))) {
-            break;
-        }
-        {
-            let _e23 = i_6;
-            let _e26 = lobes_9.lobe[_e23];
-            lobe_2 = _e26;
-            let _e29 = lobe_2;
-            unit_3 = (vec2(1f) / _e29.radius);
-            let _e37 = unit_3;
-            let _e44 = gabor_place(vec2(0i), ((p * _e37) * 1.5f));
-            let _e45 = lobe_2;
-            let _e46 = gabor_impl_lobe_kernel(_e45);
-            let _e47 = unit_3;
-            let _e49 = unit_3;
-            let _e51 = gabor_footprint((dx * _e47), (dy * _e49));
-            let _e52 = i_6;
-            let _e53 = gabor_lobe_seed(seed, _e52);
-            let _e56 = gabor_field_filtered(_e44, _e46, _e51, _e53, (&removed_6));
-            field_12 = _e56;
-            let _e58 = field_12;
-            let _e61 = unit_3;
-            let _e63 = field_12;
-            let _e67 = unit_3;
-            let _e69 = field_12;
-            noise_3 = vec3<f32>(_e58.value.y, (_e61.x * _e63.slope_x.y), (_e67.y * _e69.slope_y.y));
-            let _e75 = sum_14;
-            let _e76 = lobe_2;
-            let _e79 = noise_3;
-            let _e80 = (sqrt(_e76.power) * _e79);
-            let _e81 = lobe_2;
-            let _e83 = removed_6;
-            sum_14 = (_e75 + vec4<f32>(_e80.x, _e80.y, _e80.z, (_e81.power * _e83)));
-            let _e90 = power_3;
-            let _e91 = lobe_2;
-            power_3 = (_e90 + _e91.power);
-        }
-        continuing {
-            let _e20 = i_6;
-            i_6 = (_e20 + 1i);
-        }
-    }
-    let _e94 = power_3;
-    if (_e94 > 0f) {
-        let _e97 = sum_14;
-        let _e98 = power_3;
-        let _e100 = vec3(inverseSqrt(_e98));
-        let _e102 = power_3;
-        local_30 = (_e97 * vec4<f32>(_e100.x, _e100.y, _e100.z, (1f / _e102)));
-    } else {
-        local_30 = vec4(0f);
-    }
-    let _e112 = local_30;
-    return _e112;
-}
-
-// gabor_stripes, filtered: (cosine, sine, intensity, removed). Each value is the mean over the removed part of the
-// noise, within 0.1. So (cosine, sine) gets shorter as waves are removed, and its profiles fade to their mean.
-fn gabor_stripes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec4<f32> {
-    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e14 = gabor_footprint(dx, dy);
-    let _e15 = gabor_stripes_filtered_at(_e13, wave, _e14, sharpness, seed);
-    return _e15;
-}
-
-// A sine wave from 0 at phase 0 to 1 at half a turn.
-fn gabor_profile_sine(phase: f32, width: f32) -> f32 {
-    var x_9: f32;
-
-    x_9 = (3.1415927f * clamp(width, 0.001f, 1f));
-    let _e10 = gabor_impl_wave(phase);
-    let _e14 = x_9;
-    let _e16 = gabor_impl_wave((0.15915494f * _e14));
-    let _e18 = x_9;
-    return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
-}
-
-// Straight lines from 0 at phase 0 to 1 at half a turn and back.
-fn gabor_profile_triangle(phase: f32, width: f32) -> f32 {
-    var ends: vec3<f32>;
-
-    let _e2 = gabor_impl_ends(phase, width);
-    ends = _e2;
-    let _e4 = ends;
-    let _e6 = ends;
-    let _e8 = gabor_impl_triangle_integral(_e6.y);
-    let _e9 = ends;
-    let _e11 = gabor_impl_triangle_integral(_e9.x);
-    return (_e4.z * (_e8 - _e11));
-}
-
-// A straight line from 0 at phase 0 to 1 after a turn.
-fn gabor_profile_sawtooth(phase: f32, width: f32) -> f32 {
-    var ends_1: vec3<f32>;
-
-    let _e2 = gabor_impl_ends(phase, width);
-    ends_1 = _e2;
-    let _e4 = ends_1;
-    let _e6 = ends_1;
-    let _e8 = gabor_impl_sawtooth_integral(_e6.y);
-    let _e9 = ends_1;
-    let _e11 = gabor_impl_sawtooth_integral(_e9.x);
-    return (_e4.z * (_e8 - _e11));
-}
-
-// 1 for the first `duty` (0 to 1) of each turn, then 0.
-fn gabor_profile_pulse(phase: f32, duty: f32, width: f32) -> f32 {
-    var ends_2: vec3<f32>;
-
-    let _e3 = gabor_impl_ends(phase, width);
-    ends_2 = _e3;
-    let _e5 = ends_2;
-    let _e7 = ends_2;
-    let _e9 = gabor_impl_pulse_integral(_e7.y, duty);
-    let _e10 = ends_2;
-    let _e12 = gabor_impl_pulse_integral(_e10.x, duty);
-    return (_e5.z * (_e9 - _e12));
-}
-
-// Round ridges between sharp creases: a parabola, 0 at phase 0 and 1 at half a turn.
-fn gabor_profile_ridges(phase: f32, width: f32) -> f32 {
-    var ends_3: vec3<f32>;
-
-    let _e2 = gabor_impl_ends(phase, width);
-    ends_3 = _e2;
-    let _e4 = ends_3;
-    let _e6 = ends_3;
-    let _e8 = gabor_impl_ridges_integral(_e6.y);
-    let _e9 = ends_3;
-    let _e11 = gabor_impl_ridges_integral(_e9.x);
-    return (_e4.z * (_e8 - _e11));
-}
-
-// The profiles of gabor_profile_sine and so on.
-fn gabor_stripes_sine(stripes: vec2<f32>) -> f32 {
-    return (0.5f - (0.5f * stripes.x));
-}
-
-fn gabor_stripes_triangle(stripes: vec2<f32>) -> f32 {
-    var phase_12: vec2<f32>;
-
-    let _e1 = gabor_impl_phase_of(stripes);
-    phase_12 = _e1;
-    let _e3 = phase_12;
-    let _e5 = phase_12;
-    let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
-    return _e7;
-}
-
-fn gabor_stripes_sawtooth(stripes: vec2<f32>) -> f32 {
-    var phase_13: vec2<f32>;
-
-    let _e1 = gabor_impl_phase_of(stripes);
-    phase_13 = _e1;
-    let _e3 = phase_13;
-    let _e5 = phase_13;
-    let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
-    return _e7;
-}
-
-fn gabor_stripes_pulse(stripes: vec2<f32>, duty: f32) -> f32 {
-    var phase_14: vec2<f32>;
-
-    let _e2 = gabor_impl_phase_of(stripes);
-    phase_14 = _e2;
-    let _e4 = phase_14;
-    let _e6 = phase_14;
-    let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
-    return _e8;
-}
-
-fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
-    var phase_15: vec2<f32>;
-
-    let _e1 = gabor_impl_phase_of(stripes);
-    phase_15 = _e1;
-    let _e3 = phase_15;
-    let _e5 = phase_15;
-    let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
-    return _e7;
-}
-
-// The same position, period and time, for kernels whose radius is `radius` times the place's; the factor may differ
-// along x and y. The position is rounded to a float, within the period if there is one.
-fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
-    let _e3 = gabor_place_stretched(place, vec2(radius));
-    return _e3;
+fn gabor_impl_add_field(sum: ptr<function, GaborField>, field: GaborField, amplitude: f32) {
+    let _e4 = (*sum);
+    (*sum).value = (_e4.value + (amplitude * field.value));
+    let _e10 = (*sum);
+    (*sum).slope_x = (_e10.slope_x + (amplitude * field.slope_x));
+    let _e16 = (*sum);
+    (*sum).slope_y = (_e16.slope_y + (amplitude * field.slope_y));
+    return;
 }
 
 fn gabor_place_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
     var cell_3: vec2<i32>;
     var unit: vec2<f32>;
     var scaled: GaborPlace;
-
     let _e6 = gabor_impl_wrap(place.cell.x, place.period.x);
     let _e11 = gabor_impl_wrap(place.cell.y, place.period.y);
     cell_3 = vec2<i32>(_e6, _e11);
@@ -498,7 +233,22 @@ fn gabor_place_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
     return _e36;
 }
 
-// The noise of a sum of lobes, with its quadrature and derivatives per kernel radius of the place.
+fn gabor_place_scaled(place: GaborPlace, radius: f32) -> GaborPlace {
+    let _e3 = gabor_place_stretched(place, vec2(radius));
+    return _e3;
+}
+
+// A lobe's wave vector, in cycles per kernel radius along each axis.
+fn gabor_impl_lobe_kernel(lobe: GaborLobe) -> GaborKernel {
+    var kernel_4: GaborKernel;
+    let _e6 = gabor_kernel((lobe.frequency * lobe.radius.x), lobe.orientation);
+    kernel_4 = _e6;
+    let _e10 = kernel_4;
+    kernel_4.wave.y = (_e10.wave.y * (lobe.radius.y / lobe.radius.x));
+    let _e19 = kernel_4;
+    return _e19;
+}
+
 fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborField {
     var lobes_1: GaborLobes;
     var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
@@ -509,7 +259,6 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
     var field_3: GaborField;
     var local_13: f32;
     var scale: f32;
-
     lobes_1 = lobes;
     loop {
         let _e16 = i;
@@ -567,7 +316,66 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
     return GaborField((_e77 * _e78.value), (_e81 * _e82.slope_x), (_e85 * _e86.slope_y));
 }
 
-// The noise of a range of waves, like gabor_noise_spread, with quadrature and derivatives per kernel radius.
+// ---- Spreads -------------------------------------------------------------------------------------------------------
+
+// A range of waves is cut into equal pieces of at most 0.7 cycles per kernel radius, with a lobe in the middle of each.
+// The power of Hann's window has a standard deviation of 1/sqrt(12) cycles per kernel radius, so the sum of the lobes
+// is nearly flat. The number of pieces is the integer part of a number c. As the fraction of c goes from 0.8 to 1,
+// these pieces fade out and a set with one more piece fades in, so that the noise is continuous in frequency and
+// spread.
+
+// The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// square roots, with infinite slopes at the ends.
+fn gabor_impl_takeover(x: f32) -> f32 {
+    return ((x * x) / ((x * x) + ((1f - x) * (1f - x))));
+}
+
+// The number of lobes for `c`; while one set fades into the next, the total of both.
+fn gabor_impl_pieces(c: f32) -> i32 {
+    var local_14: i32;
+    if (fract(c) > 0.8f) {
+        local_14 = ((2i * i32(c)) + 1i);
+    } else {
+        local_14 = i32(c);
+    }
+    let _e11 = local_14;
+    return _e11;
+}
+
+// Returns lobe `i` as (position in the range, from -1 to 1; share of the power; number from which its seed derives).
+fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
+    var i_2: i32;
+    var n: i32;
+    var left: f32;
+    var width: f32;
+    i_2 = i;
+    n = i32(c);
+    left = min((5f - (5f * fract(c))), 1f);
+    let _e13 = i_2;
+    let _e14 = n;
+    if (_e13 >= _e14) {
+        {
+            let _e16 = i_2;
+            let _e17 = n;
+            i_2 = (_e16 - _e17);
+            let _e19 = n;
+            n = (_e19 + 1i);
+            let _e23 = left;
+            left = (1f - _e23);
+        }
+    }
+    let _e26 = n;
+    width = (1f / f32(_e26));
+    let _e31 = i_2;
+    let _e36 = width;
+    let _e40 = left;
+    let _e41 = gabor_impl_takeover(_e40);
+    let _e42 = width;
+    let _e44 = i_2;
+    let _e45 = n;
+    return vec3<f32>(((((2f * f32(_e31)) + 1f) * _e36) - 1f), (_e41 * _e42), f32((_e44 + ((_e45 & 1i) * 64i))));
+}
+
 fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> GaborField {
     var frequency_8: f32;
     var frequency_spread_1: f32;
@@ -585,7 +393,6 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     var kernel_5: GaborKernel;
     var field_4: GaborField;
     var amplitude_2: f32;
-
     frequency_8 = frequency;
     frequency_spread_1 = frequency_spread;
     orientation_spread_1 = orientation_spread;
@@ -667,275 +474,31 @@ fn gabor_field_spread(place: GaborPlace, frequency: f32, orientation: f32, frequ
     return _e127;
 }
 
-// Isotropic noise at `place`, with quadrature and derivatives. At each point the quadrature is independent of the
-// noise, but not of the noise's gradient.
-fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
-    var none_1: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
-    var local_26: f32;
-
-    let _e10 = none_1;
-    let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
-    if false {
-        local_26 = 1f;
-    } else {
-        local_26 = 1.125f;
-    }
-    let _e23 = local_26;
-    let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
-    return _e26;
-}
-
-// The filter of a pixel, returned by gabor_footprint.
-struct GaborFootprint {
-    covariance: vec3<f32>,
-    resolved: vec3<f32>,
-}
-
-// The footprint of a pixel, from dx and dy as in gabor_noise_filtered.
-fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
-    var dx_1: vec2<f32>;
-    var dy_1: vec2<f32>;
-    var footprint_4: GaborFootprint;
-    var mean_1: f32;
-    var axis_2: vec2<f32>;
-    var apart_1: f32;
-    var larger: f32;
-    var side: f32;
-    var smaller_1: f32;
-    var local_28: f32;
-
-    dx_1 = dx;
-    dy_1 = dy;
-    let _e4 = dx_1;
-    let _e5 = dx_1;
-    let _e7 = dy_1;
-    let _e8 = dy_1;
-    if !(((dot(_e4, _e5) + dot(_e7, _e8)) < 1000000f)) {
-        {
-            dx_1 = vec2<f32>(100000f, 0f);
-            dy_1 = vec2<f32>(0f, 100000f);
-        }
-    }
-    let _e23 = dx_1;
-    let _e24 = dx_1;
-    let _e26 = dy_1;
-    let _e27 = dy_1;
-    let _e29 = ((_e23 * _e24) + (_e26 * _e27));
-    let _e30 = dx_1;
-    let _e32 = dx_1;
-    let _e35 = dy_1;
-    let _e37 = dy_1;
-    footprint_4.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
-    let _e46 = footprint_4;
-    let _e49 = footprint_4;
-    mean_1 = (0.5f * (_e46.covariance.x + _e49.covariance.y));
-    let _e56 = footprint_4;
-    let _e59 = footprint_4;
-    let _e64 = footprint_4;
-    axis_2 = vec2<f32>((0.5f * (_e56.covariance.x - _e59.covariance.y)), _e64.covariance.z);
-    let _e69 = axis_2;
-    apart_1 = length(_e69);
-    let _e72 = mean_1;
-    let _e73 = apart_1;
-    larger = (_e72 + _e73);
-    let _e77 = footprint_4;
-    footprint_4.resolved = _e77.covariance;
-    let _e79 = larger;
-    if (_e79 > 0.25f) {
-        {
-            let _e83 = dx_1;
-            let _e85 = dy_1;
-            let _e88 = dx_1;
-            let _e90 = dy_1;
-            side = (0.25f * ((_e83.x * _e85.y) - (_e88.y * _e90.x)));
-            let _e96 = side;
-            let _e97 = larger;
-            let _e99 = side;
-            smaller_1 = min(((_e96 / _e97) * _e99), 0.25f);
-            let _e104 = axis_2;
-            let _e105 = apart_1;
-            if (_e105 > 0f) {
-                let _e110 = smaller_1;
-                let _e113 = apart_1;
-                local_28 = ((0.5f * (0.25f - _e110)) / _e113);
-            } else {
-                local_28 = 0f;
-            }
-            let _e117 = local_28;
-            axis_2 = (_e104 * _e117);
-            let _e122 = smaller_1;
-            let _e125 = axis_2;
-            let _e127 = axis_2;
-            let _e135 = max((vec2((0.5f * (0.25f + _e122))) + vec2<f32>(_e125.x, -(_e127.x))), vec2(0f));
-            let _e136 = axis_2;
-            footprint_4.resolved = vec3<f32>(_e135.x, _e135.y, _e136.y);
-        }
-    }
-    let _e141 = footprint_4;
-    return _e141;
-}
-
-// The same as gabor_stripes_filtered, at `place`, with a footprint as in gabor_field_filtered.
-fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
-    var removed_7: f32;
-    var value_10: vec2<f32>;
-    var power_4: f32;
-    var reach: f32;
-
-    let _e6 = gabor_kernel_wave(wave);
-    let _e9 = gabor_field_filtered(place, _e6, footprint, seed, (&removed_7));
-    value_10 = _e9.value;
-    let _e12 = value_10;
-    let _e13 = value_10;
-    power_4 = dot(_e12, _e13);
-    let _e16 = power_4;
-    let _e18 = removed_7;
-    reach = sqrt((_e16 + (2.546479f * max(_e18, 0f))));
-    let _e25 = reach;
-    let _e30 = value_10;
-    let _e31 = ((sharpness / max((sharpness * _e25), 1f)) * _e30);
-    let _e32 = power_4;
-    let _e34 = removed_7;
-    let _e40 = removed_7;
-    return vec4<f32>(_e31.x, _e31.y, sqrt((_e32 + (1.5707963f * max(_e34, 0f)))), _e40);
-}
-
-// The filtered noise at `place`, with quadrature and derivatives, and the removed share of its variance. With a
-// period, multiply dx and dy by place.radius / GABOR_RADIUS before calling gabor_footprint, because nodes are then
-// not 1 / GABOR_RADIUS kernel radii apart.
-fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
-    var kernel_9: GaborKernel;
-
-    kernel_9 = kernel;
-    let _e6 = kernel_9;
-    let _e7 = gabor_impl_wide_share(footprint);
-    let _e10 = gabor_impl_filtered(place, _e6, footprint, _e7, seed, removed);
-    return _e10;
-}
-
-// The same for isotropic noise.
-fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
-    var kept: f32;
-    var s_6: vec3<f32>;
-    var pixel_3: GaborFilter;
-    var local_27: f32;
-
-    let _e6 = gabor_impl_transmitted_isotropic_2d(frequency, footprint.covariance);
-    kept = _e6;
-    let _e9 = kept;
-    (*removed) = (1f - _e9);
-    let _e11 = kept;
-    if !((_e11 > 0.0000000001f)) {
-        {
-            (*removed) = 1f;
-            return GaborField(vec2(0f), vec2(0f), vec2(0f));
-        }
-    }
-    s_6 = footprint.covariance;
-    let _e25 = s_6;
-    let _e28 = s_6;
-    let _e30 = s_6;
-    let _e33 = s_6;
-    let _e35 = s_6;
-    let _e39 = s_6;
-    s_6 = (_e25 * (0.04f / max((0.5f * ((_e28.x + _e30.y) + length(vec2<f32>((_e33.x - _e35.y), (2f * _e39.z))))), 0.04f)));
-    let _e51 = s_6;
-    let _e54 = s_6;
-    pixel_3 = GaborFilter(true, _e51, exp((-4.934802f * _e54.xy)));
-    let _e60 = pixel_3;
-    let _e61 = gabor_impl_sum_isotropic_2d(place, frequency, _e60, seed);
-    if false {
-        local_27 = 1f;
-    } else {
-        local_27 = 1.125f;
-    }
-    let _e73 = local_27;
-    let _e76 = kept;
-    let _e77 = s_6;
-    let _e78 = gabor_impl_transmitted_isotropic_2d(frequency, _e77);
-    let _e82 = gabor_impl_scaled_field(_e61, ((0.57735026f / (1459955300000000000000000000f * _e73)) * sqrt((_e76 / _e78))));
-    return _e82;
-}
-
-// ====================================================================================================================
-// Private implementation
-// ====================================================================================================================
-
-fn gabor_impl_add_field(sum: ptr<function, GaborField>, field: GaborField, amplitude: f32) {
-    let _e4 = (*sum);
-    (*sum).value = (_e4.value + (amplitude * field.value));
-    let _e10 = (*sum);
-    (*sum).slope_x = (_e10.slope_x + (amplitude * field.slope_x));
-    let _e16 = (*sum);
-    (*sum).slope_y = (_e16.slope_y + (amplitude * field.slope_y));
-    return;
-}
-
-// A lobe's wave vector, in cycles per kernel radius along each axis.
-fn gabor_impl_lobe_kernel(lobe: GaborLobe) -> GaborKernel {
-    var kernel_4: GaborKernel;
-
-    let _e6 = gabor_kernel((lobe.frequency * lobe.radius.x), lobe.orientation);
-    kernel_4 = _e6;
-    let _e10 = kernel_4;
-    kernel_4.wave.y = (_e10.wave.y * (lobe.radius.y / lobe.radius.x));
-    let _e19 = kernel_4;
-    return _e19;
-}
-
-// The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
-// square roots, with infinite slopes at the ends.
-fn gabor_impl_takeover(x: f32) -> f32 {
-    return ((x * x) / ((x * x) + ((1f - x) * (1f - x))));
-}
-
-// The number of lobes for `c`; while one set fades into the next, the total of both.
-fn gabor_impl_pieces(c: f32) -> i32 {
-    var local_14: i32;
-
-    if (fract(c) > 0.8f) {
-        local_14 = ((2i * i32(c)) + 1i);
-    } else {
-        local_14 = i32(c);
-    }
-    let _e11 = local_14;
-    return _e11;
-}
-
-// Returns lobe `i` as (position in the range, from -1 to 1; share of the power; number from which its seed derives).
-fn gabor_impl_piece(i: i32, c: f32) -> vec3<f32> {
-    var i_2: i32;
-    var n: i32;
-    var left: f32;
-    var width: f32;
-
-    i_2 = i;
-    n = i32(c);
-    left = min((5f - (5f * fract(c))), 1f);
-    let _e13 = i_2;
-    let _e14 = n;
-    if (_e13 >= _e14) {
-        {
-            let _e16 = i_2;
-            let _e17 = n;
-            i_2 = (_e16 - _e17);
-            let _e19 = n;
-            n = (_e19 + 1i);
-            let _e23 = left;
-            left = (1f - _e23);
-        }
-    }
-    let _e26 = n;
-    width = (1f / f32(_e26));
-    let _e31 = i_2;
-    let _e36 = width;
-    let _e40 = left;
-    let _e41 = gabor_impl_takeover(_e40);
-    let _e42 = width;
-    let _e44 = i_2;
-    let _e45 = n;
-    return vec3<f32>(((((2f * f32(_e31)) + 1f) * _e36) - 1f), (_e41 * _e42), f32((_e44 + ((_e45 & 1i) * 64i))));
-}
+// ---- The filter ----------------------------------------------------------------------------------------------------
+//
+// A Gaussian filter of covariance S multiplies a wave with wave vector k by exp(-2 pi^2 k.S k). If H is the Fourier
+// transform of h, one node's kernel h(x) h(y) e^(2 pi i F.d) becomes the integral over q of
+//
+//     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
+//
+// Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
+// three waves a = -1, 0, 1 are h itself. After the filter, they are wrong only near the ends of h: by less than 1 % of
+// the noise's standard deviation if the filter's standard deviation is at most 0.1 kernel radii. A wider filter widens
+// the kernel beyond the ends of h, and needs the seven waves a = -3 ... 3: with w = 4/3 and four nodes along the axis
+// up to a standard deviation of 0.33, and with w up to 5/3 and five nodes beyond that. Between 0.09 and 0.1, seven
+// waves gradually replace three. All of this is for GABOR_TAPS 3.
+//
+// The factor exp(-4 pi^2 S_xy q_x q_y) couples the axes. It acts like exp(S_xy d/dx d/dy): for three waves, 1 + S_xy
+// d/dx d/dy is enough. For seven waves, we use the fact that H is nearly a Gaussian:
+// H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF
+// 18.18.28) then separates the axes: with M = S + v, the centre c = -M^-1 S F of the filtered lobe,
+// rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and
+// z = sqrt(2 g) (q - c),
+//
+//     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
+//                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...).
+//
+// We use these three terms; |lambda| is at most 0.26.
 
 // A symmetric matrix (xx, yy, xy) times a vector.
 fn gabor_impl_symmetric(matrix: vec3<f32>, v: vec2<f32>) -> vec2<f32> {
@@ -949,7 +512,6 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     var area: f32;
     var d: f32;
     var exponent: f32;
-
     area = (6.579736f * ((covariance.x * covariance.y) - (covariance.z * covariance.z)));
     let _e17 = area;
     d = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
@@ -975,7 +537,6 @@ fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2
     var wave_11: vec2<f32>;
     var even: vec2<f32>;
     var odd: vec2<f32>;
-
     wave_11 = vec2<f32>((value - 0.5f), slope);
     let _e9 = wave_11;
     even = (part.x * _e9);
@@ -1000,7 +561,6 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var turn_6: vec2<f32>;
     var value_6: vec4<f32>;
     var slope_7: vec4<f32>;
-
     rise = exp((19.739208f * blurred));
     let _e13 = rise;
     let _e15 = rise;
@@ -1052,7 +612,6 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     var turn_7: vec2<f32>;
     var sum_7: vec4<f32>;
     var slope_8: vec4<f32>;
-
     let _e4 = gabor_impl_symmetric(s, wave);
     blurred_1 = _e4;
     let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
@@ -1124,7 +683,7 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     var fall: f32;
     var rise_1: f32;
     var sink: f32;
-    var t_3: f32;
+    var t_2: f32;
     var wave_13: vec3<f32>;
     var fall_4_: f32;
     var above: vec3<f32>;
@@ -1137,7 +696,6 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     var odd_1_: vec3<f32>;
     var even_2_: vec3<f32>;
     var odd_2_: vec3<f32>;
-
     b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
     let _e18 = b_2;
     if (_e18.reach > 2f) {
@@ -1186,9 +744,9 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     let _e100 = rise_1;
     sink = (1f / _e100);
     let _e103 = b_2;
-    t_3 = (_e103.reach - 2f);
-    let _e113 = t_3;
-    let _e119 = t_3;
+    t_2 = (_e103.reach - 2f);
+    let _e113 = t_2;
+    let _e119 = t_2;
     wave_13 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e113 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e119 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
     let _e130 = fall;
     let _e131 = fall;
@@ -1293,7 +851,6 @@ struct GaborFilteredLine {
 // The factor by which the windows of line `index` fade, over the last quarter of a node spacing.
 fn gabor_impl_fade(b: GaborFilteredAxis, index: i32) -> f32 {
     var fade_1: f32;
-
     fade_1 = clamp((4f * (b.reach - abs((b.offset - f32(index))))), 0f, 1f);
     let _e14 = fade_1;
     let _e15 = fade_1;
@@ -1307,7 +864,6 @@ fn gabor_impl_filtered_line(b: GaborFilteredAxis, index: i32, turn: vec2<f32>, p
     var line: GaborFilteredLine;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
-
     phase_3 = phase;
     let _e11 = gabor_impl_wrap((b.first + index), b.period);
     let _e13 = gabor_impl_line_word(_e11, b.salt);
@@ -1353,7 +909,6 @@ struct GaborColumns {
 fn gabor_impl_columns(b: GaborFilteredAxis) -> GaborColumns {
     var columns_1: GaborColumns;
     var turn_9: vec2<f32>;
-
     let _e7 = gabor_impl_wave(((0.5f / b.reach) * b.offset));
     turn_9 = _e7;
     columns_1.five = (b.count == 5i);
@@ -1387,7 +942,6 @@ fn gabor_impl_columns(b: GaborFilteredAxis) -> GaborColumns {
 // The line before line 0, given the phase of the noise's wave there.
 fn gabor_impl_line_before(b: GaborFilteredAxis, phase: vec2<f32>) -> GaborFilteredLine {
     var line_2: GaborFilteredLine;
-
     let _e11 = gabor_impl_wave(((0.5f / b.reach) * (b.offset + 1f)));
     line_2.turn = _e11;
     line_2.phase = phase;
@@ -1403,7 +957,6 @@ fn gabor_impl_plus_product(sum: GaborFactors, factors: GaborFactors, real: f32, 
 // Adds a node to the sums of a row.
 fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, animated: bool, time: f32) {
     var a_2: vec2<f32>;
-
     let _e7 = gabor_impl_amplitude_at((column.word * row_word), animated, time);
     a_2 = _e7;
     let _e9 = (*row);
@@ -1417,7 +970,6 @@ fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, column: GaborF
 // The sums of a row over its columns.
 fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, animated: bool, time: f32) -> GaborFactors {
     var row_2: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
-
     gabor_impl_add_filtered_node((&row_2), columns.column_0_, row_word, animated, time);
     gabor_impl_add_filtered_node((&row_2), columns.column_1_, row_word, animated, time);
     gabor_impl_add_filtered_node((&row_2), columns.column_2_, row_word, animated, time);
@@ -1472,7 +1024,6 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var y_4: vec2<f32>;
     var local_20: f32;
     var scale_1: f32;
-
     m_1 = (s.xy + vec2(0.13069098f));
     deviation_1 = sqrt(s.xy);
     let _e13 = gabor_impl_symmetric(s, wave);
@@ -1638,7 +1189,6 @@ fn gabor_impl_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborF
     var s_4: vec3<f32>;
     var salt_7: u32;
     var amplitude_3: f32 = 1f;
-
     kernel_7 = kernel;
     stretch_1 = (place.radius / vec2(1.5f));
     let _e15 = kernel_7;
@@ -1657,39 +1207,56 @@ fn gabor_impl_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborF
     s_4 = footprint.resolved;
     let _e41 = gabor_impl_salt(seed);
     salt_7 = _e41;
-    if any((footprint.resolved != footprint.covariance)) {
-        let _e49 = amplitude_3;
-        let _e50 = transmitted;
-        let _e51 = wave_15;
-        let _e52 = s_4;
-        let _e53 = gabor_impl_transmitted(_e51, _e52);
-        amplitude_3 = (_e49 * sqrt((_e50 / _e53)));
+    if (distance(footprint.resolved, footprint.covariance) > 0f) {
+        let _e50 = amplitude_3;
+        let _e51 = transmitted;
+        let _e52 = wave_15;
+        let _e53 = s_4;
+        let _e54 = gabor_impl_transmitted(_e52, _e53);
+        amplitude_3 = (_e50 * sqrt((_e51 / _e54)));
     }
     if (wide < 1f) {
-        let _e60 = wave_15;
-        let _e61 = s_4;
-        let _e62 = salt_7;
-        let _e63 = gabor_impl_filtered_narrow(place, _e60, _e61, _e62);
-        let _e66 = amplitude_3;
-        gabor_impl_add_field((&sum_9), _e63, ((1f - wide) * _e66));
+        let _e61 = wave_15;
+        let _e62 = s_4;
+        let _e63 = salt_7;
+        let _e64 = gabor_impl_filtered_narrow(place, _e61, _e62, _e63);
+        let _e67 = amplitude_3;
+        gabor_impl_add_field((&sum_9), _e64, ((1f - wide) * _e67));
     }
     if (wide > 0f) {
-        let _e72 = wave_15;
-        let _e73 = s_4;
-        let _e76 = salt_7;
-        let _e77 = gabor_impl_filtered_wide(place, _e72, _e73, (wide > 0f), _e76);
-        let _e78 = amplitude_3;
-        gabor_impl_add_field((&sum_9), _e77, (wide * _e78));
+        let _e73 = wave_15;
+        let _e74 = s_4;
+        let _e77 = salt_7;
+        let _e78 = gabor_impl_filtered_wide(place, _e73, _e74, (wide > 0f), _e77);
+        let _e79 = amplitude_3;
+        gabor_impl_add_field((&sum_9), _e78, (wide * _e79));
     }
-    let _e82 = sum_9;
-    let _e84 = stretch_1;
-    sum_9.slope_x = (_e82.slope_x * _e84.x);
-    let _e88 = sum_9;
-    let _e90 = stretch_1;
-    sum_9.slope_y = (_e88.slope_y * _e90.y);
-    let _e93 = sum_9;
-    return _e93;
+    let _e83 = sum_9;
+    let _e85 = stretch_1;
+    sum_9.slope_x = (_e83.slope_x * _e85.x);
+    let _e89 = sum_9;
+    let _e91 = stretch_1;
+    sum_9.slope_y = (_e89.slope_y * _e91.y);
+    let _e94 = sum_9;
+    return _e94;
 }
+
+fn gabor_field_filtered(place: GaborPlace, kernel: GaborKernel, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
+    var kernel_9: GaborKernel;
+    kernel_9 = kernel;
+    let _e6 = kernel_9;
+    let _e7 = gabor_impl_wide_share(footprint);
+    let _e10 = gabor_impl_filtered(place, _e6, footprint, _e7, seed, removed);
+    return _e10;
+}
+
+// ---- The filter in space -------------------------------------------------------------------------------------------
+//
+// For gabor_noise_3d.wgsl. With M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
+// D^(-1/2), B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), the coupling of three axes is again a sum of products:
+//     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...).
+// The right side is the series of exp(z.B z) with Hermite polynomials instead of powers of z, and without B's diagonal,
+// which is at most 0.01. We use the terms up to the square of each factor.
 
 // A symmetric 3 x 3 matrix.
 struct GaborMatrix {
@@ -1704,7 +1271,6 @@ fn gabor_impl_symmetric_3d(m: GaborMatrix, v: vec3<f32>) -> vec3<f32> {
 // The inverse times the determinant.
 fn gabor_impl_adjugate(m: GaborMatrix, determinant: ptr<function, f32>) -> GaborMatrix {
     var a_4: GaborMatrix;
-
     a_4 = GaborMatrix(((m.diagonal.yzx * m.diagonal.zxy) - (m.mixed * m.mixed)), ((m.mixed.yzx * m.mixed.zxy) - (m.diagonal * m.mixed)));
     let _e24 = a_4;
     let _e30 = a_4;
@@ -1728,7 +1294,6 @@ fn gabor_impl_along_z(y_0: vec3<f32>, y_1: vec3<f32>, y_2: vec3<f32>, w: vec3<f3
 // The weighted sum of the products of three axes' factors.
 fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFactors, z: GaborFactors, w: vec3<f32>) -> vec2<f32> {
     var slice_1: GaborFactors;
-
     let _e8 = gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w);
     let _e12 = gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w);
     slice_1 = GaborFactors(_e8, _e12);
@@ -1777,7 +1342,6 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var local_24: f32;
     var scale_2: f32;
     var local_25: f32;
-
     m_4 = GaborMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
     let _e19 = m_4;
     let _e22 = gabor_impl_adjugate(_e19, (&determinant_1));
@@ -2020,13 +1584,21 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     return;
 }
 
+// ---- Isotropic noise -----------------------------------------------------------------------------------------------
+//
+// Node c emits waves along three unit vectors u_cm, 60 degrees apart and turned at random, each with its own amplitude:
+//     n(p) = K / sqrt(3) Im sum_c h_c sum_m A_cm exp(2 pi i F u_cm.(p - c)).
+// Given the directions, n is normal with variance 1. Its gradient is normal with the constant covariance
+// K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 2 pi^2 F^2 h^2 I), because sum_m u_cm u_cm^T = 3/2 I, with I the identity.
+// Value and gradient are independent. Since none of this depends on the directions, both are also normal over random
+// directions.
+
 // Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
 fn gabor_impl_row(word: u32) -> vec4<u32> {
     var first_1: u32;
     var second_1: u32;
     var third_1: u32;
     var fourth: u32;
-
     first_1 = ((word ^ (word >> 15u)) * 3545902487u);
     let _e7 = first_1;
     let _e8 = first_1;
@@ -2077,7 +1649,6 @@ fn gabor_impl_add_node_wave(sum: ptr<function, GaborField>, node: GaborWindows, 
     var h_x: vec2<f32>;
     var h_y: vec2<f32>;
     var turned_1: vec2<f32>;
-
     a_6 = a;
     let _e11 = a_6;
     value_9 = ((node.value.x * node.value.y) * _e11);
@@ -2167,7 +1738,6 @@ fn gabor_impl_add_node_waves(sum: ptr<function, GaborField>, place: GaborPlace, 
     var first_2: vec2<f32>;
     var second_2: vec2<f32>;
     var third_2: vec2<f32>;
-
     node_2 = node;
     d_3 = d;
     if pixel.used {
@@ -2251,7 +1821,6 @@ fn gabor_impl_sum_isotropic_2d(place: GaborPlace, frequency: f32, pixel: GaborFi
     var i_4: i32;
     var node_3: GaborWindows;
     var d_4: vec2<f32>;
-
     frequency_11 = frequency;
     let _e5 = gabor_impl_salt(seed);
     salt_9 = _e5;
@@ -2324,6 +1893,21 @@ fn gabor_impl_scaled_field(field: GaborField, scale: f32) -> GaborField {
     return GaborField((scale * field.value), (scale * field.slope_x), (scale * field.slope_y));
 }
 
+fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
+    var none_1: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
+    var local_26: f32;
+    let _e10 = none_1;
+    let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
+    if false {
+        local_26 = 1f;
+    } else {
+        local_26 = 1.125f;
+    }
+    let _e23 = local_26;
+    let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
+    return _e26;
+}
+
 // The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) -> f32 {
     var area_1: f32;
@@ -2331,7 +1915,6 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
     var unit_2: f32;
     var apart: f32;
     var smaller: f32;
-
     area_1 = (6.579736f * ((covariance.x * covariance.y) - (covariance.z * covariance.z)));
     let _e17 = area_1;
     d_5 = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
@@ -2350,12 +1933,423 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
     return ((exp(-(clamp((_e51 * _e52), 0f, 80f))) * _e64) * inverseSqrt(_e66));
 }
 
+fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: GaborFootprint, seed: u32, removed: ptr<function, f32>) -> GaborField {
+    var kept: f32;
+    var s_6: vec3<f32>;
+    var pixel_3: GaborFilter;
+    var local_27: f32;
+    let _e6 = gabor_impl_transmitted_isotropic_2d(frequency, footprint.covariance);
+    kept = _e6;
+    let _e9 = kept;
+    (*removed) = (1f - _e9);
+    let _e11 = kept;
+    if !((_e11 > 0.0000000001f)) {
+        {
+            (*removed) = 1f;
+            return GaborField(vec2(0f), vec2(0f), vec2(0f));
+        }
+    }
+    s_6 = footprint.covariance;
+    let _e25 = s_6;
+    let _e28 = s_6;
+    let _e30 = s_6;
+    let _e33 = s_6;
+    let _e35 = s_6;
+    let _e39 = s_6;
+    s_6 = (_e25 * (0.04f / max((0.5f * ((_e28.x + _e30.y) + length(vec2<f32>((_e33.x - _e35.y), (2f * _e39.z))))), 0.04f)));
+    let _e51 = s_6;
+    let _e54 = s_6;
+    pixel_3 = GaborFilter(true, _e51, exp((-4.934802f * _e54.xy)));
+    let _e60 = pixel_3;
+    let _e61 = gabor_impl_sum_isotropic_2d(place, frequency, _e60, seed);
+    if false {
+        local_27 = 1f;
+    } else {
+        local_27 = 1.125f;
+    }
+    let _e73 = local_27;
+    let _e76 = kept;
+    let _e77 = s_6;
+    let _e78 = gabor_impl_transmitted_isotropic_2d(frequency, _e77);
+    let _e82 = gabor_impl_scaled_field(_e61, ((0.57735026f / (1459955300000000000000000000f * _e73)) * sqrt((_e76 / _e78))));
+    return _e82;
+}
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> GaborLobe {
+    return GaborLobe(frequency, orientation, vec2(radius), power);
+}
+
+fn gabor_lobe_elliptical(frequency: f32, orientation: f32, radius: vec2<f32>, power: f32) -> GaborLobe {
+    return GaborLobe(frequency, orientation, radius, power);
+}
+
+fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
+    var lobes_3: GaborLobes;
+    lobes_3 = lobes;
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = lobes_3;
+    let _e13 = gabor_field_lobes(_e11, _e12, seed);
+    return _e13.value.y;
+}
+
+fn gabor_noise_lobes_gradient(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec3<f32> {
+    var lobes_5: GaborLobes;
+    var field_6: GaborField;
+    lobes_5 = lobes;
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = lobes_5;
+    let _e13 = gabor_field_lobes(_e11, _e12, seed);
+    field_6 = _e13;
+    let _e15 = field_6;
+    let _e18 = field_6;
+    let _e21 = field_6;
+    return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+}
+
+fn gabor_noise_lobes_complex(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
+    var lobes_7: GaborLobes;
+    lobes_7 = lobes;
+    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e12 = lobes_7;
+    let _e13 = gabor_field_lobes(_e11, _e12, seed);
+    return _e13.value;
+}
+
+fn gabor_noise_spread(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> f32 {
+    var place_19: GaborPlace;
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    place_19 = _e13;
+    let _e15 = place_19;
+    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+    return _e16.value.y;
+}
+
+fn gabor_noise_spread_gradient(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec3<f32> {
+    var place_20: GaborPlace;
+    var field_7: GaborField;
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    place_20 = _e13;
+    let _e15 = place_20;
+    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+    field_7 = _e16;
+    let _e18 = field_7;
+    let _e21 = field_7;
+    let _e24 = field_7;
+    return vec3<f32>(_e18.value.y, _e21.slope_x.y, _e24.slope_y.y);
+}
+
+fn gabor_noise_spread_complex(p: vec2<f32>, frequency: f32, orientation: f32, frequency_spread: f32, orientation_spread: f32, seed: u32) -> vec2<f32> {
+    var place_21: GaborPlace;
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    place_21 = _e13;
+    let _e15 = place_21;
+    let _e16 = gabor_field_spread(_e15, frequency, orientation, frequency_spread, orientation_spread, seed);
+    return _e16.value;
+}
+
+fn gabor_noise_isotropic(p: vec2<f32>, frequency: f32, seed: u32) -> f32 {
+    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e11 = gabor_field_isotropic(_e10, frequency, seed);
+    return _e11.value.y;
+}
+
+fn gabor_noise_isotropic_gradient(p: vec2<f32>, frequency: f32, seed: u32) -> vec3<f32> {
+    var field_8: GaborField;
+    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e11 = gabor_field_isotropic(_e10, frequency, seed);
+    field_8 = _e11;
+    let _e13 = field_8;
+    let _e16 = field_8;
+    let _e19 = field_8;
+    return vec3<f32>(_e13.value.y, _e16.slope_x.y, _e19.slope_y.y);
+}
+
+fn gabor_noise_isotropic_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, seed: u32) -> f32 {
+    var place_22: GaborPlace;
+    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
+    place_22 = _e9;
+    let _e11 = place_22;
+    let _e12 = gabor_field_isotropic(_e11, frequency, seed);
+    return _e12.value.y;
+}
+
+fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
+    var dx_1: vec2<f32>;
+    var dy_1: vec2<f32>;
+    var footprint_4: GaborFootprint;
+    var mean_1: f32;
+    var axis_2: vec2<f32>;
+    var apart_1: f32;
+    var larger: f32;
+    var side: f32;
+    var smaller_1: f32;
+    var local_28: f32;
+    dx_1 = dx;
+    dy_1 = dy;
+    let _e4 = dx_1;
+    let _e5 = dx_1;
+    let _e7 = dy_1;
+    let _e8 = dy_1;
+    if !(((dot(_e4, _e5) + dot(_e7, _e8)) < 1000000f)) {
+        {
+            dx_1 = vec2<f32>(100000f, 0f);
+            dy_1 = vec2<f32>(0f, 100000f);
+        }
+    }
+    let _e23 = dx_1;
+    let _e24 = dx_1;
+    let _e26 = dy_1;
+    let _e27 = dy_1;
+    let _e29 = ((_e23 * _e24) + (_e26 * _e27));
+    let _e30 = dx_1;
+    let _e32 = dx_1;
+    let _e35 = dy_1;
+    let _e37 = dy_1;
+    footprint_4.covariance = (0.25f * vec3<f32>(_e29.x, _e29.y, ((_e30.x * _e32.y) + (_e35.x * _e37.y))));
+    let _e46 = footprint_4;
+    let _e49 = footprint_4;
+    mean_1 = (0.5f * (_e46.covariance.x + _e49.covariance.y));
+    let _e56 = footprint_4;
+    let _e59 = footprint_4;
+    let _e64 = footprint_4;
+    axis_2 = vec2<f32>((0.5f * (_e56.covariance.x - _e59.covariance.y)), _e64.covariance.z);
+    let _e69 = axis_2;
+    apart_1 = length(_e69);
+    let _e72 = mean_1;
+    let _e73 = apart_1;
+    larger = (_e72 + _e73);
+    let _e77 = footprint_4;
+    footprint_4.resolved = _e77.covariance;
+    let _e79 = larger;
+    if (_e79 > 0.25f) {
+        {
+            let _e83 = dx_1;
+            let _e85 = dy_1;
+            let _e88 = dx_1;
+            let _e90 = dy_1;
+            side = (0.25f * ((_e83.x * _e85.y) - (_e88.y * _e90.x)));
+            let _e96 = side;
+            let _e97 = larger;
+            let _e99 = side;
+            smaller_1 = min(((_e96 / _e97) * _e99), 0.25f);
+            let _e104 = axis_2;
+            let _e105 = apart_1;
+            if (_e105 > 0f) {
+                let _e110 = smaller_1;
+                let _e113 = apart_1;
+                local_28 = ((0.5f * (0.25f - _e110)) / _e113);
+            } else {
+                local_28 = 0f;
+            }
+            let _e117 = local_28;
+            axis_2 = (_e104 * _e117);
+            let _e122 = smaller_1;
+            let _e125 = axis_2;
+            let _e127 = axis_2;
+            let _e135 = max((vec2((0.5f * (0.25f + _e122))) + vec2<f32>(_e125.x, -(_e127.x))), vec2(0f));
+            let _e136 = axis_2;
+            footprint_4.resolved = vec3<f32>(_e135.x, _e135.y, _e136.y);
+        }
+    }
+    let _e141 = footprint_4;
+    return _e141;
+}
+
+fn gabor_noise_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
+    var removed_3: f32;
+    var field_9: GaborField;
+    let _e14 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e15 = gabor_kernel(frequency, orientation);
+    let _e16 = gabor_footprint(dx, dy);
+    let _e19 = gabor_field_filtered(_e14, _e15, _e16, seed, (&removed_3));
+    field_9 = _e19;
+    let _e21 = field_9;
+    let _e24 = field_9;
+    let _e27 = field_9;
+    let _e30 = removed_3;
+    return vec4<f32>(_e21.value.y, _e24.slope_x.y, _e27.slope_y.y, _e30);
+}
+
+fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    var field_10: vec4<f32>;
+    let _e6 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, seed);
+    field_10 = _e6;
+    let _e8 = field_10;
+    let _e10 = field_10;
+    return vec2<f32>(_e8.x, _e10.w);
+}
+
+fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> vec2<f32> {
+    var removed_4: f32;
+    var field_11: GaborField;
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e14 = gabor_footprint(dx, dy);
+    let _e17 = gabor_field_isotropic_filtered(_e13, frequency, _e14, seed, (&removed_4));
+    field_11 = _e17;
+    let _e19 = field_11;
+    let _e22 = removed_4;
+    return vec2<f32>(_e19.value.y, _e22);
+}
+
+fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
+    var four: vec4<f32>;
+    var i_5: i32 = 0i;
+    var local_29: u32;
+    var noise_2: vec4<f32>;
+    loop {
+        let _e10 = i_5;
+        if !((_e10 < 4i)) {
+            break;
+        }
+        {
+            let _e17 = i_5;
+            if (_e17 == 0i) {
+                local_29 = seed;
+            } else {
+                let _e20 = i_5;
+                let _e22 = gabor_lobe_seed(seed, -(_e20));
+                local_29 = _e22;
+            }
+            let _e24 = local_29;
+            let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
+            noise_2 = _e25;
+            let _e27 = i_5;
+            let _e29 = noise_2;
+            four[_e27] = _e29.x;
+            let _e31 = noise_2;
+            (*removed) = _e31.w;
+        }
+        continuing {
+            let _e14 = i_5;
+            i_5 = (_e14 + 1i);
+        }
+    }
+    let _e33 = four;
+    return _e33;
+}
+
+fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec4<f32> {
+    var lobes_9: GaborLobes;
+    var sum_14: vec4<f32> = vec4(0f);
+    var power_3: f32 = 0f;
+    var i_6: i32 = 0i;
+    var lobe_2: GaborLobe;
+    var unit_3: vec2<f32>;
+    var removed_6: f32;
+    var field_12: GaborField;
+    var noise_3: vec3<f32>;
+    var local_30: vec4<f32>;
+    lobes_9 = lobes;
+    loop {
+        let _e13 = i_6;
+        let _e14 = lobes_9;
+        if !((_e13 < min(_e14.count, 4i))) {
+            break;
+        }
+        {
+            let _e23 = i_6;
+            let _e26 = lobes_9.lobe[_e23];
+            lobe_2 = _e26;
+            let _e29 = lobe_2;
+            unit_3 = (vec2(1f) / _e29.radius);
+            let _e37 = unit_3;
+            let _e44 = gabor_place(vec2(0i), ((p * _e37) * 1.5f));
+            let _e45 = lobe_2;
+            let _e46 = gabor_impl_lobe_kernel(_e45);
+            let _e47 = unit_3;
+            let _e49 = unit_3;
+            let _e51 = gabor_footprint((dx * _e47), (dy * _e49));
+            let _e52 = i_6;
+            let _e53 = gabor_lobe_seed(seed, _e52);
+            let _e56 = gabor_field_filtered(_e44, _e46, _e51, _e53, (&removed_6));
+            field_12 = _e56;
+            let _e58 = field_12;
+            let _e61 = unit_3;
+            let _e63 = field_12;
+            let _e67 = unit_3;
+            let _e69 = field_12;
+            noise_3 = vec3<f32>(_e58.value.y, (_e61.x * _e63.slope_x.y), (_e67.y * _e69.slope_y.y));
+            let _e75 = sum_14;
+            let _e76 = lobe_2;
+            let _e79 = noise_3;
+            let _e80 = (sqrt(_e76.power) * _e79);
+            let _e81 = lobe_2;
+            let _e83 = removed_6;
+            sum_14 = (_e75 + vec4<f32>(_e80.x, _e80.y, _e80.z, (_e81.power * _e83)));
+            let _e90 = power_3;
+            let _e91 = lobe_2;
+            power_3 = (_e90 + _e91.power);
+        }
+        continuing {
+            let _e20 = i_6;
+            i_6 = (_e20 + 1i);
+        }
+    }
+    let _e94 = power_3;
+    if (_e94 > 0f) {
+        let _e97 = sum_14;
+        let _e98 = power_3;
+        let _e100 = vec3(inverseSqrt(_e98));
+        let _e102 = power_3;
+        local_30 = (_e97 * vec4<f32>(_e100.x, _e100.y, _e100.z, (1f / _e102)));
+    } else {
+        local_30 = vec4(0f);
+    }
+    let _e112 = local_30;
+    return _e112;
+}
+
+fn gabor_noise_lobes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> vec2<f32> {
+    var lobes_11: GaborLobes;
+    var field_13: vec4<f32>;
+    lobes_11 = lobes;
+    let _e6 = lobes_11;
+    let _e7 = gabor_noise_lobes_filtered_gradient(p, dx, dy, _e6, seed);
+    field_13 = _e7;
+    let _e9 = field_13;
+    let _e11 = field_13;
+    return vec2<f32>(_e9.x, _e11.w);
+}
+
+// For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
+// v / sqrt(|v|^2 + 8/pi r), and the mean of |z| about sqrt(|v|^2 + pi/2 r). Both are exact for small and for large |v|.
+fn gabor_stripes_filtered_at(place: GaborPlace, wave: vec2<f32>, footprint: GaborFootprint, sharpness: f32, seed: u32) -> vec4<f32> {
+    var removed_7: f32;
+    var value_10: vec2<f32>;
+    var power_4: f32;
+    var reach: f32;
+    let _e6 = gabor_kernel_wave(wave);
+    let _e9 = gabor_field_filtered(place, _e6, footprint, seed, (&removed_7));
+    value_10 = _e9.value;
+    let _e12 = value_10;
+    let _e13 = value_10;
+    power_4 = dot(_e12, _e13);
+    let _e16 = power_4;
+    let _e18 = removed_7;
+    reach = sqrt((_e16 + (2.546479f * max(_e18, 0f))));
+    let _e25 = reach;
+    let _e30 = value_10;
+    let _e31 = ((sharpness / max((sharpness * _e25), 1f)) * _e30);
+    let _e32 = power_4;
+    let _e34 = removed_7;
+    let _e40 = removed_7;
+    return vec4<f32>(_e31.x, _e31.y, sqrt((_e32 + (1.5707963f * max(_e34, 0f)))), _e40);
+}
+
+fn gabor_stripes_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec4<f32> {
+    let _e13 = gabor_place(vec2(0i), (p * 1.5f));
+    let _e14 = gabor_footprint(dx, dy);
+    let _e15 = gabor_stripes_filtered_at(_e13, wave, _e14, sharpness, seed);
+    return _e15;
+}
+
 // The mean of a profile over [phase - width / 2, phase + width / 2] is the change of its integral from one end to
 // the other, divided by the width. Each whole turn adds the integral of one period.
 fn gabor_impl_ends(phase: f32, width: f32) -> vec3<f32> {
     var phase_6: f32;
     var width_2: f32;
-
     phase_6 = phase;
     width_2 = width;
     let _e4 = width_2;
@@ -2371,64 +2365,118 @@ fn gabor_impl_ends(phase: f32, width: f32) -> vec3<f32> {
     return vec3<f32>((_e12 - (0.5f * _e14)), (_e17 + (0.5f * _e19)), (1f / _e23));
 }
 
+fn gabor_profile_sine(phase: f32, width: f32) -> f32 {
+    var x_9: f32;
+    x_9 = (3.1415927f * clamp(width, 0.001f, 1f));
+    let _e10 = gabor_impl_wave(phase);
+    let _e14 = x_9;
+    let _e16 = gabor_impl_wave((0.15915494f * _e14));
+    let _e18 = x_9;
+    return (0.5f - ((0.5f * _e10.x) * (_e16.y / _e18)));
+}
+
 fn gabor_impl_triangle_integral(x: f32) -> f32 {
     var turns: f32;
-    var t_4: f32;
+    var t_3: f32;
     var local_31: f32;
-
     turns = floor(x);
     let _e3 = turns;
-    t_4 = (x - _e3);
+    t_3 = (x - _e3);
     let _e7 = turns;
-    let _e9 = t_4;
+    let _e9 = t_3;
     if (_e9 < 0.5f) {
-        let _e12 = t_4;
-        let _e13 = t_4;
+        let _e12 = t_3;
+        let _e13 = t_3;
         local_31 = (_e12 * _e13);
     } else {
-        let _e16 = t_4;
-        let _e18 = t_4;
-        let _e19 = t_4;
+        let _e16 = t_3;
+        let _e18 = t_3;
+        let _e19 = t_3;
         local_31 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
     }
     let _e25 = local_31;
     return ((0.5f * _e7) + _e25);
 }
 
+fn gabor_profile_triangle(phase: f32, width: f32) -> f32 {
+    var ends: vec3<f32>;
+    let _e2 = gabor_impl_ends(phase, width);
+    ends = _e2;
+    let _e4 = ends;
+    let _e6 = ends;
+    let _e8 = gabor_impl_triangle_integral(_e6.y);
+    let _e9 = ends;
+    let _e11 = gabor_impl_triangle_integral(_e9.x);
+    return (_e4.z * (_e8 - _e11));
+}
+
 fn gabor_impl_sawtooth_integral(x: f32) -> f32 {
     var turns_1: f32;
-    var t_5: f32;
-
+    var t_4: f32;
     turns_1 = floor(x);
     let _e3 = turns_1;
-    t_5 = (x - _e3);
+    t_4 = (x - _e3);
     let _e7 = turns_1;
-    let _e8 = t_5;
-    let _e9 = t_5;
+    let _e8 = t_4;
+    let _e9 = t_4;
     return (0.5f * (_e7 + (_e8 * _e9)));
+}
+
+fn gabor_profile_sawtooth(phase: f32, width: f32) -> f32 {
+    var ends_1: vec3<f32>;
+    let _e2 = gabor_impl_ends(phase, width);
+    ends_1 = _e2;
+    let _e4 = ends_1;
+    let _e6 = ends_1;
+    let _e8 = gabor_impl_sawtooth_integral(_e6.y);
+    let _e9 = ends_1;
+    let _e11 = gabor_impl_sawtooth_integral(_e9.x);
+    return (_e4.z * (_e8 - _e11));
 }
 
 fn gabor_impl_pulse_integral(x: f32, duty: f32) -> f32 {
     var turns_2: f32;
-
     turns_2 = floor(x);
     let _e4 = turns_2;
     let _e6 = turns_2;
     return ((duty * _e4) + min((x - _e6), duty));
 }
 
+fn gabor_profile_pulse(phase: f32, duty: f32, width: f32) -> f32 {
+    var ends_2: vec3<f32>;
+    let _e3 = gabor_impl_ends(phase, width);
+    ends_2 = _e3;
+    let _e5 = ends_2;
+    let _e7 = ends_2;
+    let _e9 = gabor_impl_pulse_integral(_e7.y, duty);
+    let _e10 = ends_2;
+    let _e12 = gabor_impl_pulse_integral(_e10.x, duty);
+    return (_e5.z * (_e9 - _e12));
+}
+
 fn gabor_impl_ridges_integral(x: f32) -> f32 {
     var turns_3: f32;
-    var t_6: f32;
-
+    var t_5: f32;
     turns_3 = floor(x);
     let _e3 = turns_3;
-    t_6 = (x - _e3);
+    t_5 = (x - _e3);
     let _e7 = turns_3;
-    let _e9 = t_6;
-    let _e10 = t_6;
-    let _e14 = t_6;
+    let _e9 = t_5;
+    let _e10 = t_5;
+    let _e14 = t_5;
     return ((0.6666667f * _e7) + ((_e9 * _e10) * (2f - (1.3333333f * _e14))));
+}
+
+fn gabor_profile_ridges(phase: f32, width: f32) -> f32 {
+    var ends_3: vec3<f32>;
+    let _e2 = gabor_impl_ends(phase, width);
+    ends_3 = _e2;
+    let _e4 = ends_3;
+    let _e6 = ends_3;
+    let _e8 = gabor_impl_ridges_integral(_e6.y);
+    let _e9 = ends_3;
+    let _e11 = gabor_impl_ridges_integral(_e9.x);
+    return (_e4.z * (_e8 - _e11));
 }
 
 // The (phase, width) of stripes. The mean of a unit vector over `width` turns has the length sin(pi width) / (pi
@@ -2436,7 +2484,6 @@ fn gabor_impl_ridges_integral(x: f32) -> f32 {
 fn gabor_impl_phase_of(stripes: vec2<f32>) -> vec2<f32> {
     var phasor: vec2<f32>;
     var y_8: f32;
-
     let _e1 = gabor_phasor(stripes);
     phasor = _e1;
     let _e4 = phasor;
@@ -2448,3 +2495,48 @@ fn gabor_impl_phase_of(stripes: vec2<f32>) -> vec2<f32> {
     let _e19 = y_8;
     return vec2<f32>(_e10.x, (sqrt(_e12) * (0.7796968f + (_e15 * (0.13925488f + (_e17 * ((0.1322011f * _e19) - 0.05362376f)))))));
 }
+
+fn gabor_stripes_sine(stripes: vec2<f32>) -> f32 {
+    return (0.5f - (0.5f * stripes.x));
+}
+
+fn gabor_stripes_triangle(stripes: vec2<f32>) -> f32 {
+    var phase_12: vec2<f32>;
+    let _e1 = gabor_impl_phase_of(stripes);
+    phase_12 = _e1;
+    let _e3 = phase_12;
+    let _e5 = phase_12;
+    let _e7 = gabor_profile_triangle(_e3.x, _e5.y);
+    return _e7;
+}
+
+fn gabor_stripes_sawtooth(stripes: vec2<f32>) -> f32 {
+    var phase_13: vec2<f32>;
+    let _e1 = gabor_impl_phase_of(stripes);
+    phase_13 = _e1;
+    let _e3 = phase_13;
+    let _e5 = phase_13;
+    let _e7 = gabor_profile_sawtooth(_e3.x, _e5.y);
+    return _e7;
+}
+
+fn gabor_stripes_pulse(stripes: vec2<f32>, duty: f32) -> f32 {
+    var phase_14: vec2<f32>;
+    let _e2 = gabor_impl_phase_of(stripes);
+    phase_14 = _e2;
+    let _e4 = phase_14;
+    let _e6 = phase_14;
+    let _e8 = gabor_profile_pulse(_e4.x, duty, _e6.y);
+    return _e8;
+}
+
+fn gabor_stripes_ridges(stripes: vec2<f32>) -> f32 {
+    var phase_15: vec2<f32>;
+    let _e1 = gabor_impl_phase_of(stripes);
+    phase_15 = _e1;
+    let _e3 = phase_15;
+    let _e5 = phase_15;
+    let _e7 = gabor_profile_ridges(_e3.x, _e5.y);
+    return _e7;
+}
+

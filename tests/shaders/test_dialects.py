@@ -43,9 +43,9 @@ BAD_MACROS = {
         ("GABOR_IMPULSES", "2.0", "'preprocessor evaluation' : bad expression"),
         ("GABOR_PHASES", "3", "GABOR_PHASES must be a power of two *, from 2 to 256"),
         ("GABOR_PHASES", "512", "GABOR_PHASES must be a power of two *, from 2 to 256"),
-        ("GABOR_RADIUS", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
-        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
-        ("GABOR_WINDOW", "1.0", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
+        ("GABOR_RADIUS", "1", "gabor_impl_needs_int_float_float_int_vec3_macros"),
+        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_needs_int_float_float_int_vec3_macros"),
+        ("GABOR_WINDOW", "1.0", "gabor_impl_needs_int_float_float_int_vec3_macros"),
     ],
     "gabor_noise": [
         ("GABOR_TAPS", "1", "GABOR_TAPS must be 2 *, 3 or 4"),
@@ -142,9 +142,9 @@ class Dialects(unittest.TestCase):
                 self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
 
     def test_bundles_compile(self):
-        subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "translate", "--bundles", "-o", self.folder], check=True)
+        subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "package", "bundles", "--stage", self.folder], check=True)
         bundles = sorted(self.folder.glob("gabor_bundle_*.glsl"))
-        self.assertEqual(len(bundles), 10)
+        self.assertEqual(len(bundles), 14)
         for bundle in bundles:
             for version in ("450", "300 es"):
                 with self.subTest(bundle.name, version=version):
