@@ -47,7 +47,8 @@ def struct_rows(*trees):
     return "\n".join(lines) + "\n"
 
 
-def made(drop_in):
-    """Yields the path and text of each file. `drop_in` returns the syntax tree of one, by name."""
-    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(drop_in("gabor_materials"), drop_in("gabor_erosion"))
-    yield DEMO, IN_PAGE.sub(lambda match: match[1] + drop_in(match[2]).text + match[3], DEMO.read_text())
+def made(shader):
+    """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
+    trees = {path.stem: shader(path) for path in DROP_INS}
+    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(trees["gabor_materials"], trees["gabor_erosion"])
+    yield DEMO, IN_PAGE.sub(lambda match: match[1] + trees[match[2]].text + match[3], DEMO.read_text())

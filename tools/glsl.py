@@ -12,8 +12,8 @@ TOKEN = re.compile(r"""
     | (?P<number>0[xX][\da-fA-F]+[uU]?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfFi]?) | (?P<name>[A-Za-z_]\w*)
     | (?P<sign><<=|>>=|&&|\|\||<<|>>|[-+*/%&|^=<>!]=|\+\+|--|[^\w\s])""", re.VERBOSE | re.DOTALL)
 # Each number's or vector's type, with the type of its components and their number.
-SHAPES = {kind: (kind, 1) for kind in ("float", "int", "uint", "bool")} | {
-    f"{letter}vec{size}": (kind, size) for kind, letter in (("float", ""), ("int", "i"), ("uint", "u")) for size in (2, 3, 4)}
+SHAPES = {kind: (kind, 1) for kind in ("float", "int", "uint", "bool")}
+SHAPES |= {f"{kind[0].strip('f')}vec{size}": (kind, size) for kind in ("float", "int", "uint") for size in (2, 3, 4)}
 TYPES = {shape: name for name, shape in SHAPES.items()}
 SIGNS = ["||", "&&", "|", "^", "&", "== !=", "< > <= >=", "<< >>", "+ -", "* / %"]
 PRECEDENCE = {sign: level for level, signs in enumerate(SIGNS, 1) for sign in signs.split()}
@@ -35,7 +35,7 @@ Token = namedtuple("Token", "kind text start end line")
 class Node:
     """A part of the syntax tree: its kind, place in the text, parts and, for expressions and declarations, its type."""
 
-    changed = False  # whether an expression is what an assignment, ++ or a call changes
+    changed, declared, callee = False, None, None  # changed: by an assignment, ++ or a call
 
     def __init__(self, kind, first, last, parts=(), type=None, **more):
         self.kind, self.start, self.end, self.line, self.type = kind, first.start, last.end, first.line, type
@@ -89,10 +89,9 @@ class Shader:
         found = list(tokens(text))
         self.comments, self.directives, self.precision = (
             [token for token in found if token.kind == kind] for kind in ("comment", "directive", "precision"))
-        tests = [token for token in self.directives if token.text.startswith(("#ifdef", "#ifndef"))]
-        self.tested = {token.text.split()[1] for token in tests}
+        self.tested = {token.text.split()[1] for token in self.directives if token.text.startswith(("#ifdef", "#ifndef"))}
         self.defined = [self.macro(token) for token in self.directives if token.text.startswith("#define")]
-        ignored = {"comment", "directive", "precision"} | {name for name, macro in self.macros.items() if not macro.body}
+        ignored = {"comment", "directive", "precision"} | {name for name, node in self.macros.items() if not node.body}
         self.start_reading([token for token in found if not ignored & {token.kind, token.text}], text.count("\n") + 1)
         while self.token.kind != "end":
             self.items.append(self.definition())
@@ -196,10 +195,8 @@ class Shader:
         self.variables = self.variables.new_child()
         parameters = self.until(")", self.parameter, ",")
         node = self.node("function", first, parameters, type_name.text, name=name, parameters=parameters)
-        node.head, types = node.end, [part.type for part in parameters]
-        for part in parameters:
-            part.function = node
-        if [part.type for part in self.functions.setdefault(name.text, node).parameters] != types:
+        first_one = self.functions.setdefault(name.text, node)
+        if [part.type for part in first_one.parameters] != [part.type for part in parameters]:
             self.refuse(f"a second {name.text} with other parameters", first)
         node.body = self.block(self.take("{"))
         node.parts, node.end = [*parameters, node.body], node.body.end
@@ -319,10 +316,10 @@ class Shader:
             parts = self.until(")", self.expression)
             return self.node("group", token, parts, parts[0].type)
         if token.text in ("true", "false"):
-            return self.node("name", token, type="bool", name=token, declared=None)
+            return self.node("name", token, type="bool", name=token)
         if token.kind == "name" and self.maybe("("):
             parts = self.until(")", self.expression, ",")
-            return self.called(self.node("call", token, parts, name=token, callee=None))
+            return self.called(self.node("call", token, parts, name=token))
         if declared := self.variables.get(token.text):
             return self.node("name", token, type=declared.type, name=token, declared=declared)
         if macro := self.macros.get(token.text):

@@ -25,9 +25,6 @@ class Library(Printer):
     def word(self, word):
         return "mx_" + word.replace("gabor_impl_", "gabor_") if word.startswith("gabor_") else word
 
-    def function(self, node):
-        self.edit(node.head, node.body.start, "\n")
-
 
 class Integers(Printer):
     """Replaces uint by int, which behaves identically except for >>."""
@@ -59,26 +56,21 @@ class Osl(Integers):
     """Turns vec2 and vec3 into vectors, and vec4 into MaterialX's struct. A node's vec2 becomes a struct, too."""
 
     words = Integers.words | {"vec2": "vector", "vec3": "vector", "vec4": "vector4"}
-    start = """// Shifts an integer to the right as if it were unsigned.
-int mx_gabor_right(int word, int bits)
-{
-    return (word >> bits) & ((1 << (32 - bits)) - 1);
-}
-
-"""
+    start = ("// Shifts an integer to the right as if it were unsigned.\nint mx_gabor_right(int word, int bits)\n"
+             "{\n    return (word >> bits) & ((1 << (32 - bits)) - 1);\n}\n\n")
 
     def parameter(self, node):
-        if node.function.type == "void" and node.type == "vec2":
+        if self.shader.before and node.type == "vec2":
             self.replace(node.type_name, "vector2")
         if node.out:
             self.edit(node.start, node.type_name.start, "output ")
 
     def member(self, node):
         super().member(node)
-        declared = getattr(node.parts[0], "declared", node)
-        in_node = declared.kind == "parameter" and declared.function.type == "void" and declared.type == "vec2"
-        if node.parts[0].type in ("vec2", "vec3") and not in_node:
-            self.edit(node.parts[0].end, node.end, f"[{'xyz'.index(node.name.text)}]")
+        vector, declared = node.parts[0], node.parts[0].declared
+        of_node = self.shader.before and declared and declared.kind == "parameter"
+        if vector.type == "vec3" or vector.type == "vec2" and not of_node:
+            self.edit(vector.end, node.end, f"[{'xyz'.index(node.name.text)}]")
 
     def call(self, node):
         super().call(node)
@@ -121,7 +113,7 @@ def mdl_variants():
     kinds = ("float", 1), ("vector2", 2), ("vector3", 3), ("vector4", 4), ("color3", 3)
     for dim, place, along in ("2d", "2 texcoord", " orientation"), ("3d", "3 position", "3 direction"):
         inputs = f"float{place}, float frequency, float{along}, int seed"
-        given = ", ".join(each.split()[1] for each in inputs.split(", ")[:-1])
+        given = f"{place[2:]}, frequency, {along[1:].strip()}"
         seeds = ["seed", *(f"mx_gaborseed(seed, -{index})" for index in (1, 2, 3))]
         noises = [f"mx_gaborfield{dim}({given}, {seed}).x" for seed in seeds]
         for (kind, count), suffix in itertools.product(kinds, ("", "FA")):
@@ -134,17 +126,18 @@ def mdl_variants():
                        f"float pivot, {inputs})\n{{\n    return {value};\n}}\n")
 
 
-def made(drop_in):
-    """Yields the path and text of the library in GLSL, with the drop-in's functions and constants between two marks."""
-    tree, macros = drop_in("gabor_noise"), drop_in("gabor_noise_3d").macros
+def made(shader):
+    """Yields the path and text of the library in GLSL, with the drop-ins' functions and constants between two marks."""
+    tree, space = (shader(ROOT / "shaders" / f"gabor_{name}.glsl") for name in ("noise", "noise_3d"))
     before, _, rest = COMMON.read_text().partition(MARK)
-    deviation, rows, slices = (macros[f"GABOR_IMPL_{name}"].body[0].text for name in ("DEVIATION", "ROWS", "SLICES"))
-    constants = {"ROWS": rows, "SLICES": slices, "SCALE2D": f"{1 / (float(deviation) * 1.125):.8g}",
-                 "SCALE3D": f"{1 / (float(deviation) * 1.125**1.5):.8g}"}  # for the variance 1 in the plane and in space
+    constants = {name: space.macros[f"GABOR_IMPL_{name}"].body[0].text for name in ("ROWS", "SLICES", "DEVIATION")}
+    scale = 1 / (1.125 * float(constants.pop("DEVIATION")))  # gives the sum in the plane the variance 1
+    constants |= {"SCALE2D": f"{scale:.8g}", "SCALE3D": f"{scale / 1.125**0.5:.8g}"}
     text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in constants.items())
     printer, functions = Library(tree), [tree.functions[name] for name in FUNCTIONS]
     text += "".join(f"\n{printer.text(item.start, item.end)}\n" for item in functions)
-    yield COMMON, before + MARK + "\n" + without_comments(text) + "\n" + END + rest.partition(END)[2]
+    text = without_comments(text).replace(" {", "\n{")
+    yield COMMON, f"{before}{MARK}\n{text}\n{END}{rest.partition(END)[2]}"
 
 
 def packaged():
@@ -158,5 +151,6 @@ def packaged():
         path = (LIBRARY / "genosl" / (ROOT / tree.path).relative_to(COMMON.parents[1])).with_suffix(".osl")
         text = Osl.start * (tree == library) + Osl(tree).text(tree.start).replace('.glsl"', '.osl"')
         yield path, header + text
-    whole = "\n".join([*(Mdl(tree).text(tree.items[0].start) for tree in trees), *mdl_variants()]).replace(END + "\n", "")
+    whole = "\n".join([*(Mdl(tree).text(tree.items[0].start) for tree in trees), *mdl_variants()])
+    whole = whole.replace(END + "\n", "")
     yield LIBRARY / "genmdl" / "mx_gabor.mdl", f"{header}mdl 1.6;\n\nimport ::math::*;\n\n{whole}"

@@ -261,13 +261,13 @@ GABOR_INLINE GaborPlace gabor_impl_place(GaborPixel pixel, gabor_vec2 density) {
 // removed. `density` is in kernel radii per unit along x and y.
 GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_impl_place(pixel, density);
-    GaborKernel kernel = gabor_kernel(frequency, orientation);
+    GaborKernel kernel_ = gabor_kernel(frequency, orientation);
     if (!pixel.filtered)
-        return gabor_vec3(gabor_field(place, kernel, seed).value, 0.0f);
+        return gabor_vec3(gabor_field(place, kernel_, seed).value, 0.0f);
     float removed;
     density *= place.radius / GABOR_RADIUS;
     GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
-    gabor_vec2 value = gabor_field_filtered(place, kernel, footprint, seed, removed).value;
+    gabor_vec2 value = gabor_field_filtered(place, kernel_, footprint, seed, removed).value;
     return gabor_vec3(value, removed);
 }
 
@@ -414,9 +414,9 @@ GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric,
 
     // A thread has a round profile, and goes over one crossing thread and under the next.
     gabor_vec2 at = count * cloth.p + 0.13f * fabric.unevenness * gabor_vec2(upright.x, level.x);
-    gabor_vec2 thread = gabor_cpp_floor(at);
-    gabor_vec2 within = at - thread - 0.5f;
-    float parity = gabor_cpp_fract(0.5f * (thread.x + thread.y)) > 0.25f ? -1.0f : 1.0f;
+    gabor_vec2 thread_ = gabor_cpp_floor(at);
+    gabor_vec2 within = at - thread_ - 0.5f;
+    float parity = gabor_cpp_fract(0.5f * (thread_.x + thread_.y)) > 0.25f ? -1.0f : 1.0f;
     gabor_vec2 thick = 1.0f + 0.16f * fabric.unevenness * gabor_vec2(upright.y, level.y);
     gabor_vec2 inside = 1.0f - 4.2f * within * within / (thick * thick);
     gabor_vec2 crest = thick * gabor_cpp_sqrt(gabor_cpp_max(inside, 0.0f)) - 1.0f

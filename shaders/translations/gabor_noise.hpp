@@ -359,15 +359,15 @@ GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor
                       stretch.y * gabor_impl_product(slope.xy(), turn) + wave.y * turned};
 }
 
-GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed) {
+GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel_, std::uint32_t seed) {
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, kernel.wave.x, place.radius.x);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, kernel_.wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel.wave.y, place.radius.y);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel_.wave.y, place.radius.y);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     gabor_vec4 sum, slope;
     gabor_impl_sum(x, y, place.animated, place.time, sum, slope);
-    return gabor_impl_field(sum, slope, turn, kernel.wave, place.radius / GABOR_RADIUS);
+    return gabor_impl_field(sum, slope, turn, kernel_.wave, place.radius / GABOR_RADIUS);
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
@@ -394,8 +394,8 @@ GABOR_INLINE GaborKernel gabor_kernel_wave(gabor_vec2 wave) {
     return GaborKernel{gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f)};
 }
 
-GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed) {
-    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
+GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel_, std::uint32_t seed) {
+    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
 }
 
 GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {

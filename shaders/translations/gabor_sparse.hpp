@@ -300,13 +300,13 @@ GABOR_INLINE int gabor_impl_wrap(int cell, int period) {
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
 // J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel, float time) {
+GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel_, float time) {
     if (GABOR_PHASES != 2 || time == 0.0f)
         return 1.0f;
     gabor_vec4 sines = gabor_vec4(gabor_impl_sine(time), gabor_impl_sine(2.0f * time),
                       gabor_impl_sine(3.0f * time), gabor_impl_sine(4.0f * time));
     float u = 0.5f * gabor_cpp_dot(sines, sines);
-    return gabor_cpp_inversesqrt(1.0f + u * (1.0f - kernel.variance_factor) / kernel.variance_factor);
+    return gabor_cpp_inversesqrt(1.0f + u * (1.0f - kernel_.variance_factor) / kernel_.variance_factor);
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
@@ -332,7 +332,7 @@ GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
     return GaborKernel{wave, amplitude * gabor_cpp_inversesqrt(variance_factor), variance_factor};
 }
 
-GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed) {
+GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel_, std::uint32_t seed) {
     int visited = int(gabor_cpp_ceil(2.0f * GABOR_RADIUS)) + 1;
     gabor_vec2 whole = gabor_cpp_floor(place.local);
     gabor_vec2 local = gabor_cpp_clamp(place.local - whole, 0.0f, 1.0f); // the clamp matters only if a compiler fuses this with a product
@@ -355,27 +355,27 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::u
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (gabor_cpp_max(gabor_cpp_abs(d.x), gabor_cpp_abs(d.y)) < 1.0f) {
-                    float turns = gabor_cpp_dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * time;
+                    float turns = gabor_cpp_dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * time;
                     gabor_vec2 x = gabor_impl_window(d.x);
                     gabor_vec2 y = gabor_impl_window(d.y);
                     gabor_vec2 wave = impulse.magnitude * gabor_vec2(gabor_impl_sine(turns + 0.25f), gabor_impl_sine(turns));
                     // The derivative of e^(2 pi i F x) is 2 pi i F e^(2 pi i F x).
                     gabor_vec2 turned = (6.2831853f * x.x * y.x) * gabor_vec2(-wave.y, wave.x);
                     sum.value += (x.x * y.x) * wave;
-                    sum.slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
-                    sum.slope_y += (y.y * x.x) * wave + kernel.wave.y * turned;
+                    sum.slope_x += (x.y * y.x) * wave + kernel_.wave.x * turned;
+                    sum.slope_y += (y.y * x.x) * wave + kernel_.wave.y * turned;
                 }
             }
         }
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
-    float scale = kernel.amplitude * GABOR_RADIUS * gabor_cpp_inversesqrt(place.radius.x * place.radius.y)
-                * gabor_impl_phase_gain(kernel, time);
+    float scale = kernel_.amplitude * GABOR_RADIUS * gabor_cpp_inversesqrt(place.radius.x * place.radius.y)
+                * gabor_impl_phase_gain(kernel_, time);
     return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
 }
 
-GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed) {
-    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
+GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel_, std::uint32_t seed) {
+    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
 }
 
 GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {

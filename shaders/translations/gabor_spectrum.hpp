@@ -243,9 +243,9 @@ GABOR_INLINE GaborPlace gabor_place_scaled(GaborPlace place, float radius) {
 
 // A lobe's wave vector, in cycles per kernel radius along each axis.
 GABOR_INLINE GaborKernel gabor_impl_lobe_kernel(GaborLobe lobe) {
-    GaborKernel kernel = gabor_kernel(lobe.frequency * lobe.radius.x, lobe.orientation);
-    kernel.wave.y *= lobe.radius.y / lobe.radius.x;
-    return kernel;
+    GaborKernel kernel_ = gabor_kernel(lobe.frequency * lobe.radius.x, lobe.orientation);
+    kernel_.wave.y *= lobe.radius.y / lobe.radius.x;
+    return kernel_;
 }
 
 GABOR_INLINE GaborField gabor_field_lobes(GaborPlace place, GaborLobes lobes, std::uint32_t seed) {
@@ -311,8 +311,8 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
         int direction_count = gabor_impl_pieces(directions);
         for (int i = 0; i < direction_count; ++i) {
             gabor_vec3 direction = gabor_impl_piece(i, directions);
-            GaborKernel kernel = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
-            GaborField field = gabor_field(place, kernel, gabor_lobe_seed(seed, int(128.0f * shell.z + direction.z)));
+            GaborKernel kernel_ = gabor_kernel(magnitude, orientation + orientation_spread * direction.x);
+            GaborField field = gabor_field(place, kernel_, gabor_lobe_seed(seed, int(128.0f * shell.z + direction.z)));
             float amplitude = gabor_cpp_sqrt(shell.y * direction.y);
             gabor_impl_add_field(sum, field, amplitude);
         }
@@ -348,8 +348,8 @@ GABOR_INLINE GaborField gabor_field_spread(GaborPlace place, float frequency, fl
 
 #if GABOR_TAPS == 3
 // A symmetric matrix (xx, yy, xy) times a vector.
-GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix, gabor_vec2 v) {
-    return matrix.xy() * v + matrix.z * v.yx();
+GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix_, gabor_vec2 v) {
+    return matrix_.xy() * v + matrix_.z * v.yx();
 }
 
 // The share of a lobe's variance that a filter of covariance S keeps. If we approximate the lobe's power by a
@@ -493,21 +493,21 @@ GABOR_INLINE float gabor_impl_fade(GaborFilteredAxis b, int index) {
 
 // Computes line `index` from its turn and phase.
 GABOR_INLINE GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, gabor_vec2 turn, gabor_vec2 phase, float fade) {
-    GaborFilteredLine line;
-    line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
-    line.turn = turn;
-    line.phase = phase;
+    GaborFilteredLine line_;
+    line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
+    line_.turn = turn;
+    line_.phase = phase;
     gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     gabor_vec3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
     phase *= fade;
-    line.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
-    return line;
+    line_.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
+    return line_;
 }
 
 // Computes line `index` from the previous one.
-GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line, GaborFilteredAxis b, int index, float fade) {
-    return gabor_impl_filtered_line(b, index, gabor_impl_product(line.turn, b.turn_back),
-                                    gabor_impl_product(line.phase, b.back), fade);
+GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line_, GaborFilteredAxis b, int index, float fade) {
+    return gabor_impl_filtered_line(b, index, gabor_impl_product(line_.turn, b.turn_back),
+                                    gabor_impl_product(line_.phase, b.back), fade);
 }
 
 // The four or five columns of nodes that reach a point.
@@ -535,10 +535,10 @@ GABOR_INLINE GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
 
 // The line before line 0, given the phase of the noise's wave there.
 GABOR_INLINE GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, gabor_vec2 phase) {
-    GaborFilteredLine line;
-    line.turn = gabor_impl_wave(0.5f / b.reach * (b.offset + 1.0f));
-    line.phase = phase;
-    return line;
+    GaborFilteredLine line_;
+    line_.turn = gabor_impl_wave(0.5f / b.reach * (b.offset + 1.0f));
+    line_.phase = phase;
+    return line_;
 }
 
 // Returns the sum plus a complex number times the factors.
@@ -594,17 +594,17 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     GaborFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
                                       salt ^ GABOR_IMPL_ROWS, step_y);
     GaborColumns columns = gabor_impl_columns(across);
-    GaborFilteredLine line = gabor_impl_line_before(
+    GaborFilteredLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
-        line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
-        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.animated, place.time);
-        value += gabor_impl_contracted(row, line.window, weights);
-        next_x += gabor_impl_contracted(gabor_impl_next(row), line.window, weights);
-        next_y += gabor_impl_contracted(row, gabor_impl_next(line.window), weights);
+        line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.time);
+        value += gabor_impl_contracted(row, line_.window, weights);
+        next_x += gabor_impl_contracted(gabor_impl_next(row), line_.window, weights);
+        next_y += gabor_impl_contracted(row, gabor_impl_next(line_.window), weights);
     } while (++j < rows);
     float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c));
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
@@ -621,10 +621,10 @@ GABOR_INLINE float gabor_impl_wide_share(GaborFootprint footprint) {
     return gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(footprint.resolved.x, footprint.resolved.y)) - 9.0f, 0.0f, 1.0f);
 }
 
-GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, float wide, std::uint32_t seed,
+GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, float wide, std::uint32_t seed,
                                float& removed) {
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
-    gabor_vec2 wave = kernel.wave / stretch;
+    gabor_vec2 wave = kernel_.wave / stretch;
     float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
     removed = 1.0f - transmitted;
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
@@ -644,9 +644,9 @@ GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborKernel kernel
     return sum;
 }
 
-GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel, GaborFootprint footprint, std::uint32_t seed,
+GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, GaborKernel kernel_, GaborFootprint footprint, std::uint32_t seed,
                                 float& removed) {
-    return gabor_impl_filtered(place, kernel, footprint, gabor_impl_wide_share(footprint), seed, removed);
+    return gabor_impl_filtered(place, kernel_, footprint, gabor_impl_wide_share(footprint), seed, removed);
 }
 
 // ---- The filter in space -------------------------------------------------------------------------------------------
