@@ -13,10 +13,11 @@ IN_PAGE = re.compile(r'(<script type="text/plain" id="(gabor_\w+)\.glsl">\n)(?:.
 
 
 def needed(path):
-    """Returns the drop-ins that must come before one."""
-    guard = re.search(r"^#ifndef (GABOR_\w+)_GLSL\n#error", path.read_text(), re.MULTILINE)
-    before = ROOT / "shaders" / f"{guard[1].lower()}.glsl" if guard else None
-    return [*needed(before), before] if guard else []
+    """Returns the drop-ins that may come before one, in order: those whose guards it tests."""
+    text = re.sub(r"#ifdef .*\n#error .*", "", path.read_text())  # this one must not come before it
+    tested = re.findall(r"(GABOR_\w+)_GLSL", "".join(re.findall(r"^#(?:if|elif).*", text, re.MULTILINE)))
+    others = [other for other in DROP_INS if other.stem in map(str.lower, tested) and other.stem != path.stem]
+    return list(dict.fromkeys(each for other in others for each in [*needed(other), other]))
 
 
 def struct_rows(*trees):

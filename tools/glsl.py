@@ -1,13 +1,12 @@
-"""Reads the part of GLSL that the drop-ins use into a syntax tree with types, and edits its text: tools/translate and
-tools/nodes.py print other languages from it. The text must be correct, which glslangValidator checks. What is correct
-but outside of that part is refused with its file and line."""
+"""Reads the part of GLSL that the drop-ins use into a syntax tree with types, and edits its text. The text must be
+correct, as glslangValidator checks. What is correct but outside of that part is refused with its file and line."""
 
 import re
 from collections import ChainMap, namedtuple
 
 TOKEN = re.compile(r"""
     (?P<space>(?:\s|\\\n)+) | (?P<comment>//[^\n]*|/\*.*?\*/)
-    | (?P<precision>\#ifdef\ GL_ES\n(?:precision\ highp\ \w+;\n)+\#endif\n*)
+    | (?P<dialect>\#if[^\n]*\ (?:GL_ES|__VERSION__)\b(?:(?!\#endif).)*\#endif\n*)
     | (?P<directive>\#(?:\\\n|(?!//|/\*)[^\n])*)
     | (?P<number>0[xX][\da-fA-F]+[uU]?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfFi]?) | (?P<name>[A-Za-z_]\w*)
     | (?P<sign><<=|>>=|&&|\|\||<<|>>|[-+*/%&|^=<>!]=|\+\+|--|[^\w\s])""", re.VERBOSE | re.DOTALL)
@@ -87,12 +86,13 @@ class Shader:
             dict(getattr(before, kind, {})) for kind in ("structs", "functions", "macros", "variables"))
         self.variables = ChainMap(variables)  # a map for each scope
         found = list(tokens(text))
-        self.comments, self.directives, self.precision = (
-            [token for token in found if token.kind == kind] for kind in ("comment", "directive", "precision"))
-        self.tested = {token.text.split()[1] for token in self.directives if token.text.startswith(("#ifdef", "#ifndef"))}
+        self.comments, self.directives, self.dialects = (
+            [token for token in found if token.kind == kind] for kind in ("comment", "directive", "dialect"))
+        self.tested = set(re.findall(r"^#ifn?def (\w+)", text, re.MULTILINE))
         self.defined = [self.macro(token) for token in self.directives if token.text.startswith("#define")]
-        ignored = {"comment", "directive", "precision"} | {name for name, node in self.macros.items() if not node.body}
-        self.start_reading([token for token in found if not ignored & {token.kind, token.text}], text.count("\n") + 1)
+        empty = {name for name, node in self.macros.items() if not node.body}
+        code = [token for token in found if token.kind in ("name", "number", "sign") and token.text not in empty]
+        self.start_reading(code, text.count("\n") + 1)
         while self.token.kind != "end":
             self.items.append(self.definition())
         self.start = min(place.start for place in [*self.directives, *self.items])
@@ -382,7 +382,7 @@ class Printer:
                 self.replace(token, self.word(token.text))
         for token in shader.comments:
             self.replace(token, self.remark(token.text))
-        for token in shader.precision:
+        for token in shader.dialects:  # conditions that only GLSL needs
             self.replace(token, "")
 
     def word(self, word):

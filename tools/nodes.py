@@ -3,12 +3,12 @@ functions of gabor_noise.glsl for languages without structs or unsigned integers
 
 import itertools
 import pathlib
+import re
 
 from glsl import Printer, SHAPES, Shader, changes, without_comments
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-NODES = ROOT / "shaders" / "nodes"
-LIBRARY = NODES / "materialx" / "libraries" / "gabor"
+LIBRARY = ROOT / "shaders" / "nodes" / "materialx" / "libraries" / "gabor"
 COMMON = LIBRARY / "genglsl" / "lib" / "mx_gabor.glsl"
 MARK, END = "// ---- From gabor_noise.glsl ----\n", "// ---- End ----\n"
 
@@ -17,13 +17,6 @@ FUNCTIONS = ["gabor_impl_mix", "gabor_lobe_seed", "gabor_impl_salt", "gabor_impl
              "gabor_impl_product", "gabor_impl_half_turn", "gabor_impl_wave"]
 # GLSL's functions that OSL and MDL have, too.
 PORTABLE = set("abs ceil clamp cos dot exp floor inversesqrt length log max min normalize pow sin sqrt".split())
-
-
-class Library(Printer):
-    """Gives the drop-in's functions MaterialX's names."""
-
-    def word(self, word):
-        return "mx_" + word.replace("gabor_impl_", "gabor_") if word.startswith("gabor_") else word
 
 
 class Integers(Printer):
@@ -134,9 +127,9 @@ def made(shader):
     scale = 1 / (1.125 * float(constants.pop("DEVIATION")))  # gives the sum in the plane the variance 1
     constants |= {"SCALE2D": f"{scale:.8g}", "SCALE3D": f"{scale / 1.125**0.5:.8g}"}
     text = "".join(f"#define MX_GABOR_{name} {number}\n" for name, number in constants.items())
-    printer, functions = Library(tree), [tree.functions[name] for name in FUNCTIONS]
-    text += "".join(f"\n{printer.text(item.start, item.end)}\n" for item in functions)
-    text = without_comments(text).replace(" {", "\n{")
+    functions = [tree.functions[name] for name in FUNCTIONS]
+    text += "".join(f"\n{tree.text[node.start:node.end]}\n" for node in functions)
+    text = re.sub(r"\bgabor_(impl_)?", "mx_gabor_", without_comments(text)).replace(" {", "\n{")
     yield COMMON, f"{before}{MARK}\n{text}\n{END}{rest.partition(END)[2]}"
 
 

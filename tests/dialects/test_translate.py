@@ -66,6 +66,7 @@ SNIPPETS = [
     ("directives within statements", "\n#ifdef TRY_NEVER\n    if (x > 0.0)\n        x = 7.0;\n    else\n#endif\n        x += 1.0;\n"
      "    return x\n#ifdef TRY_NEVER\n        + 100.0\n#endif\n        ; // end\n", lambda x: x + 1),
     ("comments", "/* a block\n   comment */ float try_value(float x /* it's */) { // vec2's \"quote\n    return x; /* float try_g() { */ }", lambda x: x),
+    ("names of kinds of token", "float comment = x, directive = 2.0 * comment; return comment + directive;", lambda x: 3 * x),
     ("numbers", "return 1e1 + .5 + 2. * x + 1.5e-3 * 1.0E3 + 1.0e-7 * 1.0e7 + float(0xffu - 250u) + float(7 / 2);", lambda x: 21 + 2 * x),
     ("a long call", "return clamp(mix(x,\n          2.0 * (x + 1.0), // twice\n          0.5),\n    -1.0, 3.0);", lambda x: min(max((x + 2 * (x + 1)) / 2, -1), 3)),
     ("atan and pow", "return atan(x) + atan(x, -1.0) + pow(2.0, x);", lambda x: math.atan(x) + math.atan2(x, -1) + 2**x),
@@ -92,7 +93,7 @@ REFUSED = [
     ("vectors that are equal", "vec2 v = vec2(floor(x), 1.0);\nreturn v == vec2(2.0, 1.0) ? 5.0 : 6.0;", ":2: == of a vec2"),
     ("comparisons of components", "\nreturn any(lessThan(vec2(x), vec2(1.0))) ? 1.0 : 2.0;", ":2: lessThan"),
     ("a macro with arguments", "\n#define TRY_TWICE(x) (2.0 * (x))\nfloat try_value(float x) { return TRY_TWICE(x + 1.0); }", r":2: \w+, a macro with arguments,"),
-    ("precision", "precision mediump float;\nfloat try_value(float x) { return x; }", ":1: 'mediump'"),
+    ("precision", "precision mediump float;\nfloat try_value(float x) { return x; }", ":1: 'precision'"),
     ("a prototype", "float try_f(float x);\nfloat try_value(float x) { return try_f(x); }\nfloat try_f(float x) { return x * x; }", ":1: ';' where { should be"),
     ("an array constructor", "\nfloat a[2] = float[2](x, 1.0);\nreturn a[0];", ":2: 'float'"),
     ("a macro that is no expression", "#define TRY_LOOP for (int i = 0; i < 3; ++i)\nfloat try_value(float x) { TRY_LOOP x += 1.0; return x; }", ":1: 'int'"),
