@@ -29,7 +29,7 @@
 // float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 direction, uint seed)
+// float gabor_noise_3d_animated(vec3 p, float moment, float frequency, vec3 direction, uint seed)
 // vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed)
 // vec2 gabor_noise_3d_complex(vec3 p, float frequency, vec3 direction, uint seed)
 //     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
@@ -82,7 +82,7 @@ struct GaborPlace3d {
     vec3 radius;
     ivec3 period;
     bool animated;
-    float time;
+    float moment;
     bool filtered; // whether to average over a pixel with sides dx and dy: see gabor_noise_3d_filtered
     vec3 dx;
     vec3 dy;
@@ -137,7 +137,7 @@ void gabor_impl_add_node_slice(inout vec4 sum, inout vec4 slopes, GaborPlace3d p
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     vec4 slice, slope;
-    gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
+    gabor_impl_sum(x, y, place.animated, place.moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += vec4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
     if (place.filtered)
@@ -245,7 +245,7 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, vec3 direction,
         gabor_impl_add_field_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
     if (wide > 0.0) {
         vec4 noise, quadrature;
-        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
+        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.moment, wave, pixel,
                                   wide > 0.0, salt, noise, quadrature);
         gabor_impl_add_field_3d(sum, GaborField3d(noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0),
                                 wide * amplitude, stretch);
@@ -291,7 +291,7 @@ GaborField3d gabor_field_surface(GaborPlace3d place, vec3 normal, float frequenc
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 void gabor_impl_add_node_wave_3d(inout GaborField3d sum, vec4 x, vec4 y, vec4 z, vec4 wave, GaborPlace3d place,
                                  GaborMatrix pixel, uint word) {
-    vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
+    vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.moment), gabor_impl_wave(wave.w));
     vec3 middle = vec3(x.y, y.y, z.y), cosine = vec3(x.z, y.z, z.z), sine = vec3(x.w, y.w, z.w);
     vec3 h = middle + cosine, slope = sine * (h.yzx * h.zxy), turned = vec3(0.0);
     vec2 value = h.x * (h.y * h.z) * a;
@@ -488,10 +488,10 @@ float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction,
     return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 
-float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 direction, uint seed) {
+float gabor_noise_3d_animated(vec3 p, float moment, float frequency, vec3 direction, uint seed) {
     GaborPlace3d place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS);
     place.animated = true;
-    place.time = time;
+    place.moment = moment;
     return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 

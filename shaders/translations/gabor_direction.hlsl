@@ -100,7 +100,7 @@ GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
     GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.time);
+            float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.moment);
             float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          float2(x.node[i].x, stretch.x * x.node[i].z),

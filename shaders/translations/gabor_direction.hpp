@@ -103,7 +103,7 @@ GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, st
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.time);
+            gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.moment);
             gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          gabor_vec2(x.node[i].x, stretch.x * x.node[i].z),

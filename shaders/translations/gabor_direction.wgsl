@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 353aa7df7dbbf8b9.
+// naga 30.0.1 made it from GLSL with the digest a576064d9af644a7.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -149,7 +149,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
                     let _e69 = x_5.word[_e66];
                     let _e70 = j_1;
                     let _e73 = y_5.word[_e70];
-                    let _e77 = gabor_impl_amplitude_at((_e69 * _e73), place.animated, place.time);
+                    let _e77 = gabor_impl_amplitude_at((_e69 * _e73), place.animated, place.moment);
                     amplitude_2 = _e77;
                     let _e79 = x_5;
                     let _e81 = i;

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest cba679f7d058e463.
+// naga 30.0.1 made it from GLSL with the digest 0288c6e4d9daddcf.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //

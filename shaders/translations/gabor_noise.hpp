@@ -49,8 +49,8 @@
 // float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
+// float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
+//     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
 //     cos^2(pi t). Costs three times as much as gabor_noise.
 
 // vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
@@ -101,7 +101,7 @@ struct GaborPlace {
     gabor_vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
     gabor_ivec2 period;  // period in nodes, 0 for none
     bool animated; // whether the noise changes with time
-    float time;    // time in periods
+    float moment;  // time in periods
 };
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -309,13 +309,13 @@ GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::u
 }
 
 // The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
-// derived from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animated, float time) {
+// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0.
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animated, float moment) {
     gabor_vec2 amplitude = gabor_impl_amplitude(word);
     if (!animated) return amplitude;
     std::uint32_t second = (word ^ (word >> 15u)) * 0xd35a2d97u;
     std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
-    gabor_vec2 turn = gabor_impl_wave(time);
+    gabor_vec2 turn = gabor_impl_wave(moment);
     return (0.5f + 0.5f * turn.x) * amplitude + (0.5f - 0.5f * turn.x) * gabor_impl_amplitude(second)
          + 0.70710678f * turn.y * gabor_impl_amplitude(third);
 }
@@ -324,14 +324,14 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animate
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
 GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, bool animated,
-                             float time) {
+                             float moment) {
     gabor_vec4 row = gabor_vec4(0.0f);
-    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
-    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, moment));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, moment));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, moment));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, moment));
 #ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
     if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0f)
 #endif
@@ -341,12 +341,12 @@ GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, Ga
     }
 }
 
-GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, gabor_vec4& sum, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float moment, gabor_vec4& sum, gabor_vec4& slope) {
     sum = slope = gabor_vec4(0.0f);
-    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, time);
-    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, time);
-    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, time);
-    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, moment);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, moment);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, moment);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
@@ -366,7 +366,7 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel_, std::
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel_.wave.y, place.radius.y);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     gabor_vec4 sum, slope;
-    gabor_impl_sum(x, y, place.animated, place.time, sum, slope);
+    gabor_impl_sum(x, y, place.animated, place.moment, sum, slope);
     return gabor_impl_field(sum, slope, turn, kernel_.wave, place.radius / GABOR_RADIUS);
 }
 
@@ -429,8 +429,8 @@ GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float freq
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed) {
-    GaborPlace place = GaborPlace{gabor_ivec2(0), p * GABOR_RADIUS, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), true, time};
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float moment, float frequency, float orientation, std::uint32_t seed) {
+    GaborPlace place = GaborPlace{gabor_ivec2(0), p * GABOR_RADIUS, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), true, moment};
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

@@ -50,8 +50,8 @@ using namespace metal;
 // float gabor_noise_wave_tiled(float2 p, float2 period, float2 wave, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
+// float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed)
+//     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
 //     cos^2(pi t). Costs three times as much as gabor_noise.
 
 // float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
@@ -102,7 +102,7 @@ struct GaborPlace {
     float2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
     int2 period;  // period in nodes, 0 for none
     bool animated; // whether the noise changes with time
-    float time;    // time in periods
+    float moment;  // time in periods
 };
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -310,13 +310,13 @@ inline GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, f
 }
 
 // The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
-// derived from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
-inline float2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
+// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0.
+inline float2 gabor_impl_amplitude_at(uint word, bool animated, float moment) {
     float2 amplitude = gabor_impl_amplitude(word);
     if (!animated) return amplitude;
     uint second = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
-    float2 turn = gabor_impl_wave(time);
+    float2 turn = gabor_impl_wave(moment);
     return (0.5 + 0.5 * turn.x) * amplitude + (0.5 - 0.5 * turn.x) * gabor_impl_amplitude(second)
          + 0.70710678 * turn.y * gabor_impl_amplitude(third);
 }
@@ -325,14 +325,14 @@ inline float2 gabor_impl_amplitude_at(uint word, bool animated, float time) {
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
 inline void gabor_impl_add_node_row(thread float4& sum, thread float4& slope, GaborAxis x, GaborAxis y, int j, bool animated,
-                             float time) {
+                             float moment) {
     float4 row = float4(0.0);
-    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, time));
-    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, time));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, moment));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, moment));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, time));
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, moment));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, time));
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, moment));
 #ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
     if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0)
 #endif
@@ -342,12 +342,12 @@ inline void gabor_impl_add_node_row(thread float4& sum, thread float4& slope, Ga
     }
 }
 
-inline void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float time, thread float4& sum, thread float4& slope) {
+inline void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float moment, thread float4& sum, thread float4& slope) {
     sum = slope = float4(0.0);
-    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, time);
-    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, time);
-    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, time);
-    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, moment);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, moment);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, moment);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
@@ -367,7 +367,7 @@ inline GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) 
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel_.wave.y, place.radius.y);
     float2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     float4 sum, slope;
-    gabor_impl_sum(x, y, place.animated, place.time, sum, slope);
+    gabor_impl_sum(x, y, place.animated, place.moment, sum, slope);
     return gabor_impl_field(sum, slope, turn, kernel_.wave, place.radius / GABOR_RADIUS);
 }
 
@@ -430,8 +430,8 @@ inline float gabor_noise_tiled(float2 p, float2 period, float frequency, float o
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-inline float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed) {
-    GaborPlace place = GaborPlace{int2(0), p * GABOR_RADIUS, float2(GABOR_RADIUS), int2(0), true, time};
+inline float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed) {
+    GaborPlace place = GaborPlace{int2(0), p * GABOR_RADIUS, float2(GABOR_RADIUS), int2(0), true, moment};
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

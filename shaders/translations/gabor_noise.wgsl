@@ -1,5 +1,5 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 68dcb2a62d0f70ea.
+// naga 30.0.1 made it from GLSL with the digest f4ba2e0a4a9cee0f.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
@@ -33,8 +33,8 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 // f32 gabor_noise_wave_tiled(vec2f p, vec2f period, vec2f wave, u32 seed)
 //     The noise, with continuous first derivatives.
 
-// f32 gabor_noise_animated(vec2f p, f32 time, f32 frequency, f32 orientation, u32 seed)
-//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
+// f32 gabor_noise_animated(vec2f p, f32 moment, f32 frequency, f32 orientation, u32 seed)
+//     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
 //     cos^2(pi t). Costs three times as much as gabor_noise.
 
 // vec4f gabor_noise_four(vec2f p, f32 frequency, f32 orientation, u32 seed)
@@ -83,7 +83,7 @@ struct GaborPlace {
     radius: vec2<f32>,
     period: vec2<i32>,
     animated: bool,
-    time: f32,
+    moment: f32,
 }
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -411,8 +411,8 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
 }
 
 // The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
-// derived from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
-fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
+// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0.
+fn gabor_impl_amplitude_at(word: u32, animated: bool, moment: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
     var second: u32;
     var third: u32;
@@ -427,7 +427,7 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
     let _e13 = second;
     let _e14 = second;
     third = ((_e13 ^ (_e14 >> 15u)) * 3545902487u);
-    let _e21 = gabor_impl_wave(time);
+    let _e21 = gabor_impl_wave(moment);
     turn_2 = _e21;
     let _e25 = turn_2;
     let _e29 = amplitude;
@@ -443,18 +443,18 @@ fn gabor_impl_amplitude_at(word: u32, animated: bool, time: f32) -> vec2<f32> {
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, time: f32) {
+fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, moment: f32) {
     var row: vec4<f32> = vec4(0f);
-    let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, time);
+    let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, moment);
     gabor_impl_add_products((&row), x.node[0], _e20);
-    let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, time);
+    let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, moment);
     gabor_impl_add_products((&row), x.node[1], _e32);
     if true {
-        let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, time);
+        let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, moment);
         gabor_impl_add_products((&row), x.node[2], _e47);
     }
     if false {
-        let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, time);
+        let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, moment);
         gabor_impl_add_products((&row), x.node[3], _e62);
     }
     if ((true && (j != 1i)) || (x.offset < 8f)) {
@@ -470,17 +470,17 @@ fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, v
     }
 }
 
-fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, time: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
     let _e7 = vec4(0f);
     (*slope) = _e7;
     (*sum) = _e7;
-    gabor_impl_add_node_row(sum, slope, x, y, 0i, animated, time);
-    gabor_impl_add_node_row(sum, slope, x, y, 1i, animated, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0i, animated, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 1i, animated, moment);
     if true {
-        gabor_impl_add_node_row(sum, slope, x, y, 2i, animated, time);
+        gabor_impl_add_node_row(sum, slope, x, y, 2i, animated, moment);
     }
     if false {
-        gabor_impl_add_node_row(sum, slope, x, y, 3i, animated, time);
+        gabor_impl_add_node_row(sum, slope, x, y, 3i, animated, moment);
         return;
     } else {
         return;
@@ -548,7 +548,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     turn_5 = _e48;
     let _e52 = x_3;
     let _e53 = y_3;
-    gabor_impl_sum(_e52, _e53, place.animated, place.time, (&sum_3), (&slope_5));
+    gabor_impl_sum(_e52, _e53, place.animated, place.moment, (&sum_3), (&slope_5));
     let _e60 = sum_3;
     let _e61 = slope_5;
     let _e62 = turn_5;
@@ -700,9 +700,9 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     return _e14.value.y;
 }
 
-fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+fn gabor_noise_animated(p: vec2<f32>, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_3: GaborPlace;
-    place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, time);
+    place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, moment);
     let _e22 = place_3;
     let _e23 = gabor_kernel(frequency, orientation);
     let _e24 = gabor_field(_e22, _e23, seed);

@@ -31,7 +31,7 @@
 // float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed)
+// float gabor_noise_3d_animated(float3 p, float moment, float frequency, float3 direction, uint seed)
 // float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
 // float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
 //     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
@@ -84,13 +84,13 @@ struct GaborPlace3d {
     float3 radius;
     int3 period;
     bool animated;
-    float time;
+    float moment;
     bool filtered; // whether to average over a pixel with sides dx and dy: see gabor_noise_3d_filtered
     float3 dx;
     float3 dy;
 };
 
-GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, bool animated, float time, bool filtered, float3 dx, float3 dy)
+GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, bool animated, float moment, bool filtered, float3 dx, float3 dy)
 {
     GaborPlace3d made;
     made.cell = cell;
@@ -98,7 +98,7 @@ GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period
     made.radius = radius;
     made.period = period;
     made.animated = animated;
-    made.time = time;
+    made.moment = moment;
     made.filtered = filtered;
     made.dx = dx;
     made.dy = dy;
@@ -165,7 +165,7 @@ void gabor_impl_add_node_slice(inout float4 sum, inout float4 slopes, GaborPlace
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     float4 slice, slope;
-    gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
+    gabor_impl_sum(x, y, place.animated, place.moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
     if (place.filtered)
@@ -281,7 +281,7 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 directio
         gabor_impl_add_field_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
     if (wide > 0.0) {
         float4 noise, quadrature;
-        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
+        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.moment, wave, pixel,
                                   wide > 0.0, salt, noise, quadrature);
         gabor_impl_add_field_3d(sum, GaborField3d_of(noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0),
                                 wide * amplitude, stretch);
@@ -327,7 +327,7 @@ GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float freque
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 void gabor_impl_add_node_wave_3d(inout GaborField3d sum, float4 x, float4 y, float4 z, float4 wave, GaborPlace3d place,
                                  GaborMatrix pixel, uint word) {
-    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
+    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.moment), gabor_impl_wave(wave.w));
     float3 middle = float3(x.y, y.y, z.y), cosine = float3(x.z, y.z, z.z), sine = float3(x.w, y.w, z.w);
     float3 h = middle + cosine, slope = sine * (h.yzx * h.zxy), turned = (float3)(0.0);
     float2 value = h.x * (h.y * h.z) * a;
@@ -533,10 +533,10 @@ float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 dire
     return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 
-float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed) {
+float gabor_noise_3d_animated(float3 p, float moment, float frequency, float3 direction, uint seed) {
     GaborPlace3d place = gabor_place_3d((int3)(0), p * GABOR_RADIUS);
     place.animated = true;
-    place.time = time;
+    place.moment = moment;
     return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 

@@ -34,7 +34,7 @@
 // float gabor_noise_3d_tiled(vec3 p, vec3 period, float frequency, vec3 direction, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_3d_animated(vec3 p, float time, float frequency, vec3 direction, uint seed)
+// float gabor_noise_3d_animated(vec3 p, float moment, float frequency, vec3 direction, uint seed)
 // vec4 gabor_noise_3d_four(vec3 p, float frequency, vec3 direction, uint seed)
 // vec2 gabor_noise_3d_complex(vec3 p, float frequency, vec3 direction, uint seed)
 //     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
@@ -87,7 +87,7 @@ struct GaborPlace3d {
     gabor_vec3 radius;
     gabor_ivec3 period;
     bool animated;
-    float time;
+    float moment;
     bool filtered; // whether to average over a pixel with sides dx and dy: see gabor_noise_3d_filtered
     gabor_vec3 dx;
     gabor_vec3 dy;
@@ -142,7 +142,7 @@ GABOR_INLINE void gabor_impl_add_node_slice(gabor_vec4& sum, gabor_vec4& slopes,
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     gabor_vec4 slice, slope;
-    gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
+    gabor_impl_sum(x, y, place.animated, place.moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy());
     slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
     if (place.filtered)
@@ -250,7 +250,7 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, ga
         gabor_impl_add_field_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0f - wide) * amplitude, stretch);
     if (wide > 0.0f) {
         gabor_vec4 noise, quadrature;
-        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
+        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.moment, wave, pixel,
                                   wide > 0.0f, salt, noise, quadrature);
         gabor_impl_add_field_3d(sum, GaborField3d{noise.x, noise.yzw(), quadrature.x, quadrature.yzw(), 0.0f},
                                 wide * amplitude, stretch);
@@ -296,7 +296,7 @@ GABOR_INLINE GaborField3d gabor_field_surface(GaborPlace3d place, gabor_vec3 nor
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 GABOR_INLINE void gabor_impl_add_node_wave_3d(GaborField3d& sum, gabor_vec4 x, gabor_vec4 y, gabor_vec4 z, gabor_vec4 wave, GaborPlace3d place,
                                  GaborMatrix pixel, std::uint32_t word) {
-    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
+    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.moment), gabor_impl_wave(wave.w));
     gabor_vec3 middle = gabor_vec3(x.y, y.y, z.y), cosine = gabor_vec3(x.z, y.z, z.z), sine = gabor_vec3(x.w, y.w, z.w);
     gabor_vec3 h = middle + cosine, slope = sine * (h.yzx() * h.zxy()), turned = gabor_vec3(0.0f);
     gabor_vec2 value = h.x * (h.y * h.z) * a;
@@ -493,10 +493,10 @@ GABOR_INLINE float gabor_noise_3d_tiled(gabor_vec3 p, gabor_vec3 period, float f
     return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 
-GABOR_INLINE float gabor_noise_3d_animated(gabor_vec3 p, float time, float frequency, gabor_vec3 direction, std::uint32_t seed) {
+GABOR_INLINE float gabor_noise_3d_animated(gabor_vec3 p, float moment, float frequency, gabor_vec3 direction, std::uint32_t seed) {
     GaborPlace3d place = gabor_place_3d(gabor_ivec3(0), p * GABOR_RADIUS);
     place.animated = true;
-    place.time = time;
+    place.moment = moment;
     return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 

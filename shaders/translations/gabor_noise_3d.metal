@@ -35,7 +35,7 @@ using namespace metal;
 // float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed)
+// float gabor_noise_3d_animated(float3 p, float moment, float frequency, float3 direction, uint seed)
 // float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
 // float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
 //     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
@@ -88,7 +88,7 @@ struct GaborPlace3d {
     float3 radius;
     int3 period;
     bool animated;
-    float time;
+    float moment;
     bool filtered; // whether to average over a pixel with sides dx and dy: see gabor_noise_3d_filtered
     float3 dx;
     float3 dy;
@@ -143,7 +143,7 @@ inline void gabor_impl_add_node_slice(thread float4& sum, thread float4& slopes,
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
     float4 slice, slope;
-    gabor_impl_sum(x, y, place.animated, place.time, slice, slope);
+    gabor_impl_sum(x, y, place.animated, place.moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
     if (place.filtered)
@@ -251,7 +251,7 @@ inline GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 d
         gabor_impl_add_field_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
     if (wide > 0.0) {
         float4 noise, quadrature;
-        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, wave, pixel,
+        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.moment, wave, pixel,
                                   wide > 0.0, salt, noise, quadrature);
         gabor_impl_add_field_3d(sum, GaborField3d{noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0},
                                 wide * amplitude, stretch);
@@ -297,7 +297,7 @@ inline GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 inline void gabor_impl_add_node_wave_3d(thread GaborField3d& sum, float4 x, float4 y, float4 z, float4 wave, GaborPlace3d place,
                                  GaborMatrix pixel, uint word) {
-    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.time), gabor_impl_wave(wave.w));
+    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.moment), gabor_impl_wave(wave.w));
     float3 middle = float3(x.y, y.y, z.y), cosine = float3(x.z, y.z, z.z), sine = float3(x.w, y.w, z.w);
     float3 h = middle + cosine, slope = sine * (h.yzx * h.zxy), turned = float3(0.0);
     float2 value = h.x * (h.y * h.z) * a;
@@ -494,10 +494,10 @@ inline float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, floa
     return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 
-inline float gabor_noise_3d_animated(float3 p, float time, float frequency, float3 direction, uint seed) {
+inline float gabor_noise_3d_animated(float3 p, float moment, float frequency, float3 direction, uint seed) {
     GaborPlace3d place = gabor_place_3d(int3(0), p * GABOR_RADIUS);
     place.animated = true;
-    place.time = time;
+    place.moment = moment;
     return gabor_field_3d(place, frequency, direction, seed).noise;
 }
 

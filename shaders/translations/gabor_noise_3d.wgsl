@@ -1,5 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 37c5937c0ebb4a7d.
+// naga 30.0.1 made it from GLSL with the digest 82405060372b80d5.
 //
 // gabor_noise_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point.
@@ -24,7 +24,7 @@
 // f32 gabor_noise_3d_tiled(vec3f p, vec3f period, f32 frequency, vec3f direction, u32 seed)
 //     The noise, with continuous first derivatives.
 
-// f32 gabor_noise_3d_animated(vec3f p, f32 time, f32 frequency, vec3f direction, u32 seed)
+// f32 gabor_noise_3d_animated(vec3f p, f32 moment, f32 frequency, vec3f direction, u32 seed)
 // vec4f gabor_noise_3d_four(vec3f p, f32 frequency, vec3f direction, u32 seed)
 // vec2f gabor_noise_3d_complex(vec3f p, f32 frequency, vec3f direction, u32 seed)
 //     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
@@ -77,7 +77,7 @@ struct GaborPlace3d {
     radius: vec3<f32>,
     period: vec3<i32>,
     animated: bool,
-    time: f32,
+    moment: f32,
     filtered: bool,
     dx: vec3<f32>,
     dy: vec3<f32>,
@@ -155,7 +155,7 @@ fn gabor_impl_add_node_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function
         }
     }
     let _e30 = y_10;
-    gabor_impl_sum(x, _e30, place.animated, place.time, (&slice_3), (&slope_9));
+    gabor_impl_sum(x, _e30, place.animated, place.moment, (&slice_3), (&slope_9));
     let _e38 = slice_3;
     gabor_impl_add_products(sum, _e38, z.node[k].xy);
     let _e43 = (*slopes);
@@ -448,7 +448,7 @@ fn gabor_field_3d(place: GaborPlace3d, frequency: f32, direction: vec3<f32>, see
             let _e118 = pixel_9;
             let _e119 = wide_1;
             let _e122 = salt_11;
-            gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.time, _e117, _e118, (_e119 > 0f), _e122, (&noise_4), (&quadrature_1));
+            gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.moment, _e117, _e118, (_e119 > 0f), _e122, (&noise_4), (&quadrature_1));
             let _e128 = noise_4;
             let _e130 = noise_4;
             let _e132 = quadrature_1;
@@ -600,7 +600,7 @@ fn gabor_impl_add_node_wave_3d(sum: ptr<function, GaborField3d>, x: vec4<f32>, y
     var i_slope: vec3<f32>;
     var real_4: vec3<f32>;
     var imaginary_4: vec3<f32>;
-    let _e10 = gabor_impl_amplitude_at(word, place.animated, place.time);
+    let _e10 = gabor_impl_amplitude_at(word, place.animated, place.moment);
     let _e12 = gabor_impl_wave(wave.w);
     let _e13 = gabor_impl_product(_e10, _e12);
     a_7 = _e13;
@@ -1303,12 +1303,12 @@ fn gabor_noise_3d_tiled(p: vec3<f32>, period: vec3<f32>, frequency: f32, directi
     return _e48.noise;
 }
 
-fn gabor_noise_3d_animated(p: vec3<f32>, time: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
+fn gabor_noise_3d_animated(p: vec3<f32>, moment: f32, frequency: f32, direction: vec3<f32>, seed: u32) -> f32 {
     var place_36: GaborPlace3d;
     let _e12 = gabor_place_3d(vec3(0i), (p * 1.5f));
     place_36 = _e12;
     place_36.animated = true;
-    place_36.time = time;
+    place_36.moment = moment;
     let _e17 = place_36;
     let _e18 = gabor_field_3d(_e17, frequency, direction, seed);
     return _e18.noise;

@@ -1,5 +1,5 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 83b200a0b7f4cb86.
+// naga 30.0.1 made it from GLSL with the digest 2b973e04b156064f.
 //
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point.
@@ -50,7 +50,7 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 //     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
 //     2, the diameter of a kernel, counts as 2.
 
-// f32 gabor_noise_animated(vec2f p, f32 time, f32 frequency, f32 orientation, u32 seed)
+// f32 gabor_noise_animated(vec2f p, f32 moment, f32 frequency, f32 orientation, u32 seed)
 //     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
 //     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
 //     points, the noise hardly changes.
@@ -73,7 +73,7 @@ struct GaborPlace {
     local: vec2<f32>,
     radius: vec2<f32>,
     period: vec2<i32>,
-    time: f32,
+    moment: f32,
 }
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -482,18 +482,18 @@ fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
 // J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-fn gabor_impl_phase_gain(kernel: GaborKernel, time: f32) -> f32 {
+fn gabor_impl_phase_gain(kernel: GaborKernel, moment: f32) -> f32 {
     var kernel_1: GaborKernel;
     var sines: vec4<f32>;
     var u_1: f32;
     kernel_1 = kernel;
-    if (true || (time == 0f)) {
+    if (true || (moment == 0f)) {
         return 1f;
     }
-    let _e10 = gabor_impl_sine(time);
-    let _e13 = gabor_impl_sine((2f * time));
-    let _e16 = gabor_impl_sine((3f * time));
-    let _e19 = gabor_impl_sine((4f * time));
+    let _e10 = gabor_impl_sine(moment);
+    let _e13 = gabor_impl_sine((2f * moment));
+    let _e16 = gabor_impl_sine((3f * moment));
+    let _e19 = gabor_impl_sine((4f * moment));
     sines = vec4<f32>(_e10, _e13, _e16, _e19);
     let _e23 = sines;
     let _e24 = sines;
@@ -571,7 +571,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var first: vec2<f32>;
     var cell_2: vec2<i32>;
     var cell_side: vec2<f32>;
-    var time_1: f32;
+    var moment_1: f32;
     var seed_word_1: u32;
     var sum: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
     var j: i32 = 0i;
@@ -600,7 +600,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     let _e36 = first;
     first = (_e36 - vec2(1f));
     cell_side = (vec2(1f) / place.radius);
-    time_1 = fract(place.time);
+    moment_1 = fract(place.moment);
     let _e48 = gabor_impl_seed_word(seed);
     seed_word_1 = _e48;
     loop {
@@ -658,7 +658,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
                                     let _e137 = d;
                                     let _e139 = impulse;
                                     let _e142 = impulse;
-                                    let _e144 = time_1;
+                                    let _e144 = moment_1;
                                     turns = ((dot(_e135.wave, _e137) + _e139.phase) + (_e142.phase_rate * _e144));
                                     let _e148 = d;
                                     let _e150 = gabor_impl_window(_e148.x);
@@ -718,7 +718,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     }
     let _e227 = kernel_3;
     let _e238 = kernel_3;
-    let _e239 = time_1;
+    let _e239 = moment_1;
     let _e240 = gabor_impl_phase_gain(_e238, _e239);
     scale = (((_e227.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e240);
     let _e243 = scale;
@@ -819,11 +819,11 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     return _e39.value.y;
 }
 
-fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+fn gabor_noise_animated(p: vec2<f32>, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
     var place_2: GaborPlace;
     let _e9 = gabor_place(vec2(0i), (p * 1f));
     place_2 = _e9;
-    place_2.time = time;
+    place_2.moment = moment;
     let _e12 = place_2;
     let _e13 = gabor_kernel(frequency, orientation);
     let _e14 = gabor_field(_e12, _e13, seed);

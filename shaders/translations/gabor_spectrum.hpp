@@ -233,7 +233,7 @@ GABOR_INLINE GaborPlace gabor_place_stretched(GaborPlace place, gabor_vec2 radiu
     gabor_vec2 unit = 1.0f / (place.radius * radius);
     GaborPlace scaled = gabor_place_tiled((gabor_vec2(cell) + place.local) * unit, gabor_vec2(place.period) * unit);
     scaled.animated = place.animated;
-    scaled.time = place.time;
+    scaled.moment = place.moment;
     return scaled;
 }
 
@@ -404,7 +404,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     gabor_impl_filter(columns, s.x, blurred.x);
     gabor_impl_filter(rows, s.y, blurred.y);
     gabor_vec4 sum, slope;
-    gabor_impl_sum(columns, rows, place.animated, place.time, sum, slope);
+    gabor_impl_sum(columns, rows, place.animated, place.moment, sum, slope);
     sum += gabor_vec4(s.z * slope.zw(), 0.0f, 0.0f);
     return gabor_impl_field(sum, slope, gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred)) * turn, wave, gabor_vec2(1.0f));
 }
@@ -549,19 +549,19 @@ GABOR_INLINE GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors
 
 // Adds a node to the sums of a row.
 GABOR_INLINE void gabor_impl_add_filtered_node(GaborFactors& row, GaborFilteredLine column, std::uint32_t row_word, bool animated,
-                                  float time) {
-    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
+                                  float moment) {
+    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, animated, moment);
     row = gabor_impl_plus_product(row, column.window, a.x, a.y);
 }
 
 // The sums of a row over its columns.
-GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, bool animated, float time) {
+GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, bool animated, float moment) {
     GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)};
-    gabor_impl_add_filtered_node(row, columns.column_0, row_word, animated, time);
-    gabor_impl_add_filtered_node(row, columns.column_1, row_word, animated, time);
-    gabor_impl_add_filtered_node(row, columns.column_2, row_word, animated, time);
-    gabor_impl_add_filtered_node(row, columns.column_3, row_word, animated, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_0, row_word, animated, moment);
+    gabor_impl_add_filtered_node(row, columns.column_1, row_word, animated, moment);
+    gabor_impl_add_filtered_node(row, columns.column_2, row_word, animated, moment);
+    gabor_impl_add_filtered_node(row, columns.column_3, row_word, animated, moment);
+    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, animated, moment);
     return row;
 }
 
@@ -601,7 +601,7 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.time);
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.moment);
         value += gabor_impl_contracted(row, line_.window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), line_.window, weights);
         next_y += gabor_impl_contracted(row, gabor_impl_next(line_.window), weights);
@@ -698,7 +698,7 @@ GABOR_INLINE gabor_vec2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors 
 
 // Computes the filtered noise in space and its derivatives at `local`, in node spacings from a cell's corner, with
 // seven waves along each axis. If not `wanted`, computes only one row.
-GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, gabor_ivec3 period, bool animated, float time, gabor_vec3 wave,
+GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, gabor_ivec3 period, bool animated, float moment, gabor_vec3 wave,
                                GaborMatrix s, bool wanted, std::uint32_t salt, gabor_vec4& noise, gabor_vec4& quadrature) {
     float determinant;
     GaborMatrix m = GaborMatrix{s.diagonal + 0.13069097f, s.mixed}; // S + v
@@ -731,7 +731,7 @@ GABOR_INLINE void gabor_impl_filtered_space(gabor_ivec3 cell, gabor_vec3 local, 
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), animated,
-                                                       time);
+                                                       moment);
             y_0 = gabor_impl_plus_product(y_0, sum, row.window.real.x, row.window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, row.window.real.y, row.window.imaginary.y);
             y_2 = gabor_impl_plus_product(y_2, sum, row.window.real.z, row.window.imaginary.z);
@@ -835,9 +835,9 @@ GABOR_INLINE void gabor_impl_add_node_waves(GaborField& sum, GaborPlace place, G
     gabor_vec2 v = 0.5f * u + 0.8660254f * gabor_vec2(-u.y, u.x);
     gabor_vec2 first = gabor_impl_wave(gabor_cpp_dot(u, d)), second = gabor_impl_wave(gabor_cpp_dot(v, d));
     gabor_vec2 third = gabor_impl_product(second, gabor_vec2(first.x, -first.y));
-    first = gabor_impl_product(gabor_impl_amplitude_at(words.x, place.animated, place.time), first);
-    second = gabor_impl_product(gabor_impl_amplitude_at(words.y, place.animated, place.time), second);
-    third = gabor_impl_product(gabor_impl_amplitude_at(words.z, place.animated, place.time), third);
+    first = gabor_impl_product(gabor_impl_amplitude_at(words.x, place.animated, place.moment), first);
+    second = gabor_impl_product(gabor_impl_amplitude_at(words.y, place.animated, place.moment), second);
+    third = gabor_impl_product(gabor_impl_amplitude_at(words.z, place.animated, place.moment), third);
     gabor_impl_add_node_wave(sum, node, pixel, first, frequency * u);
     gabor_impl_add_node_wave(sum, node, pixel, second, frequency * v);
     gabor_impl_add_node_wave(sum, node, pixel, third, frequency * (v - u));

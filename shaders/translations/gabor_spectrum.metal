@@ -234,7 +234,7 @@ inline GaborPlace gabor_place_stretched(GaborPlace place, float2 radius) {
     float2 unit = 1.0 / (place.radius * radius);
     GaborPlace scaled = gabor_place_tiled((float2(cell) + place.local) * unit, float2(place.period) * unit);
     scaled.animated = place.animated;
-    scaled.time = place.time;
+    scaled.moment = place.moment;
     return scaled;
 }
 
@@ -405,7 +405,7 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, floa
     gabor_impl_filter(columns, s.x, blurred.x);
     gabor_impl_filter(rows, s.y, blurred.y);
     float4 sum, slope;
-    gabor_impl_sum(columns, rows, place.animated, place.time, sum, slope);
+    gabor_impl_sum(columns, rows, place.animated, place.moment, sum, slope);
     sum += float4(s.z * slope.zw, 0.0, 0.0);
     return gabor_impl_field(sum, slope, exp(-19.739209 * dot(wave, blurred)) * turn, wave, float2(1.0));
 }
@@ -550,19 +550,19 @@ inline GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors facto
 
 // Adds a node to the sums of a row.
 inline void gabor_impl_add_filtered_node(thread GaborFactors& row, GaborFilteredLine column, uint row_word, bool animated,
-                                  float time) {
-    float2 a = gabor_impl_amplitude_at(column.word * row_word, animated, time);
+                                  float moment) {
+    float2 a = gabor_impl_amplitude_at(column.word * row_word, animated, moment);
     row = gabor_impl_plus_product(row, column.window, a.x, a.y);
 }
 
 // The sums of a row over its columns.
-inline GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, bool animated, float time) {
+inline GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, bool animated, float moment) {
     GaborFactors row = GaborFactors{float3(0.0), float3(0.0)};
-    gabor_impl_add_filtered_node(row, columns.column_0, row_word, animated, time);
-    gabor_impl_add_filtered_node(row, columns.column_1, row_word, animated, time);
-    gabor_impl_add_filtered_node(row, columns.column_2, row_word, animated, time);
-    gabor_impl_add_filtered_node(row, columns.column_3, row_word, animated, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, animated, time);
+    gabor_impl_add_filtered_node(row, columns.column_0, row_word, animated, moment);
+    gabor_impl_add_filtered_node(row, columns.column_1, row_word, animated, moment);
+    gabor_impl_add_filtered_node(row, columns.column_2, row_word, animated, moment);
+    gabor_impl_add_filtered_node(row, columns.column_3, row_word, animated, moment);
+    if (columns.five) gabor_impl_add_filtered_node(row, columns.column_4, row_word, animated, moment);
     return row;
 }
 
@@ -602,7 +602,7 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
-        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.time);
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.animated, place.moment);
         value += gabor_impl_contracted(row, line_.window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), line_.window, weights);
         next_y += gabor_impl_contracted(row, gabor_impl_next(line_.window), weights);
@@ -699,7 +699,7 @@ inline float2 gabor_impl_contracted_3d(GaborFactors y_0, GaborFactors y_1, Gabor
 
 // Computes the filtered noise in space and its derivatives at `local`, in node spacings from a cell's corner, with
 // seven waves along each axis. If not `wanted`, computes only one row.
-inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animated, float time, float3 wave,
+inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool animated, float moment, float3 wave,
                                GaborMatrix s, bool wanted, uint salt, thread float4& noise, thread float4& quadrature) {
     float determinant;
     GaborMatrix m = GaborMatrix{s.diagonal + 0.13069097, s.mixed}; // S + v
@@ -732,7 +732,7 @@ inline void gabor_impl_filtered_space(int3 cell, float3 local, int3 period, bool
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), animated,
-                                                       time);
+                                                       moment);
             y_0 = gabor_impl_plus_product(y_0, sum, row.window.real.x, row.window.imaginary.x);
             y_1 = gabor_impl_plus_product(y_1, sum, row.window.real.y, row.window.imaginary.y);
             y_2 = gabor_impl_plus_product(y_2, sum, row.window.real.z, row.window.imaginary.z);
@@ -836,9 +836,9 @@ inline void gabor_impl_add_node_waves(thread GaborField& sum, GaborPlace place, 
     float2 v = 0.5 * u + 0.8660254 * float2(-u.y, u.x);
     float2 first = gabor_impl_wave(dot(u, d)), second = gabor_impl_wave(dot(v, d));
     float2 third = gabor_impl_product(second, float2(first.x, -first.y));
-    first = gabor_impl_product(gabor_impl_amplitude_at(words.x, place.animated, place.time), first);
-    second = gabor_impl_product(gabor_impl_amplitude_at(words.y, place.animated, place.time), second);
-    third = gabor_impl_product(gabor_impl_amplitude_at(words.z, place.animated, place.time), third);
+    first = gabor_impl_product(gabor_impl_amplitude_at(words.x, place.animated, place.moment), first);
+    second = gabor_impl_product(gabor_impl_amplitude_at(words.y, place.animated, place.moment), second);
+    third = gabor_impl_product(gabor_impl_amplitude_at(words.z, place.animated, place.moment), third);
     gabor_impl_add_node_wave(sum, node, pixel, first, frequency * u);
     gabor_impl_add_node_wave(sum, node, pixel, second, frequency * v);
     gabor_impl_add_node_wave(sum, node, pixel, third, frequency * (v - u));

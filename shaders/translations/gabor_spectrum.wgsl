@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b6c4db73e7107657.
+// naga 30.0.1 made it from GLSL with the digest 5879aabece25b699.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel.
 //
@@ -228,7 +228,7 @@ fn gabor_place_stretched(place: GaborPlace, radius: vec2<f32>) -> GaborPlace {
     let _e30 = gabor_place_tiled(((vec2<f32>(_e20) + place.local) * _e24), (vec2<f32>(place.period) * _e28));
     scaled = _e30;
     scaled.animated = place.animated;
-    scaled.time = place.time;
+    scaled.moment = place.moment;
     let _e36 = scaled;
     return _e36;
 }
@@ -630,7 +630,7 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     gabor_impl_filter((&rows), s.y, _e54.y);
     let _e59 = columns;
     let _e60 = rows;
-    gabor_impl_sum(_e59, _e60, place.animated, place.time, (&sum_7), (&slope_8));
+    gabor_impl_sum(_e59, _e60, place.animated, place.moment, (&sum_7), (&slope_8));
     let _e67 = sum_7;
     let _e69 = slope_8;
     let _e71 = (s.z * _e69.zw);
@@ -955,9 +955,9 @@ fn gabor_impl_plus_product(sum: GaborFactors, factors: GaborFactors, real: f32, 
 }
 
 // Adds a node to the sums of a row.
-fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, animated: bool, time: f32) {
+fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, animated: bool, moment: f32) {
     var a_2: vec2<f32>;
-    let _e7 = gabor_impl_amplitude_at((column.word * row_word), animated, time);
+    let _e7 = gabor_impl_amplitude_at((column.word * row_word), animated, moment);
     a_2 = _e7;
     let _e9 = (*row);
     let _e11 = a_2;
@@ -968,14 +968,14 @@ fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, column: GaborF
 }
 
 // The sums of a row over its columns.
-fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, animated: bool, time: f32) -> GaborFactors {
+fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, animated: bool, moment: f32) -> GaborFactors {
     var row_2: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
-    gabor_impl_add_filtered_node((&row_2), columns.column_0_, row_word, animated, time);
-    gabor_impl_add_filtered_node((&row_2), columns.column_1_, row_word, animated, time);
-    gabor_impl_add_filtered_node((&row_2), columns.column_2_, row_word, animated, time);
-    gabor_impl_add_filtered_node((&row_2), columns.column_3_, row_word, animated, time);
+    gabor_impl_add_filtered_node((&row_2), columns.column_0_, row_word, animated, moment);
+    gabor_impl_add_filtered_node((&row_2), columns.column_1_, row_word, animated, moment);
+    gabor_impl_add_filtered_node((&row_2), columns.column_2_, row_word, animated, moment);
+    gabor_impl_add_filtered_node((&row_2), columns.column_3_, row_word, animated, moment);
     if columns.five {
-        gabor_impl_add_filtered_node((&row_2), columns.column_4_, row_word, animated, time);
+        gabor_impl_add_filtered_node((&row_2), columns.column_4_, row_word, animated, moment);
     }
     let _e26 = row_2;
     return _e26;
@@ -1098,7 +1098,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
             line_3 = _e175;
             let _e176 = columns_3;
             let _e177 = line_3;
-            let _e181 = gabor_impl_filtered_row(_e176, _e177.word, place.animated, place.time);
+            let _e181 = gabor_impl_filtered_row(_e176, _e177.word, place.animated, place.moment);
             row_3 = _e181;
             let _e183 = value_7;
             let _e184 = row_3;
@@ -1304,7 +1304,7 @@ fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFact
 
 // Computes the filtered noise in space and its derivatives at `local`, in node spacings from a cell's corner, with
 // seven waves along each axis. If not `wanted`, computes only one row.
-fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32>, animated: bool, time: f32, wave: vec3<f32>, s: GaborMatrix, wanted: bool, salt: u32, noise: ptr<function, vec4<f32>>, quadrature: ptr<function, vec4<f32>>) {
+fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32>, animated: bool, moment: f32, wave: vec3<f32>, s: GaborMatrix, wanted: bool, salt: u32, noise: ptr<function, vec4<f32>>, quadrature: ptr<function, vec4<f32>>) {
     var determinant_1: f32;
     var m_4: GaborMatrix;
     var adjugate: GaborMatrix;
@@ -1448,7 +1448,7 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
                     let _e224 = row_5;
                     let _e226 = slice_2;
                     let _e228 = gabor_impl_slice_word(_e224.word, _e226.word);
-                    let _e229 = gabor_impl_filtered_row(_e223, _e228, animated, time);
+                    let _e229 = gabor_impl_filtered_row(_e223, _e228, animated, moment);
                     sum_10 = _e229;
                     let _e231 = y_0_2;
                     let _e232 = sum_10;
@@ -1779,15 +1779,15 @@ fn gabor_impl_add_node_waves(sum: ptr<function, GaborField>, place: GaborPlace, 
     let _e107 = first_2;
     let _e111 = gabor_impl_product(_e104, vec2<f32>(_e105.x, -(_e107.y)));
     third_2 = _e111;
-    let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.time);
+    let _e116 = gabor_impl_amplitude_at(words.x, place.animated, place.moment);
     let _e117 = first_2;
     let _e118 = gabor_impl_product(_e116, _e117);
     first_2 = _e118;
-    let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.time);
+    let _e122 = gabor_impl_amplitude_at(words.y, place.animated, place.moment);
     let _e123 = second_2;
     let _e124 = gabor_impl_product(_e122, _e123);
     second_2 = _e124;
-    let _e128 = gabor_impl_amplitude_at(words.z, place.animated, place.time);
+    let _e128 = gabor_impl_amplitude_at(words.z, place.animated, place.moment);
     let _e129 = third_2;
     let _e130 = gabor_impl_product(_e128, _e129);
     third_2 = _e130;

@@ -313,6 +313,12 @@ class Program(unittest.TestCase):
         self.assertEqual({ending for ending, _ in lacking}, {"wgsl"})
         self.assertTrue(all("direction" in function for _, function in lacking), lacking)
 
+    def test_macros_of_others_do_no_harm(self):
+        """Shaders and programs define such names before they include a file, as in #define time (iTime * 0.5)."""
+        names = set("time near far PI TAU EPS resolution mouse uv rot map iTime iMouse iResolution".split())
+        for path in [*translate.copies.DROP_INS, *translate.TRANSLATIONS.iterdir()]:
+            self.assertEqual(names & set(re.findall(r"\w+", glsl.without_comments(path.read_text()))), set(), path.name)
+
     def test_a_function_that_nothing_translates(self):
         """A function that a condition removes from WGSL is an error, not a gap."""
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
