@@ -35,7 +35,7 @@
 // The map's wave vectors at the nine nodes around a place, row by row: node `index` is at gabor_node_position(place,
 // index).
 struct GaborWaves {
-    gabor_vec2 wave[9];
+    gabor_vec2 wave[9] = {};
 };
 
 // vec2 gabor_node_position(GaborPlace place, int index)

@@ -279,8 +279,8 @@ GABOR_INLINE int gabor_impl_next_node(int index, int period) {
 struct GaborAxis {
     float offset; // offset of the point from node 0, in node spacings
     float turns;  // turns of the wave from one node to the next
-    std::uint32_t word[4];
-    gabor_vec4 node[4]; // for node k, e^(-i u k) times the window, and times the window's derivative
+    std::uint32_t word[4] = {};
+    gabor_vec4 node[4] = {}; // for node k, e^(-i u k) times the window, and times the window's derivative
 };
 
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.

@@ -37,7 +37,7 @@ struct GaborLobe {
 
 // A power spectrum: the first `count` lobes, at most GABOR_LOBES.
 struct GaborLobes {
-    GaborLobe lobe[GABOR_LOBES];
+    GaborLobe lobe[GABOR_LOBES] = {};
     int count;
 };
 
