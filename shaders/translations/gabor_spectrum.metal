@@ -63,6 +63,7 @@ struct GaborLobes {
 //         lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
 //         lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //         lobes.count = 2;
+//         float n = gabor_noise_lobes(p, lobes, 7u);
 
 // float3 gabor_noise_lobes_gradient(float2 p, GaborLobes lobes, uint seed)
 //     The noise with its analytic gradient per unit of p: (noise, d/dx, d/dy).

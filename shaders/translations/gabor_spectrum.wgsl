@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: 5a73cf787717371a
+// Digest of the GLSL and of this file: d487835beb42f737
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -47,6 +47,7 @@ fn gabor_lobe_elliptical(frequency: f32, orientation: f32, radius: vec2<f32>, po
 //     lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
 //     lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //     lobes.count = 2;
+//     float n = gabor_noise_lobes(p, lobes, 7u);
 fn gabor_noise_lobes(p: vec2<f32>, lobes: GaborLobes, seed: u32) -> f32 {
     var lobes_3: GaborLobes;
 

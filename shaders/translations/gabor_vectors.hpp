@@ -199,9 +199,9 @@ GABOR_INLINE T gabor_cpp_choose(bool condition, T a, T b) {
 // Replaces std::floor, which is a function call on processors without an instruction for it. All floats
 // beyond 2^23 are integers.
 GABOR_INLINE float gabor_cpp_floor(float x) {
-    const float near = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
-    const float whole = float(int(near));
-    return gabor_cpp_choose(near == x, whole - gabor_cpp_choose(whole > near, 1.0f, 0.0f), x);
+    const float bounded = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
+    const float whole = float(int(bounded));
+    return gabor_cpp_choose(bounded == x, whole - gabor_cpp_choose(whole > bounded, 1.0f, 0.0f), x);
 }
 GABOR_INLINE float gabor_cpp_ceil(float x) {
     return -gabor_cpp_floor(-x);
