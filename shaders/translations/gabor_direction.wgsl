@@ -2,17 +2,18 @@
 // pixel: for WGSL.
 //
 // Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: 9628de71f67a0ad6
+// Digest of the GLSL and of this file: c261f0e5a9f0cef5
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
-//     #define GABOR_DIRECTION(p) flow(p)
-//     #include "gabor_direction.wgsl"
-//     ...
+//     #define GABOR_DIRECTION(p) flow(p)                              // vec2(0.0) if you call only gabor_field_waves
+//
 //     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
 // gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: gabor_noise_direction shows
+// nothing of it, while stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which
+// textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors

@@ -1,7 +1,7 @@
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for WGSL.
 //
 // Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: 5489b43694e60e74
+// Digest of the GLSL and of this file: 943b877780fc91f5
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge

@@ -2,7 +2,7 @@
 // a normal distribution at every point: for WGSL.
 //
 // Generated from shaders/gabor_noise_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 3b00e4420b8555de
+// Digest of the GLSL and of this file: 95ce14e0924075ac
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
 //     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh

@@ -2,7 +2,7 @@
 // point: for WGSL.
 //
 // Generated from shaders/gabor_sparse.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 792f1ebe9a4a1b68
+// Digest of the GLSL and of this file: 8a29bdda8a153d02
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display

@@ -1,7 +1,7 @@
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel: for WGSL.
 //
 // Generated from shaders/gabor_spectrum.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: d487835beb42f737
+// Digest of the GLSL and of this file: 43d262fb2a5b57e3
 //
 //     float n = gabor_noise_spread(p, 2.0, 0.0, 0.0, 1.5707963, 7u);          // isotropic: mean 0, variance 1
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);    // averaged over a pixel
@@ -183,8 +183,9 @@ fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fr
 
 // (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that averaging removed.
 // A material can add the removed share, which is lost contrast, to its roughness.
-//   dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
-//           filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+//   dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. If p
+//           is fract(uv), which jumps, take the derivatives of uv. The filter is Gaussian with the covariance
+//           (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 // The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
 // axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
 // radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result

@@ -89,7 +89,7 @@ SNIPPETS = [
      lambda x: 2 * math.copysign(1, x) + 2 + math.sqrt(2) * (2 - math.copysign(1, x))),
     ("constructors", "vec4 v = vec4(x, vec2(1.0, 2.0), 3.0); return dot(v, vec4(1.0, 2.0, vec2(3.0))) + vec3(x, v.yz).z + float(uint(true));", lambda x: x + 2 + 6 + 9 + 2 + 1),
     ("precision", "precision highp float;\nfloat try_value(float x) { return x; }", lambda x: x,
-     dict.fromkeys(["hlsl", "metal", "hpp", "gdshaderinc"], ":1: precision outside of #ifdef GL_ES")),
+     dict.fromkeys(["hlsl", "metal", "hpp", "gdshaderinc"], ":1: precision outside of #if __VERSION__")),
     ("four components", "return vec4(x, 1.0, 2.0, 3.0).wzyx.w;", lambda x: x, {"hpp": ":1: .wzyx, which", "metal": None}),
 ]
 # What all languages refuse: GLSL that glslangValidator finds wrong, and GLSL that some language lacks.
