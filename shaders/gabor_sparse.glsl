@@ -19,7 +19,10 @@
 #ifndef GABOR_SPARSE_GLSL
 #define GABOR_SPARSE_GLSL
 
-#ifdef GL_ES
+#if __VERSION__ > 0 && __VERSION__ < 200
+// Here naga has 0, and Babylon.js 200 for WebGL 2.
+#error gabor_sparse.glsl needs GLSL 330 or GLSL ES 300, which is WebGL 2
+#elif defined(GL_ES)
 precision highp float;
 precision highp int;
 #endif

@@ -3,17 +3,18 @@
 // gabor_direction.hlsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
 //
-// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, and after these lines:
 //
 //     float2 flow(float2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
-//     #define GABOR_DIRECTION(p) flow(p)
-//     #include "gabor_direction.hlsl"
-//     ...
+//     #define GABOR_DIRECTION(p) flow(p)                              // float2(0.0) if you call only gabor_field_waves
+//
 //     float3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
 // gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: gabor_noise_direction shows
+// nothing of it, while stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which
+// textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.hlsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
@@ -27,6 +28,9 @@
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.hlsl needs GABOR_TAPS 3
+#endif
+#ifndef GABOR_DIRECTION
+#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.hlsl
 #endif
 #ifndef GABOR_DIRECTION_HLSL
 #define GABOR_DIRECTION_HLSL
@@ -111,7 +115,6 @@ GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
     return GaborField_of(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
 }
 
-#ifdef GABOR_DIRECTION
 GaborField gabor_field_direction(GaborPlace place, uint seed) {
     GaborWaves waves;
     for (int i = 0; i < 9; ++i)
@@ -147,6 +150,5 @@ float3 gabor_stripes_direction(float2 p, float sharpness, uint seed) {
 float3 gabor_stripes_direction_tiled(float2 p, float2 period, float sharpness, uint seed) {
     return gabor_stripes_direction_at(gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9)), sharpness, seed);
 }
-#endif
 
 #endif // GABOR_DIRECTION_HLSL

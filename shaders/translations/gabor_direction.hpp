@@ -4,17 +4,18 @@
 // gabor_direction.hpp: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
 //
-// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, and after these lines:
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
-//     #define GABOR_DIRECTION(p) flow(p)
-//     #include "gabor_direction.hpp"
-//     ...
+//     #define GABOR_DIRECTION(p) flow(p)                              // vec2(0.0) if you call only gabor_field_waves
+//
 //     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
 // gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: gabor_noise_direction shows
+// nothing of it, while stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which
+// textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.hpp), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
@@ -30,6 +31,9 @@
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.hpp needs GABOR_TAPS 3
+#endif
+#ifndef GABOR_DIRECTION
+#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.hpp
 #endif
 #ifndef GABOR_DIRECTION_HPP
 #define GABOR_DIRECTION_HPP
@@ -114,7 +118,6 @@ GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, st
     return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
 }
 
-#ifdef GABOR_DIRECTION
 GABOR_INLINE GaborField gabor_field_direction(GaborPlace place, std::uint32_t seed) {
     GaborWaves waves;
     for (int i = 0; i < 9; ++i)
@@ -150,6 +153,5 @@ GABOR_INLINE gabor_vec3 gabor_stripes_direction(gabor_vec2 p, float sharpness, s
 GABOR_INLINE gabor_vec3 gabor_stripes_direction_tiled(gabor_vec2 p, gabor_vec2 period, float sharpness, std::uint32_t seed) {
     return gabor_stripes_direction_at(gabor_place_tiled(p, gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f)), sharpness, seed);
 }
-#endif
 
 #endif // GABOR_DIRECTION_HPP

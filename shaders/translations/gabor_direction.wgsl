@@ -1,20 +1,21 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest a576064d9af644a7.
+// naga 30.0.1 made it from GLSL with the digest 0d4c622285d0f683.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
 //
-// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, and after these lines:
 //
 //     vec2f flow(vec2f p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
-//     #define GABOR_DIRECTION(p) flow(p)
-//     #include "gabor_direction.wgsl"
-//     ...
+//     #define GABOR_DIRECTION(p) flow(p)                              // vec2f(0.0) if you call only gabor_field_waves
+//
 //     vec3f s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
 // gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: gabor_noise_direction shows
+// nothing of it, while stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which
+// textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors

@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 0288c6e4d9daddcf.
+// naga 30.0.1 made it from GLSL with the digest ae51316ca3fa1723.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //

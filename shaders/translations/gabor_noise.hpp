@@ -51,7 +51,8 @@
 
 // float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
-//     cos^2(pi t). Costs three times as much as gabor_noise.
+//     cos^2(pi t). Costs three times as much as gabor_noise. Pass the fraction of the time: a float has so few digits
+//     at 1000 that the noise errs by 4e-4.
 
 // vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
 //     Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
@@ -83,7 +84,8 @@
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
 // uint gabor_lobe_seed(uint seed, int index)
-//     The seed of noise `index` in a sum of independent noises.
+//     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
+//     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
 // ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 

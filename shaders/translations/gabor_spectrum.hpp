@@ -64,6 +64,7 @@ struct GaborLobes {
 //         lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
 //         lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //         lobes.count = 2;
+//         float n = gabor_noise_lobes(p, lobes, 7u);
 
 // vec3 gabor_noise_lobes_gradient(vec2 p, GaborLobes lobes, uint seed)
 //     The noise with its analytic gradient per unit of p: (noise, d/dx, d/dy).
@@ -117,8 +118,9 @@ struct GaborLobes {
 // vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
 //     (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that averaging removed.
 //     A material can add the removed share, which is lost contrast, to its roughness.
-//       dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
-//               filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+//       dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. If p
+//               is fract(uv), which jumps, take the derivatives of uv. The filter is Gaussian with the covariance
+//               (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 //     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
 //     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
 //     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result

@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 5879aabece25b699.
+// naga 30.0.1 made it from GLSL with the digest 826966c764d7e99d.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel.
 //
@@ -48,6 +48,7 @@ struct GaborLobes {
 //         lobes.lobe[0] = gabor_lobe(4.0, 0.0, 1.0, 2.0);
 //         lobes.lobe[1] = gabor_lobe(2.0, 1.6, 0.5, 1.0);
 //         lobes.count = 2;
+//         f32 n = gabor_noise_lobes(p, lobes, 7u);
 
 // vec3f gabor_noise_lobes_gradient(vec2f p, GaborLobes lobes, u32 seed)
 //     The noise with its analytic gradient per unit of p: (noise, d/dx, d/dy).
@@ -101,8 +102,9 @@ struct GaborLobes {
 // vec2f gabor_noise_filtered(vec2f p, vec2f dx, vec2f dy, f32 frequency, f32 orientation, u32 seed)
 //     (noise, removed): Gabor noise at p averaged over a pixel, and the share of its variance that averaging removed.
 //     A material can add the removed share, which is lost contrast, to its roughness.
-//       dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. The
-//               filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+//       dx, dy  change of p from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two vectors. If p
+//               is fract(uv), which jumps, take the derivatives of uv. The filter is Gaussian with the covariance
+//               (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
 //     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
 //     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
 //     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
