@@ -481,9 +481,8 @@ void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborSpotsAxis
     vec2 c = gabor_impl_amplitude(x.word.z * word);
     vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
                 * c.y;
-    y.yw *= coupling;
-    sum += y.x * vec4(real.x, imaginary.x, real.z, imaginary.z) + y.y * vec4(real.y, imaginary.y, real.w, imaginary.w);
-    along_y += y.z * vec2(real.x, imaginary.x) + y.w * vec2(real.y, imaginary.y);
+    sum += y.x * vec4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * vec4(real.y, imaginary.y, real.w, imaginary.w);
+    along_y += y.z * vec2(real.x, imaginary.x) + coupling * y.w * vec2(real.y, imaginary.y);
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.

@@ -121,7 +121,7 @@ void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t
             place.cell = {block.cell_x[i], block.cell_y[i]};
             place.local = {block.local_x[i], block.local_y[i]};
             place.animated = animated;
-            place.time = common.time;
+            place.moment = common.time;
             store(values + start + i, total,
                   gabor_field(place,
                               one_kernel ? first : gabor_kernel(frequency[start + i], orientation[start + i]),

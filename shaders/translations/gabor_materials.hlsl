@@ -1,6 +1,9 @@
-// gabor_materials.hlsl: twelve materials from Gabor noise: for HLSL, shader model 5.0 and up.
+// Generated from gabor_materials.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl. Paste or include it after gabor_spectrum.hlsl. Paste or include it after gabor_filter.hlsl.
+// gabor_materials.hlsl: twelve materials from Gabor noise.
+//
+// Paste or include this file after gabor_noise.hlsl, gabor_spectrum.hlsl and, for the filtered forms,
+// gabor_filter.hlsl.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -705,9 +708,8 @@ void gabor_impl_add_spots_row(inout float4 sum, inout float2 along_y, GaborSpots
     float2 c = gabor_impl_amplitude(x.word.z * word);
     float4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
                 * c.y;
-    y.yw *= coupling;
-    sum += y.x * float4(real.x, imaginary.x, real.z, imaginary.z) + y.y * float4(real.y, imaginary.y, real.w, imaginary.w);
-    along_y += y.z * float2(real.x, imaginary.x) + y.w * float2(real.y, imaginary.y);
+    sum += y.x * float4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * float4(real.y, imaginary.y, real.w, imaginary.w);
+    along_y += y.z * float2(real.x, imaginary.x) + coupling * y.w * float2(real.y, imaginary.y);
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.

@@ -1,7 +1,10 @@
 // clang-format off
-// gabor_materials.hpp: twelve materials from Gabor noise: for C++ on the CPU.
+// Generated from gabor_materials.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp. Paste or include it after gabor_filter.hpp.
+// gabor_materials.hpp: twelve materials from Gabor noise.
+//
+// Paste or include this file after gabor_noise.hpp, gabor_spectrum.hpp and, for the filtered forms,
+// gabor_filter.hpp.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -20,6 +23,8 @@
 // One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #ifndef GABOR_SPECTRUM_HPP
 #error Include gabor_noise.hpp and gabor_spectrum.hpp before gabor_materials.hpp
@@ -481,9 +486,8 @@ GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y,
     gabor_vec2 c = gabor_impl_amplitude(x.word.z * word);
     gabor_vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
                 * c.y;
-    gabor_cpp_assign(y.y, y.w, y.yw() * (coupling));
-    sum += y.x * gabor_vec4(real.x, imaginary.x, real.z, imaginary.z) + y.y * gabor_vec4(real.y, imaginary.y, real.w, imaginary.w);
-    along_y += y.z * gabor_vec2(real.x, imaginary.x) + y.w * gabor_vec2(real.y, imaginary.y);
+    sum += y.x * gabor_vec4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * gabor_vec4(real.y, imaginary.y, real.w, imaginary.w);
+    along_y += y.z * gabor_vec2(real.x, imaginary.x) + coupling * y.w * gabor_vec2(real.y, imaginary.y);
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
@@ -648,8 +652,8 @@ GABOR_INLINE gabor_vec3 gabor_impl_above_lost(gabor_vec3 noise, float removed, g
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
 GABOR_INLINE gabor_vec3 gabor_impl_line(gabor_vec3 noise, float removed, float width) {
     float variance = width * width + removed;
-    float line = width * gabor_cpp_inversesqrt(variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(noise.x * noise.x / variance, 100.0f));
-    return line * gabor_vec3(1.0f, -noise.x / variance * noise.yz());
+    float line_ = width * gabor_cpp_inversesqrt(variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(noise.x * noise.x / variance, 100.0f));
+    return line_ * gabor_vec3(1.0f, -noise.x / variance * noise.yz());
 }
 
 // The covariance of its slopes that the filter removed.

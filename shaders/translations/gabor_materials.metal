@@ -1,6 +1,9 @@
-// gabor_materials.metal: twelve materials from Gabor noise: for the Metal shading language.
+// Generated from gabor_materials.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal. Paste or include it after gabor_spectrum.metal. Paste or include it after gabor_filter.metal.
+// gabor_materials.metal: twelve materials from Gabor noise.
+//
+// Paste or include this file after gabor_noise.metal, gabor_spectrum.metal and, for the filtered forms,
+// gabor_filter.metal.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
@@ -20,6 +23,10 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifndef GABOR_SPECTRUM_METAL
 #error Include gabor_noise.metal and gabor_spectrum.metal before gabor_materials.metal
 #endif
@@ -28,10 +35,6 @@
 #endif
 #ifndef GABOR_MATERIALS_METAL
 #define GABOR_MATERIALS_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 
 struct GaborMaterial {
     float3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
@@ -484,9 +487,8 @@ inline void gabor_impl_add_spots_row(thread float4& sum, thread float2& along_y,
     float2 c = gabor_impl_amplitude(x.word.z * word);
     float4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
                 * c.y;
-    y.yw *= coupling;
-    sum += y.x * float4(real.x, imaginary.x, real.z, imaginary.z) + y.y * float4(real.y, imaginary.y, real.w, imaginary.w);
-    along_y += y.z * float2(real.x, imaginary.x) + y.w * float2(real.y, imaginary.y);
+    sum += y.x * float4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * float4(real.y, imaginary.y, real.w, imaginary.w);
+    along_y += y.z * float2(real.x, imaginary.x) + coupling * y.w * float2(real.y, imaginary.y);
 }
 
 // A line's window with seven waves, for each factor, where the second is imaginary, and its fade.

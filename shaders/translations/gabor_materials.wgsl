@@ -1,20 +1,23 @@
-// gabor_materials.wgsl: twelve materials from Gabor noise: for WGSL.
+// Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest ede54477fa874d10.
 //
-// Generated from shaders/gabor_materials.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl. Paste or include it after gabor_filter.wgsl.
-// Digest of the GLSL and of this file: 40d2c5d731fb1e4e
+// gabor_materials.wgsl: twelve materials from Gabor noise.
+//
+// Paste or include this file after gabor_noise.wgsl, gabor_spectrum.wgsl and, for the filtered forms,
+// gabor_filter.wgsl.
 //
 //     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
 //     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
-//     GaborMaterial o = gabor_wood_at(p, vec2(0.0), oak, 7u);
+//     GaborMaterial o = gabor_wood_at(p, vec2f(0.0), oak, 7u);
 //
 //     I want                                   call
 //     a material                               gabor_wood, gabor_fabric, gabor_leather, gabor_marble and so on
 //     the same without moire, at any distance  gabor_wood_filtered(p, dFdx(p), dFdy(p), seed)
 //     my own colours, sizes and periods        gabor_wood_at, gabor_wood_filtered_at
-//     a normal                                 normalize(vec3(-m.slope, 1.0)), in the space of p
+//     a normal                                 normalize(vec3f(-m.slope, 1.0)), in the space of p
 //     highlights that stay right far away      gabor_roughness(m) instead of m.roughness
 //
 // One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
@@ -30,100 +33,29 @@ struct GaborMaterial {
     lost: vec3<f32>,
 }
 
-fn gabor_roughness(material: GaborMaterial) -> f32 {
-    var alpha: f32;
+// f32 gabor_roughness(GaborMaterial material)
+// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by the
+//     variance of the removed slopes.
 
-    alpha = (material.roughness * material.roughness);
-    let _e5 = alpha;
-    let _e6 = alpha;
-    return sqrt(sqrt(min((((_e5 * _e6) + material.lost.x) + material.lost.y), 1f)));
-}
-
-fn gabor_wood_default() -> GaborWood {
-    return GaborWood(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), 13f, 1f, 0.75f, 0.5f);
-}
-
-fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_wood_default();
-    let _e5 = gabor_wood_at(p, vec2(0f), _e4, seed);
-    return _e5;
-}
-
-fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_wood_default();
-    let _e7 = gabor_wood_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
-}
-
-fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_10: GaborPixel;
-    var board_4: GaborWarped;
-    var of_1: GaborPairs;
-
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_10 = _e8;
-    let _e10 = pixel_10;
-    let _e11 = gabor_impl_board(_e10, wood, seed);
-    board_4 = _e11;
-    let _e13 = gabor_impl_no_pairs();
-    of_1 = _e13;
-    let _e17 = pixel_10;
-    let _e18 = board_4;
-    let _e19 = gabor_impl_wood_layer(0i, _e17, _e18, seed);
-    let _e20 = gabor_impl_spots_pair(_e19);
-    of_1.a = _e20;
-    let _e23 = pixel_10;
-    let _e24 = board_4;
-    let _e25 = gabor_impl_wood_layer(1i, _e23, _e24, seed);
-    let _e26 = gabor_impl_spots_pair(_e25);
-    of_1.b = _e26;
-    let _e29 = pixel_10;
-    let _e30 = board_4;
-    let _e31 = gabor_impl_wood_layer(2i, _e29, _e30, seed);
-    let _e32 = gabor_impl_spots_pair(_e31);
-    of_1.c = _e32;
-    let _e33 = pixel_10;
-    let _e34 = board_4;
-    let _e35 = of_1;
-    let _e36 = gabor_impl_wood(_e33, _e34, wood, _e35, seed);
-    return _e36;
-}
-
-fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_43: GaborPixel;
-    var board_5: GaborWarped;
-    var of_16: GaborPairs;
-    var i_35: i32 = 0i;
-
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_43 = _e6;
-    let _e8 = pixel_43;
-    let _e9 = gabor_impl_board(_e8, wood, seed);
-    board_5 = _e9;
-    let _e11 = gabor_impl_no_pairs();
-    of_16 = _e11;
-    loop {
-        let _e15 = i_35;
-        if !((_e15 < 3i)) {
-            break;
-        }
-        let _e23 = i_35;
-        let _e24 = pixel_43;
-        let _e25 = board_5;
-        let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_43;
-        gabor_impl_add_filtered_spots((&of_16), _e26, _e27);
-        continuing {
-            let _e19 = i_35;
-            i_35 = (_e19 + 1i);
-        }
-    }
-    let _e29 = pixel_43;
-    let _e30 = board_5;
-    let _e31 = of_16;
-    let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
-    return _e32;
-}
+// ---- Materials -----------------------------------------------------------------------------------------------------
+//
+// Each has a struct of parameters and these functions, here for wood:
+//
+// GaborWood gabor_wood_default()
+// GaborMaterial gabor_wood(vec2f p, u32 seed)
+// GaborMaterial gabor_wood_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
+// GaborMaterial gabor_wood_at(vec2f p, vec2f period, GaborWood wood, u32 seed)
+// GaborMaterial gabor_wood_filtered_at(vec2f p, vec2f dx, vec2f dy, vec2f period, GaborWood wood, u32 seed)
+//
+// The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
+// Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2f(0.0)
+// for none: a period holds a whole number of rings or threads; scratches and hair snap to directions that repeat with
+// it.
+//
+// Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
+// material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
+// and the streaks of metal follow p: bend p to bend them. Directions
+// may vary from pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
 struct GaborWood {
@@ -286,7 +218,6 @@ fn gabor_impl_square(v: vec2<f32>) -> vec3<f32> {
 fn gabor_impl_turned_square(m: vec3<f32>, x: vec2<f32>, y: vec2<f32>) -> vec3<f32> {
     var a_8: vec2<f32>;
     var b_11: vec2<f32>;
-
     a_8 = ((m.xy * x) + (m.z * x.yx));
     b_11 = ((m.xy * y) + (m.z * y.yx));
     let _e17 = a_8;
@@ -294,6 +225,8 @@ fn gabor_impl_turned_square(m: vec3<f32>, x: vec2<f32>, y: vec2<f32>) -> vec3<f3
     let _e21 = b_11;
     return vec3<f32>(dot(x, _e17), dot(y, _e19), dot(x, _e21));
 }
+
+// ---- Positions -----------------------------------------------------------------------------------------------------
 
 // A position, and the pixel around it if there is a filter; `period` is 0 for none.
 struct GaborPixel {
@@ -305,7 +238,6 @@ struct GaborPixel {
 
 fn gabor_impl_pixel_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>) -> GaborPixel {
     var local_25: vec2<f32>;
-
     if (period.x > 0f) {
         local_25 = (p - (period * floor((p / period))));
     } else {
@@ -331,7 +263,6 @@ fn gabor_impl_unwarped(pixel: GaborPixel) -> GaborWarped {
 fn gabor_impl_along_x(at: GaborWarped) -> vec3<f32> {
     return vec3<f32>(at.p.x, at.x.x, at.y.x);
 }
-
 fn gabor_impl_along_y(at: GaborWarped) -> vec3<f32> {
     return vec3<f32>(at.p.y, at.x.y, at.y.y);
 }
@@ -349,7 +280,6 @@ fn gabor_impl_place(at: GaborWarped, density: vec2<f32>) -> GaborPlace {
 fn gabor_impl_three_line_words(index: i32, period: i32, salt: u32) -> vec3<u32> {
     var first_2: i32;
     var second_2: i32;
-
     let _e3 = gabor_impl_wrap(index, period);
     first_2 = _e3;
     let _e5 = first_2;
@@ -371,7 +301,6 @@ fn gabor_impl_add_spots(value: ptr<function, vec2<f32>>, slope: ptr<function, ve
     var b_12: vec2<f32>;
     var c_6: vec2<f32>;
     var row_6: vec2<f32>;
-
     let _e8 = gabor_impl_amplitude(words.x);
     a_9 = _e8;
     let _e11 = gabor_impl_amplitude(words.y);
@@ -412,7 +341,6 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     var local_26: f32;
     var scale_1: f32;
     var stretch_6: vec2<f32>;
-
     zero_2 = floor((place.local + vec2(0.5f)));
     let _e9 = zero_2;
     offset = clamp((place.local - _e9), vec2(-0.5f), vec2(0.5f));
@@ -485,7 +413,6 @@ fn gabor_impl_warp(pixel: GaborPixel, at: GaborWarped, density: vec2<f32>, ampli
     var field_10: GaborField;
     var along_x_3: vec2<f32>;
     var along_y_3: vec2<f32>;
-
     amplitude_5 = amplitude;
     let _e8 = gabor_impl_step_of(at, pixel.dx);
     dx_7 = (density * _e8);
@@ -537,7 +464,6 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
     var local_30: vec2<f32>;
     var local_31: vec2<f32>;
     var other: vec2<f32>;
-
     let _e4 = gabor_impl_wave((0.15915494f * angle));
     turn_10 = _e4;
     let _e6 = turn_10;
@@ -641,12 +567,13 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
 // The squared length of a pixel along an axis of a repeated pattern; `a` is the position along it, with derivatives.
 fn gabor_impl_steps(pixel: GaborPixel, a: vec3<f32>) -> f32 {
     var steps: vec2<f32>;
-
     steps = vec2<f32>(dot(a.yz, pixel.dx), dot(a.yz, pixel.dy));
     let _e10 = steps;
     let _e11 = steps;
     return dot(_e10, _e11);
 }
+
+// ---- Layers --------------------------------------------------------------------------------------------------------
 
 // A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
 // `amplitude`, to pair `slot` of a material.
@@ -674,7 +601,6 @@ fn gabor_impl_waves_layer(slot: i32, at: GaborWarped, density: vec2<f32>, freque
 // Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
 fn gabor_impl_octave(at: GaborWarped, density: vec2<f32>, i: i32, count: i32, gain: f32, seed: u32) -> GaborLayer {
     var power_5: f32;
-
     power_5 = ((1f - pow(gain, (2f * f32(count)))) / (1f - (gain * gain)));
     let _e27 = power_5;
     let _e30 = gabor_lobe_seed(seed, i);
@@ -705,7 +631,6 @@ fn gabor_impl_no_pair() -> GaborPair {
 
 fn gabor_impl_no_pairs() -> GaborPairs {
     var none_1: GaborPair;
-
     let _e0 = gabor_impl_no_pair();
     none_1 = _e0;
     let _e2 = none_1;
@@ -719,7 +644,6 @@ fn gabor_impl_no_pairs() -> GaborPairs {
 fn gabor_impl_pair(layer: GaborLayer, field: GaborField, lost: vec3<f32>) -> GaborPair {
     var x_17: vec2<f32>;
     var y_13: vec2<f32>;
-
     x_17 = (layer.density * layer.at.x);
     y_13 = (layer.density * layer.at.y);
     let _e15 = x_17;
@@ -757,11 +681,12 @@ fn gabor_impl_waves_pair(layer: GaborLayer) -> GaborPair {
     return _e9;
 }
 
+// ---- Filtered spots: see gabor_filter.wgsl, with real windows ------------------------------------------------------
+
 // A node's window with three waves and its fade: the window, the part of its derivative that couples the axes, and the
 // derivatives of both.
 fn gabor_impl_spots_node(value: f32, slope: f32, damped: f32, fade: vec2<f32>) -> vec4<f32> {
     var window_3: f32;
-
     window_3 = (0.5f + (damped * (value - 0.5f)));
     let _e11 = window_3;
     let _e20 = window_3;
@@ -782,12 +707,11 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
     var offset_1: f32;
     var damped_1: f32;
     var width_4: f32;
-    var t_10: vec2<f32>;
+    var t_9: vec2<f32>;
     var fade_5: vec2<f32>;
     var change_1: vec2<f32>;
     var value_14: vec4<f32>;
     var slope_12: vec4<f32>;
-
     zero_3 = floor((local + 0.5f));
     let _e9 = zero_3;
     offset_1 = clamp((local - _e9), -0.5f, 0.5f);
@@ -796,14 +720,14 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
     let _e30 = offset_1;
     let _e32 = offset_1;
     let _e37 = width_4;
-    t_10 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e30), _e32))) / vec2(_e37)), vec2(0f), vec2(1f));
-    let _e46 = t_10;
-    let _e47 = t_10;
-    let _e51 = t_10;
+    t_9 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e30), _e32))) / vec2(_e37)), vec2(0f), vec2(1f));
+    let _e46 = t_9;
+    let _e47 = t_9;
+    let _e51 = t_9;
     fade_5 = ((_e46 * _e47) * (vec2(3f) - (2f * _e51)));
     let _e58 = width_4;
-    let _e60 = t_10;
-    let _e63 = t_10;
+    let _e60 = t_9;
+    let _e63 = t_9;
     change_1 = ((((6f / _e58) * _e60) * (vec2(1f) - _e63)) * vec2<f32>(-1f, 1f));
     let _e75 = offset_1;
     gabor_impl_windows(_e75, (&value_14), (&slope_12));
@@ -830,53 +754,41 @@ fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance
 
 // Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
 fn gabor_impl_add_spots_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, x: GaborSpotsAxis, word: u32, y: vec4<f32>, coupling: f32) {
-    var y_15: vec4<f32>;
     var a_11: vec2<f32>;
     var b_13: vec2<f32>;
     var c_7: vec2<f32>;
     var real_3: vec4<f32>;
     var imaginary_3: vec4<f32>;
-
-    y_15 = y;
-    let _e10 = gabor_impl_amplitude((x.word.x * word));
-    a_11 = _e10;
-    let _e15 = gabor_impl_amplitude((x.word.y * word));
-    b_13 = _e15;
-    let _e20 = gabor_impl_amplitude((x.word.z * word));
-    c_7 = _e20;
-    let _e23 = a_11;
-    let _e27 = b_13;
-    let _e32 = c_7;
-    real_3 = (((x.first * _e23.x) + (x.middle * _e27.x)) + (x.last * _e32.x));
-    let _e38 = a_11;
-    let _e42 = b_13;
-    let _e47 = c_7;
-    imaginary_3 = (((x.first * _e38.y) + (x.middle * _e42.y)) + (x.last * _e47.y));
-    let _e52 = y_15;
-    let _e54 = y_15;
-    let _e56 = (_e54.yw * coupling);
-    y_15.y = _e56.x;
-    y_15.w = _e56.y;
-    let _e61 = (*sum);
-    let _e62 = y_15;
-    let _e64 = real_3;
-    let _e66 = imaginary_3;
-    let _e68 = real_3;
-    let _e70 = imaginary_3;
-    let _e74 = y_15;
-    let _e76 = real_3;
-    let _e78 = imaginary_3;
-    let _e80 = real_3;
-    let _e82 = imaginary_3;
-    (*sum) = (_e61 + ((_e62.x * vec4<f32>(_e64.x, _e66.x, _e68.z, _e70.z)) + (_e74.y * vec4<f32>(_e76.y, _e78.y, _e80.w, _e82.w))));
-    let _e88 = (*along_y);
-    let _e89 = y_15;
-    let _e91 = real_3;
-    let _e93 = imaginary_3;
-    let _e97 = y_15;
-    let _e99 = real_3;
-    let _e101 = imaginary_3;
-    (*along_y) = (_e88 + ((_e89.z * vec2<f32>(_e91.x, _e93.x)) + (_e97.w * vec2<f32>(_e99.y, _e101.y))));
+    let _e9 = gabor_impl_amplitude((x.word.x * word));
+    a_11 = _e9;
+    let _e14 = gabor_impl_amplitude((x.word.y * word));
+    b_13 = _e14;
+    let _e19 = gabor_impl_amplitude((x.word.z * word));
+    c_7 = _e19;
+    let _e22 = a_11;
+    let _e26 = b_13;
+    let _e31 = c_7;
+    real_3 = (((x.first * _e22.x) + (x.middle * _e26.x)) + (x.last * _e31.x));
+    let _e37 = a_11;
+    let _e41 = b_13;
+    let _e46 = c_7;
+    imaginary_3 = (((x.first * _e37.y) + (x.middle * _e41.y)) + (x.last * _e46.y));
+    let _e51 = (*sum);
+    let _e53 = real_3;
+    let _e55 = imaginary_3;
+    let _e57 = real_3;
+    let _e59 = imaginary_3;
+    let _e65 = real_3;
+    let _e67 = imaginary_3;
+    let _e69 = real_3;
+    let _e71 = imaginary_3;
+    (*sum) = (_e51 + ((y.x * vec4<f32>(_e53.x, _e55.x, _e57.z, _e59.z)) + ((coupling * y.y) * vec4<f32>(_e65.y, _e67.y, _e69.w, _e71.w))));
+    let _e77 = (*along_y);
+    let _e79 = real_3;
+    let _e81 = imaginary_3;
+    let _e87 = real_3;
+    let _e89 = imaginary_3;
+    (*along_y) = (_e77 + ((y.z * vec2<f32>(_e79.x, _e81.x)) + ((coupling * y.w) * vec2<f32>(_e87.y, _e89.y))));
     return;
 }
 
@@ -891,7 +803,6 @@ fn gabor_impl_spots_line(b: GaborFilteredAxis, index: i32) -> GaborSpotsLine {
     var turn_11: vec2<f32>;
     var real_4: vec3<f32>;
     var imaginary_4: f32;
-
     let _e9 = gabor_impl_wave(((0.5f / b.reach) * (b.offset - f32(index))));
     turn_11 = _e9;
     let _e12 = turn_11;
@@ -922,7 +833,6 @@ struct GaborSpotsRow {
 
 fn gabor_impl_add_spot(row: ptr<function, GaborSpotsRow>, x: GaborSpotsLine, row_word: u32) {
     var a_12: vec2<f32>;
-
     let _e5 = gabor_impl_amplitude((x.word * row_word));
     a_12 = _e5;
     let _e8 = (*row);
@@ -958,16 +868,15 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     var local_33: i32;
     var rows_4: i32;
     var j_5: i32 = 0i;
-    var y_16: GaborSpotsLine;
+    var y_15: GaborSpotsLine;
     var row_8: GaborSpotsRow;
     var w: vec3<f32>;
     var sum_18: vec2<f32>;
     var before_1: vec2<f32>;
     var x_20: vec2<f32>;
-    var y_17: vec2<f32>;
+    var y_16: vec2<f32>;
     var local_34: f32;
     var scale_2: f32;
-
     m_3 = (s.xy + vec2(0.13069098f));
     let _e10 = m_3;
     let _e12 = m_3;
@@ -1022,30 +931,30 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
             let _e127 = along_1;
             let _e128 = j_5;
             let _e129 = gabor_impl_spots_line(_e127, _e128);
-            y_16 = _e129;
+            y_15 = _e129;
             row_8 = GaborSpotsRow(vec3(0f), vec3(0f), vec2(0f));
             let _e140 = x_0_;
-            let _e141 = y_16;
+            let _e141 = y_15;
             gabor_impl_add_spot((&row_8), _e140, _e141.word);
             let _e145 = x_1_;
-            let _e146 = y_16;
+            let _e146 = y_15;
             gabor_impl_add_spot((&row_8), _e145, _e146.word);
             let _e150 = x_2_;
-            let _e151 = y_16;
+            let _e151 = y_15;
             gabor_impl_add_spot((&row_8), _e150, _e151.word);
             let _e155 = x_3_;
-            let _e156 = y_16;
+            let _e156 = y_15;
             gabor_impl_add_spot((&row_8), _e155, _e156.word);
             let _e159 = across_1;
             if (_e159.count == 5i) {
                 let _e164 = x_4_;
-                let _e165 = y_16;
+                let _e165 = y_15;
                 gabor_impl_add_spot((&row_8), _e164, _e165.word);
             }
             let _e169 = mixed_1;
             let _e171 = mixed_1;
             let _e173 = mixed_1;
-            let _e176 = y_16;
+            let _e176 = y_15;
             w = (vec3<f32>(1f, _e169, ((0.5f * _e171) * _e173)) * _e176.window);
             let _e180 = w;
             let _e181 = row_8;
@@ -1053,11 +962,11 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
             let _e185 = row_8;
             sum_18 = vec2<f32>(dot(_e180, _e181.real), dot(_e184, _e185.imaginary));
             let _e190 = value_15;
-            let _e191 = y_16;
+            let _e191 = y_15;
             let _e194 = sum_18;
             value_15 = (_e190 + (_e191.fade.x * _e194));
             let _e197 = next_x_1;
-            let _e198 = y_16;
+            let _e198 = y_15;
             let _e201 = w;
             let _e203 = row_8;
             let _e206 = row_8;
@@ -1066,22 +975,22 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
             let _e216 = row_8;
             next_x_1 = (_e197 + (_e198.fade.x * ((_e201.x * vec2<f32>(_e203.real.y, _e206.imaginary.y)) - (_e211.y * vec2<f32>(_e213.real.z, _e216.imaginary.z)))));
             let _e224 = next_y_1;
-            let _e225 = y_16;
-            let _e228 = y_16;
+            let _e225 = y_15;
+            let _e228 = y_15;
             let _e231 = row_8;
             let _e234 = row_8;
             let _e239 = mixed_1;
-            let _e240 = y_16;
+            let _e240 = y_15;
             let _e244 = row_8;
             let _e247 = row_8;
             next_y_1 = (_e224 + (_e225.fade.x * ((_e228.window.y * vec2<f32>(_e231.real.x, _e234.imaginary.x)) - ((_e239 * _e240.window.z) * vec2<f32>(_e244.real.y, _e247.imaginary.y)))));
             let _e255 = edge_x_1;
-            let _e256 = y_16;
+            let _e256 = y_15;
             let _e259 = w;
             let _e262 = row_8;
             edge_x_1 = (_e255 + ((_e256.fade.x * _e259.x) * _e262.edge));
             let _e266 = edge_y_1;
-            let _e267 = y_16;
+            let _e267 = y_15;
             let _e270 = sum_18;
             edge_y_1 = (_e266 + (_e267.fade.y * _e270));
         }
@@ -1106,7 +1015,7 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     let _e300 = next_y_1;
     let _e301 = before_1;
     let _e303 = next_x_1;
-    y_17 = (_e298 - (6.2831855f * (_e300 - (_e301.y * _e303))));
+    y_16 = (_e298 - (6.2831855f * (_e300 - (_e301.y * _e303))));
     let _e310 = lambda_1;
     let _e311 = lambda_1;
     if false {
@@ -1120,38 +1029,37 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     let _e330 = value_15;
     let _e333 = scale_2;
     let _e334 = x_20;
-    let _e336 = y_17;
+    let _e336 = y_16;
     let _e340 = scale_2;
     let _e341 = value_15;
     let _e344 = scale_2;
     let _e345 = x_20;
-    let _e347 = y_17;
+    let _e347 = y_16;
     return GaborField((_e329 * _e330.y), (_e333 * vec2<f32>(_e334.y, _e336.y)), (_e340 * _e341.x), (_e344 * vec2<f32>(_e345.x, _e347.x)), 0f);
 }
 
 fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3<f32>, salt: u32) -> GaborField {
     var x_21: GaborSpotsAxis;
-    var y_18: GaborSpotsAxis;
+    var y_17: GaborSpotsAxis;
     var sum_19: vec4<f32> = vec4(0f);
     var along_y_5: vec2<f32> = vec2(0f);
     var local_35: f32;
     var scale_3: f32;
-
     let _e10 = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
     x_21 = _e10;
     let _e21 = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), s.y);
-    y_18 = _e21;
+    y_17 = _e21;
     let _e31 = x_21;
-    let _e32 = y_18;
-    let _e35 = y_18;
+    let _e32 = y_17;
+    let _e35 = y_17;
     gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e31, _e32.word.x, _e35.first, s.z);
     let _e42 = x_21;
-    let _e43 = y_18;
-    let _e46 = y_18;
+    let _e43 = y_17;
+    let _e46 = y_17;
     gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e42, _e43.word.y, _e46.middle, s.z);
     let _e53 = x_21;
-    let _e54 = y_18;
-    let _e57 = y_18;
+    let _e54 = y_17;
+    let _e57 = y_17;
     gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e53, _e54.word.z, _e57.last, s.z);
     if false {
         local_35 = 1f;
@@ -1182,7 +1090,6 @@ fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, se
     var amplitude_7: f32;
     var sum_20: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var salt_15: u32;
-
     stretch_7 = (place.radius / vec2(1.5f));
     let _e12 = stretch_7;
     let _e14 = stretch_7;
@@ -1235,7 +1142,6 @@ fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField, s: vec3<f32>) 
     var inverse: vec3<f32>;
     var whole_2: vec3<f32>;
     var left_1: vec3<f32>;
-
     a_13 = (6.579736f * s);
     let _e7 = a_13;
     let _e11 = a_13;
@@ -1264,7 +1170,6 @@ fn gabor_impl_filtered_waves(layer: GaborLayer, pixel: GaborPixel) -> GaborPair 
     var dx_9: vec2<f32>;
     var dy_9: vec2<f32>;
     var field_13: GaborField;
-
     let _e5 = gabor_impl_step_of(layer.at, pixel.dx);
     dx_9 = (layer.density * _e5);
     let _e11 = gabor_impl_step_of(layer.at, pixel.dy);
@@ -1286,7 +1191,6 @@ fn gabor_impl_filtered_spots(layer: GaborLayer, pixel: GaborPixel) -> GaborPair 
     var dx_10: vec2<f32>;
     var dy_10: vec2<f32>;
     var field_14: GaborField;
-
     let _e5 = gabor_impl_step_of(layer.at, pixel.dx);
     dx_10 = (layer.density * _e5);
     let _e11 = gabor_impl_step_of(layer.at, pixel.dy);
@@ -1306,7 +1210,6 @@ fn gabor_impl_filtered_spots(layer: GaborLayer, pixel: GaborPixel) -> GaborPair 
 
 fn gabor_impl_add_filtered_spots(pairs: ptr<function, GaborPairs>, layer: GaborLayer, pixel: GaborPixel) {
     var pair_2: GaborPair;
-
     let _e3 = gabor_impl_filtered_spots(layer, pixel);
     pair_2 = _e3;
     if (layer.slot == 0i) {
@@ -1348,10 +1251,11 @@ fn gabor_impl_add_filtered_spots(pairs: ptr<function, GaborPairs>, layer: GaborL
     }
 }
 
+// ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
+
 // The normal distribution function, within 2e-5.
 fn gabor_impl_below(x: f32) -> f32 {
     var x_23: f32;
-
     x_23 = x;
     let _e2 = x_23;
     x_23 = clamp(_e2, -8f, 8f);
@@ -1367,7 +1271,6 @@ fn gabor_impl_below(x: f32) -> f32 {
 fn gabor_impl_above(noise: vec3<f32>, removed: f32, threshold: f32, softness: f32) -> vec3<f32> {
     var scale_4: f32;
     var x_24: f32;
-
     scale_4 = inverseSqrt(((softness * softness) + removed));
     let _e8 = scale_4;
     let _e11 = scale_4;
@@ -1388,7 +1291,6 @@ fn gabor_impl_above_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, thresh
     var d_6: f32;
     var mean_2: f32;
     var square: f32;
-
     scale_5 = inverseSqrt(((softness * softness) + removed));
     variance_2 = (((0.5f * softness) * softness) + removed);
     d_6 = ((noise.x - threshold) * (noise.x - threshold));
@@ -1413,7 +1315,6 @@ fn gabor_impl_above_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, thresh
 fn gabor_impl_line(noise: vec3<f32>, removed: f32, width: f32) -> vec3<f32> {
     var variance_3: f32;
     var line_5: f32;
-
     variance_3 = ((width * width) + removed);
     let _e6 = variance_3;
     let _e14 = variance_3;
@@ -1432,7 +1333,6 @@ fn gabor_impl_line_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, width: 
     var spread: f32;
     var square_1: f32;
     var slope_13: vec3<f32>;
-
     half_square = ((0.5f * width) * width);
     let _e8 = half_square;
     variance_4 = (_e8 + removed);
@@ -1476,7 +1376,6 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
     var s_10: f32;
     var d_7: vec3<f32>;
     var i_9: i32 = 0i;
-
     mean_4 = (colour * exp((tone.x + (0.5f * tone.y))));
     if (tone.y > 0f) {
         {
@@ -1516,39 +1415,38 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
 fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     var ends_4: vec3<f32>;
     var turns_4: vec2<f32>;
-    var t_11: vec2<f32>;
+    var t_10: vec2<f32>;
     var integral: vec2<f32>;
     var mean_5: f32;
     var change_2: f32;
     var widen: f32;
-
     let _e4 = gabor_impl_ends_at(phase.x, span.x);
     ends_4 = _e4;
     let _e6 = ends_4;
     turns_4 = floor(_e6.xy);
     let _e10 = ends_4;
     let _e12 = turns_4;
-    t_11 = (_e10.xy - _e12);
+    t_10 = (_e10.xy - _e12);
     let _e16 = turns_4;
-    let _e17 = t_11;
-    let _e18 = t_11;
-    let _e20 = t_11;
+    let _e17 = t_10;
+    let _e18 = t_10;
+    let _e20 = t_10;
     integral = (0.33333334f * (_e16 + ((_e17 * _e18) * _e20)));
     let _e25 = ends_4;
     let _e27 = integral;
     let _e29 = integral;
     mean_5 = (_e25.z * (_e27.y - _e29.x));
     let _e34 = ends_4;
-    let _e36 = t_11;
-    let _e38 = t_11;
-    let _e41 = t_11;
-    let _e43 = t_11;
+    let _e36 = t_10;
+    let _e38 = t_10;
+    let _e41 = t_10;
+    let _e43 = t_10;
     change_2 = (_e34.z * ((_e36.y * _e38.y) - (_e41.x * _e43.x)));
     let _e49 = ends_4;
-    let _e52 = t_11;
-    let _e54 = t_11;
-    let _e57 = t_11;
-    let _e59 = t_11;
+    let _e52 = t_10;
+    let _e54 = t_10;
+    let _e57 = t_10;
+    let _e59 = t_10;
     let _e64 = mean_5;
     let _e69 = ends_4;
     widen = ((_e49.z * ((0.5f * ((_e52.y * _e54.y) + (_e57.x * _e59.x))) - _e64)) * (-0.5f / (_e69.z * max((1f - span.x), 0.001f))));
@@ -1566,29 +1464,28 @@ fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
 fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
     var ends_5: vec3<f32>;
     var turns_5: vec2<f32>;
-    var t_12: vec2<f32>;
+    var t_11: vec2<f32>;
     var integral_1: vec2<f32>;
     var change_3: f32;
-
     let _e3 = gabor_impl_ends_at(phase, span);
     ends_5 = _e3;
     let _e5 = ends_5;
     turns_5 = floor(_e5.xy);
     let _e9 = ends_5;
     let _e11 = turns_5;
-    t_12 = (_e9.xy - _e11);
+    t_11 = (_e9.xy - _e11);
     let _e15 = turns_5;
-    let _e16 = t_12;
-    let _e17 = t_12;
-    let _e19 = t_12;
+    let _e16 = t_11;
+    let _e17 = t_11;
+    let _e19 = t_11;
     let _e24 = gabor_impl_ends_at(0f, full);
     let _e26 = turns_5;
     integral_1 = ((1.3333333f * (_e15 + ((_e16 * _e17) * _e19))) + (_e24.z * _e26));
     let _e30 = ends_5;
-    let _e32 = t_12;
-    let _e34 = t_12;
-    let _e37 = t_12;
-    let _e39 = t_12;
+    let _e32 = t_11;
+    let _e34 = t_11;
+    let _e37 = t_11;
+    let _e39 = t_11;
     change_3 = (_e30.z * ((_e32.y * _e34.y) - (_e37.x * _e39.x)));
     let _e45 = ends_5;
     let _e47 = integral_1;
@@ -1601,20 +1498,19 @@ fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
 // A smoothstep from `low` to `high`.
 fn gabor_impl_step(low: vec3<f32>, high: vec3<f32>, x: vec3<f32>) -> vec3<f32> {
     var width_7: f32;
-    var t_13: f32;
+    var t_12: f32;
     var slope_14: vec2<f32>;
-
     width_7 = (high.x - low.x);
     let _e10 = width_7;
-    t_13 = clamp(((x.x - low.x) / _e10), 0f, 1f);
-    let _e19 = t_13;
+    t_12 = clamp(((x.x - low.x) / _e10), 0f, 1f);
+    let _e19 = t_12;
     let _e25 = width_7;
     slope_14 = (((x.yz - low.yz) - (_e19 * (high.yz - low.yz))) / vec2(_e25));
-    let _e29 = t_13;
-    let _e30 = t_13;
-    let _e34 = t_13;
-    let _e39 = t_13;
-    let _e42 = t_13;
+    let _e29 = t_12;
+    let _e30 = t_12;
+    let _e34 = t_12;
+    let _e39 = t_12;
+    let _e42 = t_12;
     let _e45 = slope_14;
     let _e46 = (((6f * _e39) * (1f - _e42)) * _e45);
     return vec3<f32>(((_e29 * _e30) * (3f - (2f * _e34))), _e46.x, _e46.y);
@@ -1624,10 +1520,13 @@ fn gabor_impl_material(colour: vec3<f32>, height: vec3<f32>, lost: vec3<f32>, ro
     return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height.x, height.yz, roughness, metalness, lost);
 }
 
+// ---- Wood ----------------------------------------------------------------------------------------------------------
+//
+// Rings are lines of constant x that noise of low frequency bends until they close.
+
 fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborWarped {
     var bends: vec2<f32>;
     var board: GaborWarped;
-
     bends = (vec2<f32>(0.43f, 0.018f) * wood.waviness);
     let _e9 = gabor_impl_unwarped(pixel);
     board = _e9;
@@ -1644,7 +1543,6 @@ fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborWarpe
 // Pores, fibres and tone.
 fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborWarped, seed: u32) -> GaborLayer {
     var local_36: vec2<f32>;
-
     if (i == 2i) {
         let _e11 = gabor_impl_spots_layer(2i, board, vec2<f32>(3.5f, 0.35f), seed, 5i);
         return _e11;
@@ -1666,7 +1564,7 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     var kept_2: f32;
     var ring: vec3<f32>;
     var pores: vec3<f32>;
-    var within_1: vec3<f32>;
+    var within_2: vec3<f32>;
     var deep: vec3<f32>;
     var early: f32;
     var late: f32;
@@ -1675,7 +1573,6 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     var height_1: vec3<f32>;
     var depth: f32;
     var lost_4: vec3<f32>;
-
     board_3 = board;
     let _e6 = board_3;
     let _e16 = gabor_impl_warp(pixel, _e6, vec2<f32>(6.5f, 0.08f), vec2<f32>((0.455f / wood.rings), 0f), seed, 2i);
@@ -1694,9 +1591,9 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e50 = gabor_impl_above(of.a.second, of.a.removed, 1.1f, 0.25f);
     pores = (wood.pores * _e50);
     let _e58 = ring;
-    within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e58));
+    within_2 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e58));
     let _e62 = pores;
-    let _e63 = within_1;
+    let _e63 = within_2;
     let _e64 = gabor_impl_times(_e62, _e63);
     deep = _e64;
     let _e67 = ring;
@@ -1717,7 +1614,7 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e120 = ring;
     let _e123 = deep;
     height_1 = (((0.0006f * _e120) - (0.0024f * _e123)) + (0.0002f * of.b.second));
-    let _e135 = within_1;
+    let _e135 = within_2;
     depth = ((0.0024f * wood.pores) * _e135.x);
     let _e140 = years;
     let _e142 = kept_2;
@@ -1735,6 +1632,41 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e182 = gabor_impl_material(_e170, _e171, _e172, (wood.roughness * (1f - (0.2f * _e176.x))), 0f);
     return _e182;
 }
+
+fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
+    var pixel_10: GaborPixel;
+    var board_4: GaborWarped;
+    var of_1: GaborPairs;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_10 = _e8;
+    let _e10 = pixel_10;
+    let _e11 = gabor_impl_board(_e10, wood, seed);
+    board_4 = _e11;
+    let _e13 = gabor_impl_no_pairs();
+    of_1 = _e13;
+    let _e17 = pixel_10;
+    let _e18 = board_4;
+    let _e19 = gabor_impl_wood_layer(0i, _e17, _e18, seed);
+    let _e20 = gabor_impl_spots_pair(_e19);
+    of_1.a = _e20;
+    let _e23 = pixel_10;
+    let _e24 = board_4;
+    let _e25 = gabor_impl_wood_layer(1i, _e23, _e24, seed);
+    let _e26 = gabor_impl_spots_pair(_e25);
+    of_1.b = _e26;
+    let _e29 = pixel_10;
+    let _e30 = board_4;
+    let _e31 = gabor_impl_wood_layer(2i, _e29, _e30, seed);
+    let _e32 = gabor_impl_spots_pair(_e31);
+    of_1.c = _e32;
+    let _e33 = pixel_10;
+    let _e34 = board_4;
+    let _e35 = of_1;
+    let _e36 = gabor_impl_wood(_e33, _e34, wood, _e35, seed);
+    return _e36;
+}
+
+// ---- Weaves --------------------------------------------------------------------------------------------------------
 
 // The part of a weave that the filter keeps; x and y are positions along its axes, in threads.
 fn gabor_impl_weave_kept(pixel: GaborPixel, x: vec3<f32>, y: vec3<f32>) -> f32 {
@@ -1755,7 +1687,6 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u
     var local_38: vec2<f32>;
     var local_39: vec2<f32>;
     var density_5: vec2<f32>;
-
     if (i == 0i) {
         local_39 = vec2<f32>((0.7f * count.x), 1.1f);
     } else {
@@ -1789,7 +1720,6 @@ fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend
     var slope_15: vec2<f32>;
     var local_40: f32;
     var local_41: vec2<f32>;
-
     square_2 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
     let _e14 = square_2;
     side_2 = sqrt(max(_e14, 0f));
@@ -1824,7 +1754,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var unit_5: f32;
     var one: vec3<f32> = vec3<f32>(1f, 0f, 0f);
     var x_27: vec3<f32>;
-    var y_20: vec3<f32>;
+    var y_19: vec3<f32>;
     var kept_3: f32;
     var local_42: f32;
     var parity: f32;
@@ -1853,25 +1783,24 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var cord: f32;
     var depth_1: f32;
     var swing: f32;
-
     uneven = fabric.unevenness;
     unit_5 = (fabric.relief / fabric.threads);
     let _e17 = gabor_impl_along_x(cloth);
     x_27 = (count.x * _e17);
     let _e21 = gabor_impl_along_y(cloth);
-    y_20 = (count.y * _e21);
+    y_19 = (count.y * _e21);
     let _e24 = x_27;
-    let _e25 = y_20;
+    let _e25 = y_19;
     let _e26 = gabor_impl_weave_kept(pixel, _e24, _e25);
     kept_3 = _e26;
     let _e28 = x_27;
     let _e30 = uneven;
     x_27 = (_e28 + ((0.13f * _e30) * of.a.first));
-    let _e36 = y_20;
+    let _e36 = y_19;
     let _e38 = uneven;
-    y_20 = (_e36 + ((0.13f * _e38) * of.b.first));
+    y_19 = (_e36 + ((0.13f * _e38) * of.b.first));
     let _e45 = x_27;
-    let _e48 = y_20;
+    let _e48 = y_19;
     if (fract((0.5f * (floor(_e45.x) + floor(_e48.x)))) > 0.25f) {
         local_42 = -1f;
     } else {
@@ -1882,17 +1811,17 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e63 = x_27;
     let _e65 = x_27;
     x_27.x = (_e63.x - (floor(_e65.x) + 0.5f));
-    let _e72 = y_20;
-    let _e74 = y_20;
-    y_20.x = (_e72.x - (floor(_e74.x) + 0.5f));
+    let _e72 = y_19;
+    let _e74 = y_19;
+    y_19.x = (_e72.x - (floor(_e74.x) + 0.5f));
     let _e80 = x_27;
     let _e81 = one;
     let _e83 = uneven;
-    let _e89 = y_20;
+    let _e89 = y_19;
     let _e90 = parity;
     let _e91 = gabor_impl_thread(_e80, (_e81 + ((0.16f * _e83) * of.a.second)), _e89, _e90);
     along_y_6 = _e91;
-    let _e93 = y_20;
+    let _e93 = y_19;
     let _e94 = one;
     let _e96 = uneven;
     let _e102 = x_27;
@@ -2058,7 +1987,6 @@ fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u
     var cloth_2: GaborWarped;
     var count_4: vec2<f32>;
     var of_3: GaborPairs;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_14 = _e8;
     let _e10 = pixel_14;
@@ -2106,7 +2034,6 @@ fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
 // The fibres of tows along y and x.
 fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
     var local_50: vec2<f32>;
-
     if (i == 0i) {
         local_50 = vec2<f32>(20f, 0.6f);
     } else {
@@ -2120,7 +2047,7 @@ fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32)
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
 fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fibres: GaborCarbonFibre, of: GaborPairs) -> GaborMaterial {
     var x_28: vec3<f32>;
-    var y_21: vec3<f32>;
+    var y_20: vec3<f32>;
     var kept_4: f32;
     var unit_6: f32;
     var turn_14: f32;
@@ -2140,25 +2067,24 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     var bulge: vec3<f32>;
     var local_56: f32;
     var colour_4: vec3<f32>;
-
     let _e6 = gabor_impl_along_x(cloth);
     x_28 = (count.x * _e6);
     let _e10 = gabor_impl_along_y(cloth);
-    y_21 = (count.y * _e10);
+    y_20 = (count.y * _e10);
     let _e13 = x_28;
-    let _e14 = y_21;
+    let _e14 = y_20;
     let _e15 = gabor_impl_weave_kept(pixel, _e13, _e14);
     kept_4 = _e15;
     unit_6 = (fibres.relief / fibres.tows);
     let _e23 = x_28;
-    let _e26 = y_21;
+    let _e26 = y_20;
     turn_14 = ((4f * fract(((0.25f * (floor(_e23.x) + floor(_e26.x))) + 0.125f))) - 0.5f);
     let _e39 = x_28;
     let _e41 = x_28;
     x_28.x = (_e39.x - floor(_e41.x));
-    let _e46 = y_21;
-    let _e48 = y_21;
-    y_21.x = (_e46.x - floor(_e48.x));
+    let _e46 = y_20;
+    let _e48 = y_20;
+    y_20.x = (_e46.x - floor(_e48.x));
     let _e52 = turn_14;
     first_4 = (_e52 < 1.5f);
     let _e56 = first_4;
@@ -2179,7 +2105,7 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     lost_6 = _e70;
     let _e73 = first_4;
     if _e73 {
-        let _e74 = y_21;
+        let _e74 = y_20;
         local_53 = _e74;
     } else {
         let _e75 = x_28;
@@ -2192,7 +2118,7 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
         let _e82 = x_28;
         local_54 = _e82;
     } else {
-        let _e83 = y_21;
+        let _e83 = y_20;
         local_54 = _e83;
     }
     let _e85 = local_54;
@@ -2263,7 +2189,6 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
     var cloth_5: GaborWarped;
     var count_7: vec2<f32>;
     var of_5: GaborPairs;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_17 = _e8;
     let _e10 = pixel_17;
@@ -2292,10 +2217,14 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
     return _e36;
 }
 
+// ---- Leather -------------------------------------------------------------------------------------------------------
+//
+// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
+
 fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborWarped {
     var bends_1: vec2<f32>;
     var skin: GaborWarped;
-
     bends_1 = (vec2<f32>(0.07f, 0.014f) * leather.wrinkles);
     let _e9 = gabor_impl_unwarped(pixel);
     let _e12 = bends_1;
@@ -2310,7 +2239,6 @@ fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabor
 // Three octaves of fine grain, the tone, and the first two waves.
 fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leather: GaborLeather, seed: u32) -> GaborLayer {
     var local_57: f32;
-
     if (i < 3i) {
         let _e7 = gabor_impl_unwarped(pixel);
         let _e13 = gabor_lobe_seed(seed, 4i);
@@ -2344,7 +2272,6 @@ fn gabor_impl_crest(wave: GaborPair) -> GaborCrest {
     var whole_3: f32;
     var change_4: vec2<f32>;
     var unit_7: vec3<f32>;
-
     power_6 = ((wave.first.x * wave.first.x) + (wave.second.x * wave.second.x));
     let _e13 = power_6;
     whole_3 = (_e13 + (2.5f * wave.removed));
@@ -2381,7 +2308,6 @@ fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
     var tones_2: vec2<f32>;
     var height_3: vec3<f32>;
     var lost_7: vec3<f32>;
-
     let _e3 = gabor_impl_crest(of.c);
     a_14 = _e3;
     let _e6 = gabor_impl_crest(of.d);
@@ -2457,7 +2383,6 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
     var skin_2: GaborWarped;
     var of_7: GaborPairs;
     var i_14: i32 = 0i;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_20 = _e8;
     let _e10 = pixel_20;
@@ -2502,10 +2427,11 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
     return _e51;
 }
 
+// ---- Marble --------------------------------------------------------------------------------------------------------
+
 fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborWarped {
     var bends_2: vec4<f32>;
     var stone: GaborWarped;
-
     bends_2 = (vec4<f32>(0.17f, 0.038f, 0.01f, 0.003f) * marble.turbulence);
     let _e11 = gabor_impl_unwarped(pixel);
     stone = _e11;
@@ -2535,7 +2461,6 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
     var vein: vec3<f32>;
     var local_61: i32;
     var local_62: i32;
-
     if (i < 3i) {
         let _e11 = gabor_lobe_seed(seed, 8i);
         let _e12 = gabor_impl_octave(stone, vec2(1.5f), i, 3i, 0.6f, _e11);
@@ -2587,7 +2512,6 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
 fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) -> GaborMaterial {
     var clouds: f32;
     var colour_5: vec3<f32>;
-
     let _e8 = gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f);
     clouds = (marble.clouds * _e8.x);
     let _e14 = clouds;
@@ -2618,7 +2542,6 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
     var local_72: f32;
     var local_73: f32;
     var core: vec3<f32>;
-
     if (i == 4i) {
         local_65 = vec2<f32>(0.25f, 0.035f);
     } else {
@@ -2723,7 +2646,6 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
     var crystal_1: GaborPair;
     var material: GaborMaterial;
     var i_18: i32 = 4i;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_23 = _e8;
     let _e10 = pixel_23;
@@ -2778,9 +2700,10 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
     return _e57;
 }
 
+// ---- Sand ----------------------------------------------------------------------------------------------------------
+
 fn gabor_impl_dune(pixel: GaborPixel, seed: u32) -> GaborWarped {
     var dune: GaborWarped;
-
     let _e2 = gabor_impl_unwarped(pixel);
     let _e8 = gabor_impl_warp(pixel, _e2, vec2(0.8f), vec2(0.15f), seed, 0i);
     dune = _e8;
@@ -2822,7 +2745,6 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     var height_4: vec3<f32>;
     var wave_19: vec2<f32>;
     var lost_8: vec3<f32>;
-
     z_1 = vec2<f32>(of.c.first.x, of.c.second.x);
     let _e11 = z_1;
     let _e12 = z_1;
@@ -2897,7 +2819,6 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
     var ripples_1: GaborLayer;
     var of_9: GaborPairs;
     var i_20: i32 = 0i;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_26 = _e8;
     let _e10 = pixel_26;
@@ -2940,10 +2861,14 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
     return _e48;
 }
 
+// ---- Ripples -------------------------------------------------------------------------------------------------------
+//
+// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
+// the filter removed does not change the mean of the harmonic.
+
 fn gabor_impl_ripples_layer(i: i32, pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborLayer {
     var density_6: f32;
     var angle_1: f32;
-
     density_6 = ((ripples.waves * exp2((0.27f * f32(i)))) / 2.2f);
     angle_1 = (ripples.direction + (ripples.spread * (fract(((0.618034f * f32(i)) + 0.1f)) - 0.5f)));
     let _e27 = gabor_impl_unwarped(pixel);
@@ -2957,20 +2882,19 @@ fn gabor_impl_ripples_layer(i: i32, pixel: GaborPixel, ripples: GaborRipples, se
 fn gabor_impl_add_ripple(sum: ptr<function, GaborPair>, i: i32, wave: GaborPair) {
     var amplitude_8: f32;
     var x_29: f32;
-    var y_22: f32;
-
+    var y_21: f32;
     amplitude_8 = exp2((-0.351f * f32(i)));
     x_29 = wave.first.x;
-    y_22 = wave.second.x;
+    y_21 = wave.second.x;
     let _e16 = (*sum);
     let _e18 = amplitude_8;
     let _e19 = x_29;
     let _e21 = x_29;
     let _e22 = x_29;
-    let _e24 = y_22;
-    let _e25 = y_22;
+    let _e24 = y_21;
+    let _e25 = y_21;
     let _e32 = x_29;
-    let _e39 = y_22;
+    let _e39 = y_21;
     let _e44 = (((1f + (0.4f * _e32)) * wave.first.yz) - ((0.4f * _e39) * wave.second.yz));
     (*sum).first = (_e16.first + (_e18 * vec3<f32>((_e19 + (0.2f * ((_e21 * _e22) - (_e24 * _e25)))), _e44.x, _e44.y)));
     let _e51 = (*sum);
@@ -2986,8 +2910,8 @@ fn gabor_impl_add_ripple(sum: ptr<function, GaborPair>, i: i32, wave: GaborPair)
     let _e74 = x_29;
     let _e78 = x_29;
     let _e79 = x_29;
-    let _e81 = y_22;
-    let _e82 = y_22;
+    let _e81 = y_21;
+    let _e82 = y_21;
     (*sum).lost = (_e67.lost + (((_e69 * _e70) * (((1f + (0.8f * _e74)) + (0.16f * ((_e78 * _e79) + (_e81 * _e82)))) + (0.32f * wave.removed))) * wave.lost));
     return;
 }
@@ -2995,7 +2919,6 @@ fn gabor_impl_add_ripple(sum: ptr<function, GaborPair>, i: i32, wave: GaborPair)
 fn gabor_impl_ripples(ripples: GaborRipples, sum: GaborPair) -> GaborMaterial {
     var power_8: f32 = 2.592656f;
     var light_1: f32;
-
     let _e4 = power_8;
     let _e9 = power_8;
     let _e13 = gabor_impl_above((inverseSqrt(_e4) * sum.second), (sum.removed / _e9), 0.5f, 1f);
@@ -3009,7 +2932,6 @@ fn gabor_ripples_at(p: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed
     var pixel_28: GaborPixel;
     var sum_23: GaborPair;
     var i_23: i32 = 0i;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_28 = _e8;
     let _e10 = gabor_impl_no_pair();
@@ -3035,9 +2957,10 @@ fn gabor_ripples_at(p: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed
     return _e29;
 }
 
+// ---- Brushed metal -------------------------------------------------------------------------------------------------
+
 fn gabor_impl_streaks_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
     var density_7: vec2<f32>;
-
     density_7 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
     let _e17 = gabor_impl_unwarped(pixel);
     let _e18 = density_7;
@@ -3048,7 +2971,6 @@ fn gabor_impl_streaks_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal,
 // Adds streaks: the first sum is the height, the second the tone.
 fn gabor_impl_add_streaks(sum: ptr<function, GaborPair>, i: i32, pair: GaborPair) {
     var size_1: f32;
-
     size_1 = exp2(-(f32(i)));
     let _e8 = (*sum);
     let _e10 = size_1;
@@ -3066,7 +2988,6 @@ fn gabor_impl_add_streaks(sum: ptr<function, GaborPair>, i: i32, pair: GaborPair
 
 fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, sum: GaborPair) -> GaborMaterial {
     var colour_7: vec3<f32>;
-
     let _e7 = gabor_impl_tone(sum.second.x, sum.removed, metal.contrast);
     let _e8 = gabor_impl_toned(metal.colour, _e7);
     colour_7 = _e8;
@@ -3079,7 +3000,6 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
     var pixel_30: GaborPixel;
     var sum_26: GaborPair;
     var i_26: i32 = 0i;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_30 = _e8;
     let _e10 = gabor_impl_no_pair();
@@ -3105,10 +3025,13 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
     return _e29;
 }
 
+// ---- Scratches -----------------------------------------------------------------------------------------------------
+//
+// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
+
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborLayer {
     var angle_2: f32;
     var at_10: GaborWarped;
-
     angle_2 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
     let _e17 = gabor_impl_unwarped(pixel);
     let _e18 = angle_2;
@@ -3129,7 +3052,6 @@ fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborS
     var open_1: vec3<f32>;
     var scratch: vec3<f32>;
     var change_6: f32;
-
     size_2 = exp2((-0.13f * f32(i)));
     threshold_2 = sqrt((5.76f - (2f * log(scratches.amount))));
     let _e22 = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.7f);
@@ -3169,7 +3091,6 @@ fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborS
 fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborMaterial {
     var height_5: vec3<f32>;
     var lost_9: vec3<f32>;
-
     height_5 = (scratches.depth * vec3<f32>(sum.height, sum.slope.x, sum.slope.y));
     lost_9 = ((scratches.depth * scratches.depth) * sum.lost);
     let _e20 = height_5;
@@ -3182,7 +3103,6 @@ fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches
     var pixel_32: GaborPixel;
     var sum_29: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_29: i32 = 0i;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_32 = _e8;
     loop {
@@ -3206,6 +3126,8 @@ fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches
     return _e38;
 }
 
+// ---- Zebra ---------------------------------------------------------------------------------------------------------
+
 fn gabor_impl_hide(pixel: GaborPixel, seed: u32) -> GaborWarped {
     let _e2 = gabor_impl_unwarped(pixel);
     let _e8 = gabor_impl_warp(pixel, _e2, vec2(0.9f), vec2(0.14f), seed, 0i);
@@ -3214,7 +3136,6 @@ fn gabor_impl_hide(pixel: GaborPixel, seed: u32) -> GaborWarped {
 
 fn gabor_impl_stripes_direction(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> f32 {
     var place_17: GaborPlace;
-
     let _e3 = gabor_impl_unwarped(pixel);
     let _e6 = gabor_impl_place(_e3, vec2(0.6f));
     place_17 = _e6;
@@ -3247,7 +3168,6 @@ fn gabor_impl_zebra(zebra: GaborZebra, of: GaborPairs) -> GaborMaterial {
     var dark_1: f32;
     var tones_4: vec2<f32>;
     var colour_8: vec3<f32>;
-
     ragged = (0.1f * zebra.hair);
     relief = (0.002f * zebra.hair);
     intensity_1 = length(vec2<f32>(of.c.first.x, of.c.second.x));
@@ -3280,7 +3200,6 @@ fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32)
     var skin_4: GaborWarped;
     var direction_2: f32;
     var of_11: GaborPairs;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_36 = _e8;
     let _e10 = pixel_36;
@@ -3314,9 +3233,10 @@ fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32)
     return _e40;
 }
 
+// ---- Bark ----------------------------------------------------------------------------------------------------------
+
 fn gabor_impl_trunk(pixel: GaborPixel, seed: u32) -> GaborWarped {
     var trunk: GaborWarped;
-
     let _e2 = gabor_impl_unwarped(pixel);
     trunk = _e2;
     let _e4 = trunk;
@@ -3365,7 +3285,6 @@ fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
     var height_6: vec3<f32>;
     var depth_2: vec2<f32>;
     var lost_10: vec3<f32>;
-
     shape = (of.c.first + (0.2f * of.a.first));
     removed_6 = (of.c.removed + (0.04f * of.a.removed));
     let _e28 = gabor_impl_line(of.d.first, of.d.removed, 0.13f);
@@ -3427,7 +3346,6 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
     var trunk_2: GaborWarped;
     var of_13: GaborPairs;
     var i_32: i32 = 0i;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_39 = _e8;
     let _e10 = pixel_39;
@@ -3472,10 +3390,11 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
     return _e51;
 }
 
+// ---- Strata --------------------------------------------------------------------------------------------------------
+
 fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborWarped {
     var rock: GaborWarped;
     var folds: vec4<f32>;
-
     let _e3 = gabor_impl_unwarped(pixel);
     rock = _e3;
     folds = (vec4<f32>(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds);
@@ -3499,7 +3418,6 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
     var local_75: vec2<f32>;
     var local_76: vec2<f32>;
     var density_8: vec2<f32>;
-
     if (i < 4i) {
         let _e7 = gabor_impl_unwarped(pixel);
         let _e14 = gabor_lobe_seed(seed, 7i);
@@ -3535,7 +3453,6 @@ fn gabor_impl_strata(strata: GaborStrata, of: GaborPairs) -> GaborMaterial {
     var colour_10: vec3<f32>;
     var height_7: vec3<f32>;
     var lost_11: vec3<f32>;
-
     let _e8 = gabor_impl_above(of.c.first, of.c.removed, 0.5f, 0.22f);
     soft = _e8;
     let _e18 = gabor_impl_above(of.b.first, of.b.removed, 0f, 0.5f);
@@ -3570,7 +3487,6 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
     var rock_2: GaborWarped;
     var of_15: GaborPairs;
     var i_34: i32 = 0i;
-
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
     pixel_42 = _e8;
     let _e10 = pixel_42;
@@ -3620,13 +3536,49 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
     return _e57;
 }
 
+// ---- The same, filtered --------------------------------------------------------------------------------------------
+
+fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
+    var pixel_43: GaborPixel;
+    var board_5: GaborWarped;
+    var of_16: GaborPairs;
+    var i_35: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_43 = _e6;
+    let _e8 = pixel_43;
+    let _e9 = gabor_impl_board(_e8, wood, seed);
+    board_5 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_16 = _e11;
+    loop {
+        let _e15 = i_35;
+        if !((_e15 < 3i)) {
+            break;
+        }
+        let _e23 = i_35;
+        let _e24 = pixel_43;
+        let _e25 = board_5;
+        let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
+        let _e27 = pixel_43;
+        gabor_impl_add_filtered_spots((&of_16), _e26, _e27);
+        continuing {
+            let _e19 = i_35;
+            i_35 = (_e19 + 1i);
+        }
+    }
+    let _e29 = pixel_43;
+    let _e30 = board_5;
+    let _e31 = of_16;
+    let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
+    return _e32;
+}
+
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
     var pixel_44: GaborPixel;
     var cloth_6: GaborWarped;
     var count_8: vec2<f32>;
     var of_17: GaborPairs;
     var i_36: i32 = 0i;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_44 = _e6;
     let _e8 = pixel_44;
@@ -3667,7 +3619,6 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
     var count_9: vec2<f32>;
     var of_18: GaborPairs;
     var i_37: i32 = 0i;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_45 = _e6;
     let _e8 = pixel_45;
@@ -3709,7 +3660,6 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
     var i_38: i32 = 0i;
     var i_39: i32 = 4i;
     var pair_4: GaborPair;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_46 = _e6;
     let _e8 = pixel_46;
@@ -3772,7 +3722,6 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     var i_40: i32 = 0i;
     var material_1: GaborMaterial;
     var i_41: i32 = 4i;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_47 = _e6;
     let _e8 = pixel_47;
@@ -3828,7 +3777,6 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     var of_21: GaborPairs;
     var i_42: i32 = 0i;
     var ripples_5: GaborLayer;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_48 = _e6;
     let _e8 = pixel_48;
@@ -3870,7 +3818,6 @@ fn gabor_ripples_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
     var pixel_49: GaborPixel;
     var sum_30: GaborPair;
     var i_43: i32 = 0i;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_49 = _e6;
     let _e8 = gabor_impl_no_pair();
@@ -3901,7 +3848,6 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
     var pixel_50: GaborPixel;
     var sum_31: GaborPair;
     var i_44: i32 = 0i;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_50 = _e6;
     let _e8 = gabor_impl_no_pair();
@@ -3932,7 +3878,6 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
     var pixel_51: GaborPixel;
     var sum_32: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_45: i32 = 0i;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_51 = _e6;
     loop {
@@ -3963,7 +3908,6 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
     var direction_3: f32;
     var of_22: GaborPairs;
     var i_46: i32 = 0i;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_52 = _e6;
     let _e8 = pixel_52;
@@ -4010,7 +3954,6 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
     var i_47: i32 = 0i;
     var i_48: i32 = 6i;
     var pair_5: GaborPair;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_53 = _e6;
     let _e8 = pixel_53;
@@ -4071,7 +4014,6 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     var rock_3: GaborWarped;
     var of_24: GaborPairs;
     var i_49: i32 = 0i;
-
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
     pixel_54 = _e6;
     let _e8 = pixel_54;
@@ -4100,178 +4042,172 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     return _e30;
 }
 
+// ---- Definitions of the other public functions ---------------------------------------------------------------------
+
+fn gabor_roughness(material: GaborMaterial) -> f32 {
+    var alpha: f32;
+    alpha = (material.roughness * material.roughness);
+    let _e5 = alpha;
+    let _e6 = alpha;
+    return sqrt(sqrt(min((((_e5 * _e6) + material.lost.x) + material.lost.y), 1f)));
+}
+
+fn gabor_wood_default() -> GaborWood {
+    return GaborWood(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), 13f, 1f, 0.75f, 0.5f);
+}
 fn gabor_fabric_default() -> GaborFabric {
     return GaborFabric(vec3<f32>(0.5f, 0.43f, 0.33f), vec3<f32>(0.6f, 0.53f, 0.42f), 12f, 1f, 1f, 0.85f, 0f);
 }
-
 fn gabor_leather_default() -> GaborLeather {
     return GaborLeather(vec3<f32>(0.2f, 0.068f, 0.026f), vec3<f32>(0.04f, 0.014f, 0.007f), 6.88f, 1f, 1f, 0.4f);
 }
-
 fn gabor_marble_default() -> GaborMarble {
     return GaborMarble(vec3<f32>(0.8f, 0.79f, 0.77f), vec3<f32>(0.13f, 0.135f, 0.145f), 1f, 1f, 0.25f, 0.2f);
 }
-
 fn gabor_sand_default() -> GaborSand {
     return GaborSand(vec3<f32>(0.43f, 0.3f, 0.17f), vec3<f32>(0.6f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f);
 }
-
 fn gabor_ripples_default() -> GaborRipples {
     return GaborRipples(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), 0.6f, 0.8726646f, 1.0471976f, 0.035f, 0.1f);
 }
-
 fn gabor_brushed_metal_default() -> GaborBrushedMetal {
     return GaborBrushedMetal(vec3<f32>(0.55f, 0.555f, 0.565f), 9f, 0.09f, 0.0012f, 0.36f);
 }
-
 fn gabor_scratches_default() -> GaborScratches {
     return GaborScratches(vec3<f32>(0.035f, 0.042f, 0.05f), vec3<f32>(0.6f, 0.61f, 0.62f), 1f, 3f, 1.5707963f, 3.1415927f, 0.0025f, 0.3f);
 }
-
 fn gabor_zebra_default() -> GaborZebra {
     return GaborZebra(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), 1.96f, 0.296706f, 0.3490659f, 1f, 0.7f);
 }
-
 fn gabor_bark_default() -> GaborBark {
     return GaborBark(vec3<f32>(0.2f, 0.145f, 0.1f), vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.1f, 0.13f, 0.045f), 2.21f, 0.35f, 0.13f, 0.9f);
 }
-
 fn gabor_carbon_fibre_default() -> GaborCarbonFibre {
     return GaborCarbonFibre(vec3<f32>(0.028f, 0.029f, 0.031f), 4f, 0.3f, 1f, 0.3f);
 }
-
 fn gabor_strata_default() -> GaborStrata {
     return GaborStrata(vec3<f32>(0.5f, 0.22f, 0.09f), vec3<f32>(0.6f, 0.35f, 0.18f), vec3<f32>(0.28f, 0.075f, 0.035f), vec3<f32>(0.74f, 0.58f, 0.4f), 6f, 1f, 1f, 0.9f);
 }
 
+fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e4 = gabor_wood_default();
+    let _e5 = gabor_wood_at(p, vec2(0f), _e4, seed);
+    return _e5;
+}
 fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_fabric_default();
     let _e5 = gabor_fabric_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_leather_default();
     let _e5 = gabor_leather_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_marble_default();
     let _e5 = gabor_marble_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_sand_default();
     let _e5 = gabor_sand_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_ripples_default();
     let _e5 = gabor_ripples_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_brushed_metal_default();
     let _e5 = gabor_brushed_metal_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_scratches_default();
     let _e5 = gabor_scratches_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_zebra_default();
     let _e5 = gabor_zebra_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_bark_default();
     let _e5 = gabor_bark_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_carbon_fibre_default();
     let _e5 = gabor_carbon_fibre_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
-
 fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_strata_default();
     let _e5 = gabor_strata_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
 
+fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
+    let _e6 = gabor_wood_default();
+    let _e7 = gabor_wood_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
+}
 fn gabor_fabric_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_fabric_default();
     let _e7 = gabor_fabric_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_leather_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_leather_default();
     let _e7 = gabor_leather_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_marble_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_marble_default();
     let _e7 = gabor_marble_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_sand_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_sand_default();
     let _e7 = gabor_sand_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_ripples_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_ripples_default();
     let _e7 = gabor_ripples_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_brushed_metal_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_brushed_metal_default();
     let _e7 = gabor_brushed_metal_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_scratches_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_scratches_default();
     let _e7 = gabor_scratches_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_zebra_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_zebra_default();
     let _e7 = gabor_zebra_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_bark_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_bark_default();
     let _e7 = gabor_bark_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_carbon_fibre_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_carbon_fibre_default();
     let _e7 = gabor_carbon_fibre_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
-
 fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_strata_default();
     let _e7 = gabor_strata_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
+

@@ -1,6 +1,6 @@
-"""Draws the scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp VALUES.raw DROP_IN [NAME=VALUE].
-GABOR_SCENES is the folder with the compiled programs, and GABOR_DXC the DirectX shader compiler's library, for dxc, unity and
-unreal."""
+"""Draws the scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp|mingw VALUES.raw DROP_IN
+[NAME=VALUE]. GABOR_SCENES is the folder with the compiled programs, and GABOR_DXC the DirectX shader compiler's library, for
+dxc, unity and unreal. mingw compiles C++ with CXX after windows.h, and GABOR_WINE runs it."""
 
 import os
 import pathlib
@@ -51,8 +51,10 @@ def with_node(scene):
 
 
 driver, functions = "CPU", {}
-if dialect == "cpp":
-    picture = in_cpp(values.parent, drop_in(name, macros, "hpp"), [CPP], "-std=c++11", "-O1", "-I", SHADERS / "translations")
+if dialect in ("cpp", "mingw"):
+    before, options = ("#include <windows.h>\n", ["-static"]) if dialect == "mingw" else ("", [])
+    picture = in_cpp(values.parent, before + drop_in(name, macros, "hpp"), [CPP], "-std=c++11", "-O1", *options, "-I",
+                     SHADERS / "translations")
 elif dialect == "metal":
     picture = in_cpp(values.parent, metal.as_cpp(drop_in(name, macros, "metal")), [CPP], "-O1", *metal.options(os.environ["CXX"]))
 elif dialect == "unity":
@@ -75,5 +77,6 @@ engine, version, language = {
     "unity": ("Unity's functions", "-", "HLSL by DXC"),
     "unreal": ("Unreal's Custom node", "-", "HLSL by DXC"),
     "cpp": ("none: a C++ compiler", "-", "C++ 11"),
+    "mingw": ("Wine", "-", "C++ 11 by MinGW, after windows.h"),
 }[dialect]
 report(path, picture, engine, version, language, driver, **functions)

@@ -102,14 +102,14 @@ def calls_on_vulkan(package, ending, shader, calls, compiled):
 
 
 def run_cpp(folder, source, *options):
-    """Compiles a C++ program, and runs it with the name of a file, into which it writes words of 32 bits. Returns these and the
-    compiler's messages."""
+    """Compiles a C++ program with CXX, and runs it, by GABOR_WINE if set, with the name of a file, into which it writes words of
+    32 bits. Returns these and the compiler's messages."""
     program, values = (pathlib.Path(folder) / f"program.{kind}" for kind in ("out", "raw"))
     made = subprocess.run([os.environ.get("CXX", "c++"), *options, "-x", "c++", "-", "-o", program], input=source, text=True,
                           stderr=subprocess.PIPE)
     if made.returncode != 0:
         raise AssertionError(made.stderr)
-    subprocess.run([program, values], check=True)
+    subprocess.run([*filter(None, [os.environ.get("GABOR_WINE")]), program, values], check=True)
     return np.fromfile(values, "<u4"), made.stderr
 
 

@@ -126,10 +126,10 @@ TEST_CASE("spreads, lobes and the filter agree with the reference in tiles, in f
             place.cell[axis] = static_cast<std::int32_t>(random.word() % 2 ? random.word() & 0x7fffff00u
                                                                            : random.word() % 16);
         place.animated = true;
-        place.time = random.uniform(0, 1);
+        place.moment = random.uniform(0, 1);
         s.place = {{place.cell.x, place.cell.y}, test::wide(place.local)};
         s.place.animated = true;
-        s.place.time = place.time;
+        s.place.time = place.moment;
         for (std::size_t axis = 0; axis < 2; ++axis)
             if (const double length = period[static_cast<int>(axis)]; length > 0) {
                 s.place.period[axis] = static_cast<int>(std::floor(1.5 * length + 0.5));

@@ -228,7 +228,7 @@ void see_all(int i) {
     GaborPlace place = gabor_place(s.cell, s.local);
     place.radius *= 0.9f;
     place.period = ivec2(7, 12);
-    place.time = s.time;
+    place.moment = s.time;
 #endif
 #if defined GOLDEN_NOISE
     place.animated = i % 2 == 0;
@@ -261,7 +261,7 @@ void see_all(int i) {
         lobes.lobe[k].power = 0.0f;
     GaborPlace place = gabor_place_tiled(p, s.period);
     place.animated = true;
-    place.time = s.time;
+    place.moment = s.time;
     float removed;
 #define SPREAD s.frequency, s.orientation, s.frequency_spread, s.orientation_spread, s.seed
     SEE(gabor_noise_spread(s.p, SPREAD))
@@ -319,7 +319,7 @@ void see_all(int i) {
     place.radius *= 0.9f;
     place.period = ivec2(7, 12);
     place.animated = i % 2 == 0;
-    place.time = s.time;
+    place.moment = s.time;
     GaborWaves waves;
     for (int k = 0; k < 9; ++k)
         waves.wave[k] = vec2(drawn(i, 40 + k, -3.0f, 3.0f), drawn(i, 50 + k, -3.0f, 3.0f));
@@ -339,7 +339,7 @@ void see_all(int i) {
     place.radius *= vec3(0.9f, 1.1f, 1.0f);
     place.period = ivec3(7, 0, 12);
     place.animated = i % 2 == 0;
-    place.time = s.time;
+    place.moment = s.time;
     place.filtered = i % 4 < 2;
     place.dx = s.dx_3d;
     place.dy = s.dy_3d;

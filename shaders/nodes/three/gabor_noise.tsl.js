@@ -2,26 +2,22 @@
 //
 //     material.colorNode = vec3(gabor_unorm(gabor_noise(uv().mul(8), 4, 0.7854, uint(7))));
 //
-// Arguments are nodes or numbers; gabor_noise.tsl.d.ts has their types and units. tools/translate copies the functions
-// between the marks from the GLSL.
+// Arguments are nodes or numbers; gabor_noise.tsl.d.ts has their types and units.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 import { Fn, abs, clamp, cross, dFdx, dFdy, dot, exp, float, floor, int, ivec2, length, max, min, normalView, normalize,
          positionView, select, sign, uint, vec2, vec3, vec4 } from "three/tsl";
 
-// ---- From gabor_noise.glsl ----
-
 const ROWS = 0x5bd1e995;
 const SLICES = 0x27d4eb2f;
 const SCALE2D = 6.0884665e-28;
 const SCALE3D = 5.7402612e-28;
 
-const gabor_impl_mix = (word_, salt) => {
-    let word = word_.toVar();
-    word = word.bitXor(word.shiftRight(uint(16))).mul(uint(0x21f0aaad)).add(salt).toVar();
-    word = word.bitXor(word.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
-    return word.bitXor(word.shiftRight(uint(15)));
+const gabor_impl_mix = (word, salt) => {
+    const once = word.bitXor(word.shiftRight(uint(16))).mul(uint(0x21f0aaad)).add(salt).toVar();
+    const twice = once.bitXor(once.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
+    return twice.bitXor(twice.shiftRight(uint(15)));
 };
 
 const gabor_impl_lobe_seed = (seed, index) => {
@@ -33,14 +29,13 @@ const gabor_impl_salt = (seed) => {
 };
 
 const gabor_impl_line_word = (index, salt) => {
-    let word = uint(index).mul(uint(0x9e3779b1)).add(salt).toVar();
-    word = word.mul(word.bitXor(word.shiftRight(uint(15)))).toVar();
-    return word.shiftRight(uint(8)).bitOr(uint(0x800001));
+    const word = uint(index).mul(uint(0x9e3779b1)).add(salt).toVar();
+    return word.mul(word.bitXor(word.shiftRight(uint(15)))).shiftRight(uint(8)).bitOr(uint(0x800001));
 };
 
 const gabor_impl_amplitude = (word) => {
     const u = vec2(float(int(word)), float(int(word.shiftLeft(uint(12))))).toVar();
-    return u.sub(float(0.89289313).mul(clamp(u, -2011925800.0, 2011925800.0))).mul(u.mul(u).add(7.3973916e+18));
+    return u.sub(float(0.89289313).mul(clamp(u, -2.0119258e9, 2.0119258e9))).mul(u.mul(u).add(7.3973916e18));
 };
 
 const gabor_impl_product = (a, b) => {
@@ -53,14 +48,11 @@ const gabor_impl_half_turn = (t) => {
     return vec2(float(1.0).sub(float(19.739171).mul(s)).add(r.mul(float(64.934591).sub(float(85.240337).mul(s)).add(float(56.24243).mul(r)))), t.mul(float(6.2831852).sub(float(41.341655).mul(s)).add(r.mul(float(81.601004).sub(float(76.549782).mul(s)).add(float(39.536707).mul(r))))));
 };
 
-const gabor_impl_wave = (t_) => {
-    let t = t_.toVar();
-    t = t.sub(floor(t.add(0.5))).toVar();
-    const turn = gabor_impl_half_turn(float(0.25).sub(abs(t))).toVar();
-    return vec2(turn.y, select(t.lessThan(0.0), turn.x.negate(), turn.x));
+const gabor_impl_wave = (t) => {
+    const within = t.sub(floor(t.add(0.5))).toVar();
+    const turn = gabor_impl_half_turn(float(0.25).sub(abs(within))).toVar();
+    return vec2(turn.y, select(within.lessThan(0.0), turn.x.negate(), turn.x));
 };
-
-// ---- End ----
 
 const RADIUS = 1.5;                  // nodes per kernel radius
 const TURN = 6.2831853;
