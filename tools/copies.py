@@ -12,8 +12,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 # The drop-ins in each single-file bundle.
 BUNDLES = {
     "noise": ["gabor_noise"],
-    "materials": ["gabor_noise", "gabor_spectrum", "gabor_materials"],
-    "noise_3d": ["gabor_noise", "gabor_spectrum", "gabor_noise_3d"],
+    "filter": ["gabor_noise", "gabor_spectrum", "gabor_filter"],
+    "materials": ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_materials"],
+    "noise_3d": ["gabor_noise", "gabor_noise_3d"],
     "direction": ["gabor_noise", "gabor_direction"],
     "erosion": ["gabor_noise", "gabor_erosion"],
 }

@@ -260,8 +260,8 @@ class Node(Package):
 
 
 class Bevy(Node):
-    MODULES = {"noise": "gabor_noise", "spectrum": "gabor_spectrum", "noise_3d": "gabor_noise_3d", "materials": "gabor_materials",
-               "erosion": "gabor_erosion", "direction": "gabor_direction"}
+    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion",
+                                                  "direction")}
     DEFINED = re.compile(r"^(?:fn|struct|const) (\w+)", re.MULTILINE)
 
     def made(self, root):
