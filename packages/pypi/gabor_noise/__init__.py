@@ -162,7 +162,8 @@ def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl
     """Return the text of a drop-in: name is "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion",
     "direction" or "sparse".
 
-    Paste all but "sparse" after "noise", and "materials" and "filter_3d" after "spectrum" and "filter" too.
+    Paste all but "sparse" after "noise", "materials" after "spectrum" and "filter" too, and "filter_3d" after
+    "filter" and "noise_3d".
     """
     folder = importlib.resources.files(__name__) / "source"
     if language not in _ENDINGS:
