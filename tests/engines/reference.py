@@ -122,7 +122,7 @@ def lattice(cell, x, y, taps=3, period=2**32):
 
 
 def complex_lattice_3d(x, y, z, direction):
-    """Returns the lattice's noise and quadrature in space, with three taps; x, y and z are in kernel radii."""
+    """Returns the lattice's noise and quadrature in 3D, with three taps; x, y and z are in kernel radii."""
     wave = FREQUENCY * np.array(direction) / np.linalg.norm(direction)
     x, y, z = np.broadcast_arrays(1.5 * x, 1.5 * y, 1.5 * z)
     first = [np.floor(each).astype(np.int64) for each in (x, y, z)]

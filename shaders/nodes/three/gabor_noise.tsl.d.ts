@@ -17,7 +17,7 @@ export function gabor_noise_gradient(p: Node, frequency: Value, orientation: Val
 export function gabor_noise_tiled(p: Node, period: Node, frequency: Value, orientation: Value, seed: Value): Node;
 /** Noise that evolves in place with period 1. */
 export function gabor_noise_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
-/** Noise in space; p and direction are vec3, and direction may have any length but 0. */
+/** Noise in 3D; p and direction are vec3, and direction may have any length but 0. */
 export function gabor_noise_3d(p: Node, frequency: Value, direction: Node, seed: Value): Node;
 /** (cosine, sine, intensity) of stripes of even contrast, at right angles to a wave vector, a vec2. 2 is a good sharpness. */
 export function gabor_stripes(p: Node, wave: Node, sharpness: Value, seed: Value): Node;
@@ -30,7 +30,7 @@ export function gabor_field_wave(p: Node, wave: Node, seed: Value): Node;
 export function gabor_field_tiled(p: Node, period: Node, frequency: Value, orientation: Value, seed: Value): Node;
 /** The same with the time of gabor_noise_animated. */
 export function gabor_field_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
-/** (noise, d/dx, d/dy, d/dz) in space. */
+/** (noise, d/dx, d/dy, d/dz) in 3D. */
 export function gabor_field_3d(p: Node, frequency: Value, direction: Node, seed: Value): Node;
 
 /** The wave vector of a frequency and an orientation: a vec2. */
