@@ -90,13 +90,13 @@ class UnityStripes(UnityNoise):
 # Writes the values of functions.mjs, one for each function of gabor_noise.tsl.js, at the scene's points.
 TSL = """
 import { writeFileSync } from "node:fs";
-import { float, vec2, vec3 } from "./three_tsl.mjs";
+import { dot, float, normalize, vec2, vec3 } from "./three_tsl.mjs";
 import * as gabor from "./gabor_noise.mjs";
 
 const points = Array.from({ length: 256 * 32 }, (_, i) => i);
 const node = values => { const made = float(0); made.parts = [Float32Array.from(values)]; return made; };
 const p = vec2(node(points.map(i => (i % 256 + 0.5) / 32)), node(points.map(i => (Math.floor(i / 256) + 0.5) / 32)));
-const functions = (await import("./functions.mjs")).functions(gabor, { float, vec2, vec3 }, p);
+const functions = (await import("./functions.mjs")).functions(gabor, { dot, normalize, vec2, vec3 }, p);
 writeFileSync(process.argv[2], Buffer.concat(Object.values(functions).map(value => Buffer.from(value.parts[0].buffer))));
 console.log(JSON.stringify(Object.keys(functions)));
 """

@@ -157,9 +157,9 @@ def four(x, y):
     return sum((index + 1) / 4 * plane(x, y, seed=seed).imag for index, seed in enumerate(seeds))
 
 
-def tiled(x, y):
+def tiled(x, y, time=0.0):
     """Returns noise with periods of 2 and 1 kernel radii. Each has 3 nodes, so the second has narrower windows."""
-    return complex_lattice((0, 0), 1.5 * x, 3 * y, period=(3, 3), radius=(1.5, 3)).imag
+    return complex_lattice((0, 0), 1.5 * x, 3 * y, period=(3, 3), radius=(1.5, 3), time=time).imag
 
 
 def solid(x, y):
@@ -194,6 +194,7 @@ FUNCTIONS = {
     "gradient": gradient,
     "four": four,
     "tiled": tiled,
+    "tiled and animated": lambda x, y: tiled(x, y, 0.3),
     "stripes": stripes,
     "brushed metal": brushed,
     "animated": lambda x, y: plane(x, y, time=0.3).imag,
