@@ -115,6 +115,9 @@ void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t
                 const Common& common, const Store& store) {
     const GaborPlace origin = gabor_place_tiled({0.0f, 0.0f}, common.period);
     const gabor_vec2 first = gabor_wave_vector(frequency[0], orientation[0]);
+    const float time = animated ? common.time : 0.0f;
+    if (animated && time == 0.0f)
+        return; // never: it tells compilers that the time is not 0, so that they vectorize the loop
     for (std::size_t start = begin; start < end; start += Block::size) {
         const std::size_t count = std::min(Block::size, end - start);
         const Block block(x, y, start, count, origin.radius);
@@ -122,7 +125,7 @@ void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t
             GaborPlace place = tiled ? origin : gabor_place({0, 0}, {0.0f, 0.0f});
             place.cell = {block.cell_x[i], block.cell_y[i]};
             place.local = {block.local_x[i], block.local_y[i]};
-            place.time = animated ? common.time : 0.0f;
+            place.time = time;
             const gabor_vec2 wave =
                 one_wave ? first : gabor_wave_vector(frequency[start + i], orientation[start + i]);
             store(values + start + i, total, gabor_field(place, wave, common.seed));
