@@ -133,7 +133,8 @@ void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t
     }
 }
 
-// Returns what `store` keeps of the field at each point, with one wave vector for all points or one per point.
+// Returns what `store` keeps of the field at each point, with one wave vector for all points or one per
+// point.
 template <std::size_t channels, typename Store>
 nb::object evaluate_field(const Doubles& x, const Doubles& y, const Floats& frequency,
                           const Floats& orientation, const Common& common, const Store& store) {
@@ -159,27 +160,27 @@ nb::object evaluate_field(const Doubles& x, const Doubles& y, const Floats& freq
 } // namespace
 
 NB_MODULE(_native, module) {
-    module.def("field", [](const Doubles& x, const Doubles& y, const Floats& frequency,
-                           const Floats& orientation, std::uint32_t seed, float period_x, float period_y,
-                           float time, int channels) {
-        const Common common{{period_x, period_y}, time, seed};
-        if (channels == 1)
-            return evaluate_field<1>(
-                x, y, frequency, orientation, common,
-                [](float* out, std::size_t, const GaborField& field) { *out = field.noise; });
-        if (channels == 2)
-            return evaluate_field<2>(x, y, frequency, orientation, common,
-                                     [](float* out, std::size_t total, const GaborField& field) {
-                                         out[0] = field.quadrature;
-                                         out[total] = field.noise;
-                                     });
-        return evaluate_field<3>(x, y, frequency, orientation, common,
-                                 [](float* out, std::size_t total, const GaborField& field) {
-                                     out[0] = field.noise;
-                                     out[total] = field.gradient.x;
-                                     out[2 * total] = field.gradient.y;
-                                 });
-    });
+    module.def("field",
+               [](const Doubles& x, const Doubles& y, const Floats& frequency, const Floats& orientation,
+                  std::uint32_t seed, float period_x, float period_y, float time, int channels) {
+                   const Common common{{period_x, period_y}, time, seed};
+                   if (channels == 1)
+                       return evaluate_field<1>(
+                           x, y, frequency, orientation, common,
+                           [](float* out, std::size_t, const GaborField& field) { *out = field.noise; });
+                   if (channels == 2)
+                       return evaluate_field<2>(x, y, frequency, orientation, common,
+                                                [](float* out, std::size_t total, const GaborField& field) {
+                                                    out[0] = field.quadrature;
+                                                    out[total] = field.noise;
+                                                });
+                   return evaluate_field<3>(x, y, frequency, orientation, common,
+                                            [](float* out, std::size_t total, const GaborField& field) {
+                                                out[0] = field.noise;
+                                                out[total] = field.gradient.x;
+                                                out[2 * total] = field.gradient.y;
+                                            });
+               });
     module.def("spread", [](const Doubles& x, const Doubles& y, float frequency, float orientation,
                             float frequency_spread, float orientation_spread, std::uint32_t seed) {
         const Values<double> across(x), down(y);
