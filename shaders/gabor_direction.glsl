@@ -1,17 +1,17 @@
 // gabor_direction.glsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
 //
-// Paste or include this file after gabor_noise.glsl, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.glsl, with GABOR_TAPS 3, and after these lines:
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
-//     #define GABOR_DIRECTION(p) flow(p)
-//     #include "gabor_direction.glsl"
-//     ...
+//     #define GABOR_DIRECTION(p) flow(p)                              // vec2(0.0) if you call only gabor_field_waves
+//
 //     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: the noise shows nothing of it, while
+// stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.glsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
@@ -25,6 +25,9 @@
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.glsl needs GABOR_TAPS 3
+#endif
+#ifndef GABOR_DIRECTION
+#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.glsl
 #endif
 #ifndef GABOR_DIRECTION_GLSL
 #define GABOR_DIRECTION_GLSL
@@ -43,7 +46,7 @@ struct GaborWaves {
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
 
-// ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
+// ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`.
@@ -91,7 +94,7 @@ GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
     GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.time);
+            vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
             vec2 d = vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          vec2(x.node[i].x, stretch.x * x.node[i].z),
@@ -103,7 +106,6 @@ GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
     return field;
 }
 
-#ifdef GABOR_DIRECTION
 GaborField gabor_field_direction(GaborPlace place, uint seed) {
     GaborWaves waves;
     for (int i = 0; i < 9; ++i)
@@ -114,6 +116,5 @@ GaborField gabor_field_direction(GaborPlace place, uint seed) {
 vec3 gabor_stripes_direction(vec2 p, float sharpness, uint seed) {
     return gabor_stripes_of(gabor_field_direction(gabor_place_at(p), seed), sharpness);
 }
-#endif
 
 #endif // GABOR_DIRECTION_GLSL

@@ -164,9 +164,9 @@ void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred, out 
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float time) {
+vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float moment) {
     vec4 sum, slope;
-    gabor_impl_sum(columns, rows, time, sum, slope);
+    gabor_impl_sum(columns, rows, moment, sum, slope);
     return sum.xy + coupling * slope.zw;
 }
 
@@ -181,9 +181,9 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, vec2 wave, vec3 s, uint 
     GaborAxis columns_slope, rows_slope;
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
-    vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.time);
-    vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.time);
-    vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.time);
+    vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
+    vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
+    vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
     return gabor_impl_field(vec4(value, along_x), vec4(along_y, 0.0, 0.0), turn, wave, vec2(1.0));
 }
 
@@ -333,21 +333,21 @@ GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, flo
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
 void gabor_impl_add_filtered_node(inout GaborFactors row, inout GaborFactors edge, GaborFilteredLine column, uint row_word,
-                                  float time) {
-    vec2 a = gabor_impl_amplitude_at(column.word * row_word, time), b = column.fade.x * a, c = column.fade.y * a;
+                                  float moment) {
+    vec2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float time, out GaborFactors edge) {
+GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float moment, out GaborFactors edge) {
     GaborFactors row = GaborFactors(vec3(0.0), vec3(0.0)), none = row;
     edge = row;
-    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, time);
-    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, time);
-    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, time);
-    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, time);
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, moment);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, moment);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, moment);
     return row;
 }
 
@@ -388,7 +388,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, vec2 wave, vec3 s, bool wa
     do {
         line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
         GaborFactors edge;
-        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.time, edge);
+        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
@@ -423,7 +423,7 @@ GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint, float
         vec3 s = footprint.resolved;
         uint salt = gabor_impl_salt(seed);
         float amplitude = 1.0;
-        if (any(notEqual(footprint.resolved, footprint.covariance)))
+        if (distance(footprint.resolved, footprint.covariance) > 0.0)
             amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
         if (wide < 1.0)
             gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude,
@@ -532,7 +532,7 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2 dx, vec2 dy, fl
         uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
             vec2 d = vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.time);
+            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
             vec2 t = clamp((1.0 - abs(d)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
             vec2 change = -6.0 / width * t * (1.0 - t) * sign(d);
             vec2 cosine = fall * (vec2(x.node[i].x, y.node[j].x) - 0.5);

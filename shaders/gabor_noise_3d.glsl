@@ -35,7 +35,7 @@ struct GaborPlace3d {
     vec3 local;
     vec3 radius;
     ivec3 period;
-    float time;
+    float moment;
 };
 
 // GaborPlace3d gabor_place_3d_at(vec3 p)
@@ -124,17 +124,17 @@ uint gabor_impl_slice_word(uint row, uint slice) {
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float time, out vec4 sum, out vec4 slope) {
+void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment, out vec4 sum, out vec4 slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
-    gabor_impl_sum(x, y, time, sum, slope);
+    gabor_impl_sum(x, y, moment, sum, slope);
 }
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-void gabor_impl_add_slice(inout vec4 sum, inout vec4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float time) {
+void gabor_impl_add_slice(inout vec4 sum, inout vec4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment) {
     vec4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, k, time, slice, slope);
+    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += vec4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
 }
@@ -162,9 +162,9 @@ GaborField3d gabor_field_3d(GaborPlace3d place, vec3 wave, uint seed) {
                                   GABOR_RADIUS);
     vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     vec4 sum = vec4(0.0), slopes = vec4(0.0);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.time);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.time);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.time);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.moment);
     GaborField3d field = gabor_impl_field_3d(sum, slopes, turn, wave);
     field.gradient *= stretch;
     field.quadrature_gradient *= stretch;
@@ -265,8 +265,8 @@ GaborStar3d gabor_impl_star_3d(GaborTangents tangents, vec3 d, uint word) {
 
 // Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
 // to the point.
-void gabor_impl_add_wave_3d(inout GaborField3d sum, vec4 window, vec4 wave, float time, uint word) {
-    vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, time), gabor_impl_wave(wave.w));
+void gabor_impl_add_wave_3d(inout GaborField3d sum, vec4 window, vec4 wave, float moment, uint word) {
+    vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     vec2 value = window.w * a;
     sum.noise += value.y;
     sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz;
@@ -292,16 +292,16 @@ uint gabor_impl_node_word(GaborAxis axis, int i) {
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
 // frequency along each axis.
-void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode y, GaborNode z, vec3 scale, float time,
+void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode y, GaborNode z, vec3 scale, float moment,
                                   GaborTangents tangents, uint column, uvec4 row) {
     vec3 d = scale * vec3(x.offset, y.offset, z.offset);
     GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     vec4 window = vec4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     vec4 unit = vec4(scale, 1.0);
-    gabor_impl_add_wave_3d(sum, window, unit * star.u, time, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.v, time, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, time, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.u, moment, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.v, moment, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, moment, column * row.z);
 }
 
 // The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
@@ -316,9 +316,9 @@ GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTang
     for (int i = 0; i < 9; ++i) {
         GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.time, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.time, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.time, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
     }
     GaborField3d field = GaborField3d(0.0, vec3(0.0), 0.0, vec3(0.0), 0.0);
     float amplitude = inversesqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)

@@ -19,7 +19,10 @@
 #ifndef GABOR_SPARSE_GLSL
 #define GABOR_SPARSE_GLSL
 
-#ifdef GL_ES
+#if __VERSION__ > 0 && __VERSION__ < 200
+// Here naga has 0, and Babylon.js 200 for WebGL 2.
+#error gabor_sparse.glsl needs GLSL 330 or GLSL ES 300, which is WebGL 2
+#elif defined(GL_ES)
 precision highp float;
 precision highp int;
 #endif
@@ -90,7 +93,7 @@ precision highp int;
 //     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
 //     2, the diameter of a kernel, counts as 2.
 
-// float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
+// float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
 //     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
 //     points, the noise hardly changes.
@@ -113,7 +116,7 @@ struct GaborPlace {
     vec2 local;   // offset from that cell's corner in cells, most precise in [0, 1)^2
     vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
     ivec2 period; // period in cells, 0 for none
-    float time;   // time in periods: only its fraction counts
+    float moment; // time in periods: only its fraction counts
 };
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -151,11 +154,12 @@ struct GaborField {
 //
 // After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-void gabor_impl_macros_must_be_int_float_float_int_vec3(int n, float r, float a, int phases, vec3 window) {
+float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, int phases, vec3 window) {
+    return float(n + phases) + r + a + window.x;
 }
-void gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
-                                                       GABOR_WINDOW);
+float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+                                                            GABOR_PHASES, GABOR_WINDOW);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
@@ -302,11 +306,11 @@ int gabor_impl_wrap(int cell, int period) {
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
 // J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-float gabor_impl_phase_gain(GaborKernel kernel, float time) {
-    if (GABOR_PHASES != 2 || time == 0.0)
+float gabor_impl_phase_gain(GaborKernel kernel, float moment) {
+    if (GABOR_PHASES != 2 || moment == 0.0)
         return 1.0;
-    vec4 sines = vec4(gabor_impl_sine(time), gabor_impl_sine(2.0 * time),
-                      gabor_impl_sine(3.0 * time), gabor_impl_sine(4.0 * time));
+    vec4 sines = vec4(gabor_impl_sine(moment), gabor_impl_sine(2.0 * moment),
+                      gabor_impl_sine(3.0 * moment), gabor_impl_sine(4.0 * moment));
     float u = 0.5 * dot(sines, sines);
     return inversesqrt(1.0 + u * (1.0 - kernel.variance_factor) / kernel.variance_factor);
 }
@@ -342,7 +346,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     ivec2 cell = place.cell + ivec2(whole + first);
     first -= 1.0; // undoes the 1 of position_plus_one
     vec2 cell_side = 1.0 / place.radius;
-    float time = fract(place.time);
+    float moment = fract(place.moment);
     uint seed_word = gabor_impl_seed_word(seed);
     GaborField sum = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
     GABOR_UNROLL for (int j = 0; j < visited; ++j) {
@@ -357,7 +361,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (max(abs(d.x), abs(d.y)) < 1.0) {
-                    float turns = dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * time;
+                    float turns = dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * moment;
                     vec2 x = gabor_impl_window(d.x);
                     vec2 y = gabor_impl_window(d.y);
                     vec2 wave = impulse.magnitude * vec2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
@@ -372,7 +376,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed) {
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
     float scale = kernel.amplitude * GABOR_RADIUS * inversesqrt(place.radius.x * place.radius.y)
-                * gabor_impl_phase_gain(kernel, time);
+                * gabor_impl_phase_gain(kernel, moment);
     return GaborField(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
 }
 
@@ -408,9 +412,9 @@ float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation,
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed) {
+float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place(ivec2(0), p * GABOR_RADIUS);
-    place.time = time;
+    place.moment = moment;
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

@@ -119,7 +119,7 @@ GaborPlace gabor_impl_stretched(GaborPlace place, vec2 radius) {
     ivec2 cell = ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     vec2 unit = 1.0 / (place.radius * radius);
     GaborPlace stretched = gabor_place_tiled((vec2(cell) + place.local) * unit, vec2(place.period) * unit);
-    stretched.time = place.time;
+    stretched.moment = place.moment;
     return stretched;
 }
 
@@ -228,16 +228,16 @@ struct GaborStar {
 };
 
 // `d`: offset of the point from the node, in periods of the waves.
-GaborStar gabor_impl_star(uvec4 words, vec2 d, float time) {
+GaborStar gabor_impl_star(uvec4 words, vec2 d, float moment) {
     GaborStar star;
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
     star.v = 0.5 * star.u + 0.8660254 * vec2(-star.u.y, star.u.x);
     star.first = gabor_impl_wave(dot(star.u, d));
     star.second = gabor_impl_wave(dot(star.v, d));
     star.third = gabor_impl_product(star.second, vec2(star.first.x, -star.first.y));
-    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, time), star.first);
-    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, time), star.second);
-    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, time), star.third);
+    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, moment), star.first);
+    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, moment), star.second);
+    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, moment), star.third);
     return star;
 }
 
@@ -264,7 +264,7 @@ GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
         uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
             vec2 d = frequency / place.radius * vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.time);
+            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
             vec2 h = vec2(x.node[i].x, y.node[j].x);
             vec3 window = vec3(h.x * h.y, stretch * vec2(x.node[i].z, y.node[j].z) * h.yx);
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -287,12 +287,17 @@ float gabor_noise_isotropic(vec2 p, float frequency, uint seed) {
 // turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
 // between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
 // the integral of one period.
-vec3 gabor_impl_ends(vec2 stripes) {
-    vec2 phasor = gabor_phasor(stripes);
-    float y = max(1.0 - phasor.y, 0.0);
+vec3 gabor_impl_ends_at(float phase, float span) {
+    float y = max(1.0 - span, 0.0);
     float width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376)));
     width = clamp(width, 0.001, 1.0);
-    return vec3(phasor.x - 0.5 * width, phasor.x + 0.5 * width, 1.0 / width);
+    phase -= floor(phase);
+    return vec3(phase - 0.5 * width, phase + 0.5 * width, 1.0 / width);
+}
+
+vec3 gabor_impl_ends(vec2 stripes) {
+    vec2 phasor = gabor_phasor(stripes);
+    return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 
 float gabor_profile_sine(vec2 stripes) {

@@ -4,8 +4,10 @@ tests/shaders/test_instructions.py. The calls are in tests/shaders/instructions.
 import pathlib
 import re
 
+import copies
+
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DROP_INS = {path.stem: path.read_text() for path in sorted((ROOT / "shaders").glob("gabor_*.glsl")) if path.stem != "gabor_sparse"}
+DROP_INS = {path: path.read_text() for path in sorted((ROOT / "shaders").glob("gabor_*.glsl")) if path.stem != "gabor_sparse"}
 # What a call may use, and its number of components: the shaders read all from a buffer, so that no compiler folds a call.
 ARGUMENTS = {"p": 2, "dx": 2, "dy": 2, "wave": 2, "period": 2, "q": 3, "dx_3d": 3, "dy_3d": 3, "wave_3d": 3, "normal": 3,
              "direction": 3, "frequency": 1, "orientation": 1, "spread": 1, "time": 1, "seed": 1}
@@ -22,21 +24,12 @@ def table():
             yield call, int(most)
 
 
-def needed(file):
-    """Returns a drop-in's file and those before it, in order."""
-    error = re.search(r"^#error Include (.*) before", DROP_INS[file], re.MULTILINE)
-    before = re.findall(r"gabor_\w+(?=\.glsl)", error[1]) if error else []
-    if file == "gabor_filter":  # filters isotropic noise and lobes if it comes after them
-        before.append("gabor_spectrum")
-    return list(dict.fromkeys([*sum(map(needed, before), []), file]))
-
-
 def shader(call, language):
     """Returns a shader in "glsl" or "wgsl" that stores the sum of all components of a call's result."""
-    found = [(file, kind) for name in re.findall(r"gabor_\w+", call) for file, text in DROP_INS.items()
+    found = [(path, kind) for name in re.findall(r"gabor_\w+", call) for path, text in DROP_INS.items()
              for kind in re.findall(rf"^(\w+) {name}\([^)]*\)\s*\{{", text, re.MULTILINE)]
-    kind, files = found[0][1], dict.fromkeys(sum((needed(file) for file, _ in found), []))
-    texts = [DROP_INS[file] if language == "glsl" else (ROOT / "shaders" / "translations" / f"{file}.wgsl").read_text() for file in files]
+    kind, paths = found[0][1], dict.fromkeys(each for path, _ in found for each in [*copies.needed(path), path])
+    texts = [DROP_INS[path] if language == "glsl" else (ROOT / "shaders" / "translations" / f"{path.stem}.wgsl").read_text() for path in paths]
     struct = re.search(rf"^struct {kind} \{{(.*?)^\}};", "".join(DROP_INS.values()), re.MULTILINE | re.DOTALL)
     members = re.findall(r"^    (\w+) (\w+);", struct[1], re.MULTILINE) if struct else [(kind, "")]
     parts = [f"result.{member}".rstrip(".") for _, member in members]
@@ -52,7 +45,7 @@ def shader(call, language):
     if language == "glsl":
         code = [f"{kind} {argument} = {value};" for kind, argument, value in lines]
         code[-1:-1] = [f"{kind} {argument};\n{text}" for argument, (kind, text) in VARIABLES.items() if argument in call]
-        before, main = "#version 450\n", "layout(local_size_x = 64) in;\nlayout(std430, binding = 0) buffer Values { float values[]; };\nvoid main() {\n"
+        before, main = "#version 450\n#define GABOR_DIRECTION(p) (p)\n", "layout(local_size_x = 64) in;\nlayout(std430, binding = 0) buffer Values { float values[]; };\nvoid main() {\n"
     else:
         code = [f"let {argument} = {value.replace('uint(', 'u32(')};" for _, argument, value in lines]
         code[-1:-1] = [f"var {argument}: {kind};\n{text}" for argument, (kind, text) in VARIABLES.items() if argument in call]

@@ -1,25 +1,23 @@
-"""Other files made from the drop-ins: the page and bundles that contain them, and the program's table of their structs'
-members. tools/translate calls this module."""
+"""Other files made from the drop-ins: the page that contains them, and the program's table of their structs' members.
+tools/translate calls this module."""
 
 import math
 import pathlib
 import re
 
-import glsl
-
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-
-# The drop-ins in each single-file bundle.
-BUNDLES = {
-    "noise": ["gabor_noise"],
-    "materials": ["gabor_noise", "gabor_spectrum", "gabor_materials"],
-    "noise_3d": ["gabor_noise", "gabor_spectrum", "gabor_noise_3d"],
-    "direction": ["gabor_noise", "gabor_direction"],
-    "erosion": ["gabor_noise", "gabor_erosion"],
-}
+DROP_INS = sorted((ROOT / "shaders").glob("gabor_*.glsl"))
 # The page that contains drop-ins: it opens from disk, where a browser cannot read other files.
 DEMO = ROOT / "docs" / "demo" / "index.html"
 IN_PAGE = re.compile(r'(<script type="text/plain" id="(gabor_\w+)\.glsl">\n)(?:.*\n)*?(</script>\n)')
+
+
+def needed(path):
+    """Returns the drop-ins that may come before one, in order: those whose guards it tests."""
+    text = re.sub(r"#ifdef .*\n#error .*", "", path.read_text())  # this one must not come before it
+    tested = re.findall(r"(GABOR_\w+)_GLSL", "".join(re.findall(r"^#(?:if|elif).*", text, re.MULTILINE)))
+    others = [other for other in DROP_INS if other.stem in map(str.lower, tested) and other.stem != path.stem]
+    return list(dict.fromkeys(each for other in others for each in [*needed(other), other]))
 
 
 def struct_rows(*trees):
@@ -52,16 +50,6 @@ def struct_rows(*trees):
 
 def made(shader):
     """Yields the path and text of each file. `shader` returns the syntax tree of a drop-in."""
-    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(shader("gabor_materials"), shader("gabor_erosion"))
-    yield DEMO, IN_PAGE.sub(lambda match: match[1] + shader(match[2]).text + match[3], DEMO.read_text())
-
-
-def bundles(shader):
-    """Yields the name and text of each bundle, with and without comments."""
-    for bundle, names in BUNDLES.items():
-        text = "\n".join(shader(name).text for name in names)
-        notice = next(comment.text for comment in shader(names[0]).comments if comment.text.startswith("// Copyright"))
-        lines = [line.rstrip() for line in glsl.without_comments(text).splitlines()]
-        files = ", ".join(f"{name}.glsl" for name in names)
-        yield f"gabor_bundle_{bundle}.glsl", text
-        yield f"gabor_bundle_{bundle}.min.glsl", f"// {files}, without comments. {notice[3:]}\n" + "\n".join(filter(None, lines)) + "\n"
+    trees = {path.stem: shader(path) for path in DROP_INS}
+    yield ROOT / "host" / "render" / "struct_rows.inc", struct_rows(trees["gabor_materials"], trees["gabor_erosion"])
+    yield DEMO, IN_PAGE.sub(lambda match: match[1] + trees[match[2]].text + match[3], DEMO.read_text())

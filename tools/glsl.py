@@ -1,30 +1,27 @@
-"""Reads the part of GLSL that the drop-ins use into a syntax tree with types, and edits its text: tools/translate and
-tools/nodes.py print other languages from it. The text must be correct, which glslangValidator checks. What is correct
-but outside of that part is refused with its file and line."""
+"""Reads the part of GLSL that the drop-ins use into a syntax tree with types, and edits its text. The text must be
+correct, as glslangValidator checks. What is correct but outside of that part is refused with its file and line."""
 
 import re
 from collections import ChainMap, namedtuple
 
 TOKEN = re.compile(r"""
-    (?P<space>(?:\s|\\\n)+) | (?P<comment>//[^\n]*|/\*.*?\*/) | (?P<directive>\#(?:\\\n|(?!//|/\*)[^\n])*)
+    (?P<space>(?:\s|\\\n)+) | (?P<comment>//[^\n]*|/\*.*?\*/)
+    | (?P<dialect>\#if[^\n]*\ (?:GL_ES|__VERSION__)\b(?:(?!\#endif).)*\#endif\n*)
+    | (?P<directive>\#(?:\\\n|(?!//|/\*)[^\n])*)
     | (?P<number>0[xX][\da-fA-F]+[uU]?|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?[uUfFi]?) | (?P<name>[A-Za-z_]\w*)
     | (?P<sign><<=|>>=|&&|\|\||<<|>>|[-+*/%&|^=<>!]=|\+\+|--|[^\w\s])""", re.VERBOSE | re.DOTALL)
 # Each number's or vector's type, with the type of its components and their number.
-NUMBERS = {"float": "", "int": "i", "uint": "u", "bool": "b"}
-SHAPES = {kind: (kind, 1) for kind in NUMBERS} | {
-    f"{letter}vec{size}": (kind, size) for kind, letter in NUMBERS.items() for size in (2, 3, 4)}
+SHAPES = {kind: (kind, 1) for kind in ("float", "int", "uint", "bool")}
+SHAPES |= {f"{kind[0].strip('f')}vec{size}": (kind, size) for kind in ("float", "int", "uint") for size in (2, 3, 4)}
 TYPES = {shape: name for name, shape in SHAPES.items()}
 SIGNS = ["||", "&&", "|", "^", "&", "== !=", "< > <= >=", "<< >>", "+ -", "* / %"]
 PRECEDENCE = {sign: level for level, signs in enumerate(SIGNS, 1) for sign in signs.split()}
 LOGICAL = set("|| && == != < > <= >=".split())
 ASSIGNMENTS = set("= += -= *= /= %= &= |= ^= <<= >>=".split())
-COMPARISONS = {"lessThan": "<", "lessThanEqual": "<=", "greaterThan": ">", "greaterThanEqual": ">=",
-               "equal": "==", "notEqual": "!="}
-# GLSL's functions that have a translation, and the kind of number in their results if it differs from their arguments'.
-FUNCTIONS = dict.fromkeys("""abs acos asin atan ceil clamp cos cross distance dot exp exp2 floor fract inversesqrt
-    length log log2 max min mix normalize pow sign sin smoothstep sqrt step tan""".split())
-FUNCTIONS |= dict.fromkeys(["all", "any", *COMPARISONS], "bool") | {"uintBitsToFloat": "float"}
-REDUCING = {"dot", "length", "distance", "all", "any"}  # they turn vectors into a number
+# GLSL's functions that have a translation. The second ones turn vectors into a number.
+FUNCTIONS = """abs acos asin atan ceil clamp cos cross distance dot exp exp2 floor fract inversesqrt length log log2 max
+    min mix normalize pow sign sin smoothstep sqrt step tan uintBitsToFloat""".split()
+REDUCING = {"dot", "length", "distance"}
 
 
 class Refused(Exception):
@@ -37,7 +34,7 @@ Token = namedtuple("Token", "kind text start end line")
 class Node:
     """A part of the syntax tree: its kind, place in the text, parts and, for expressions and declarations, its type."""
 
-    changed = False  # whether an expression is what an assignment, ++ or a call changes
+    changed, declared, callee = False, None, None  # changed: by an assignment, ++ or a call
 
     def __init__(self, kind, first, last, parts=(), type=None, **more):
         self.kind, self.start, self.end, self.line, self.type = kind, first.start, last.end, first.line, type
@@ -61,11 +58,7 @@ def tokens(text, start=0, end=None, line=1):
 
 def without_comments(text):
     """Returns the text without comments and the spaces before them."""
-    result, place = "", 0
-    for token in tokens(text):
-        if token.kind == "comment":
-            result, place = (result + text[place:token.start]).rstrip(" "), token.end
-    return result + text[place:]
+    return re.sub(" +$", "", TOKEN.sub(lambda match: "" if match["comment"] else match[0], text), flags=re.MULTILINE)
 
 
 def root(node):
@@ -93,23 +86,16 @@ class Shader:
             dict(getattr(before, kind, {})) for kind in ("structs", "functions", "macros", "variables"))
         self.variables = ChainMap(variables)  # a map for each scope
         found = list(tokens(text))
-        self.comments = [token for token in found if token.kind == "comment"]
-        self.directives = [token for token in found if token.kind == "directive"]
-        tests = [token for token in self.directives if token.text.startswith(("#ifdef", "#ifndef"))]
-        self.tested = {token.text.split()[1] for token in tests}
+        self.comments, self.directives, self.dialects = (
+            [token for token in found if token.kind == kind] for kind in ("comment", "directive", "dialect"))
+        self.tested = set(re.findall(r"^#ifn?def (\w+)", text, re.MULTILINE))
         self.defined = [self.macro(token) for token in self.directives if token.text.startswith("#define")]
-        ignored = {"comment", "directive"} | {name for name, macro in self.macros.items() if not macro.body}
-        self.start_reading([token for token in found if not ignored & {token.kind, token.text}], text.count("\n") + 1)
+        empty = {name for name, node in self.macros.items() if not node.body}
+        code = [token for token in found if token.kind in ("name", "number", "sign") and token.text not in empty]
+        self.start_reading(code, text.count("\n") + 1)
         while self.token.kind != "end":
             self.items.append(self.definition())
         self.start = min(place.start for place in [*self.directives, *self.items])
-
-    def comment_start(self, place):
-        """Returns where the comment directly above a place starts, or the place itself."""
-        line = self.text.rfind("\n", 0, max(place - 1, 0)) + 1
-        return self.comment_start(line) if line < place and self.text.startswith("//", line) else place
-
-    # ---- Tokens ----
 
     def start_reading(self, found, line):
         self.tokens, self.place = [*found, Token("end", "the end", len(self.text), len(self.text), line)], 0
@@ -145,29 +131,20 @@ class Shader:
         """Returns a node from a token or node to the last token."""
         return Node(kind, first, self.tokens[self.place - 1], parts, type, **more)
 
-    # ---- Definitions and statements ----
-
     def macro(self, directive):
-        """Reads a #define. Its body must be an expression; the types of its parameters are unknown."""
+        """Reads a #define, whose body must be an expression."""
         _, name, *body = tokens(self.text, directive.start + 1, directive.start + len(directive.text), directive.line)
-        last, given = [name, *body][-1], []
         if body and body[0].text == "(" and body[0].start == name.end:
-            end = [token.text for token in body].index(")")
-            given, body = body[1:end:2], body[end + 1:]
+            self.refuse(f"{name.text}, a macro with arguments,", name)
         self.start_reading(body, directive.line)
-        self.variables = self.variables.new_child({token.text: Node("parameter", token, token) for token in given})
         parts = self.until("the end", self.expression)
-        self.variables = self.variables.parents
         type = parts[0].type if parts else None
-        self.macros[name.text] = Node("macro", name, last, parts, type, name=name, body=body)
+        self.macros[name.text] = Node("macro", name, [name, *body][-1], parts, type, name=name, body=body)
         return self.macros[name.text]
 
     def definition(self):
-        """Reads a struct, constant, function or precision statement."""
+        """Reads a struct, constant or function."""
         first = self.token
-        if self.maybe("precision"):
-            self.until(";", self.take)
-            return self.node("precision", first)
         if first.text == "const":
             return self.declaration("variable")
         if not self.maybe("struct"):
@@ -177,7 +154,7 @@ class Shader:
         parts = self.until("}", lambda: self.declaration("field"))
         self.take(";")
         fields = {field.name.text: field for line in parts for field in line.parts}
-        self.structs[name.text] = self.node("struct", first, parts, name=name, fields=fields, constructed=False)
+        self.structs[name.text] = self.node("struct", first, parts, name=name, fields=fields)
         return self.structs[name.text]
 
     def is_type(self, token):
@@ -218,63 +195,57 @@ class Shader:
         self.variables = self.variables.new_child()
         parameters = self.until(")", self.parameter, ",")
         node = self.node("function", first, parameters, type_name.text, name=name, parameters=parameters)
-        node.types, node.head = [part.type for part in parameters], node.end
-        for part in parameters:
-            part.function = node
-        others = [other for other in self.functions.get(name.text, ()) if other.types != node.types]
-        self.functions[name.text] = [*others, node]
+        first_one = self.functions.setdefault(name.text, node)
+        if [part.type for part in first_one.parameters] != [part.type for part in parameters]:
+            self.refuse(f"a second {name.text} with other parameters", first)
         node.body = self.block(self.take("{"))
         node.parts, node.end = [*parameters, node.body], node.body.end
         self.variables = self.variables.parents
         return node
 
-    def block(self, first, control=None):
+    def block(self, first):
         """Reads statements up to a closing brace. The parts are declarations, expressions, return statements and
-        blocks: no language needs the words between them. `control` is the last word before the block."""
-        self.variables, parts, word = self.variables.new_child(), [], None
+        blocks: no language needs the words between them."""
+        self.variables, parts = self.variables.new_child(), []
         while not self.maybe("}"):
             token = self.token
-            if self.maybe("if", "for", "while", "do", "else", "break", "continue"):
-                word = token
-                self.maybe("(")
-            elif self.maybe("{"):
-                parts.append(self.block(token, word))
+            if self.maybe("{"):
+                parts.append(self.block(token))
             elif self.maybe("return"):
                 parts.append(self.node("return", token, self.until(";", self.whole)))
             elif token.text == "const" or self.is_type(token) and self.tokens[self.place + 1].kind == "name":
                 parts.append(self.declaration("variable"))
+            elif self.maybe("if", "for", "while", "do", "else", "break", "continue"):
+                self.maybe("(")
             elif not self.maybe(";", ",", ")"):
                 parts.append(self.whole())
         self.variables = self.variables.parents
-        return self.node("block", first, parts, control=control)
-
-    # ---- Expressions ----
+        return self.node("block", first, parts)
 
     def whole(self):
         """Reads an expression that is no part of another one. C++ may evaluate its parts in any order."""
-        node, target = self.expression(), None
+        node = self.expression()
         if self.token.text in ASSIGNMENTS:
-            target, sign = self.pure(node), self.take()
-            node = self.node("assign", target, [target, self.whole()], target.type, sign=sign)
-            node.end = node.parts[1].end
+            sign, value = self.take(), self.whole()
+            node = self.node("assign", self.pure(node), [node, value], node.type, sign=sign)
         used = [part.declared for part in node.walk() if part.kind == "name"]
         if any(used.count(variable) > 1 for variable in changes(node)):
             self.refuse("a use and a change of a variable in one expression", node)
-        if target:
-            self.change(target)
-        return node
-
-    def change(self, node):
-        """Notes that an expression changes."""
-        if any(part.kind == "member" and part.swizzle for part in node.walk() if part is not node):
-            self.refuse(f"a change of '{self.text[node.start:node.end]}'", node)
-        node.changed = True
+        if node.kind == "assign":
+            self.change(node.parts[0])
         return node
 
     def pure(self, node):
         """Returns the expression, which must change nothing, because some languages evaluate it always, or twice."""
         if changes(node):
             self.refuse("a change within a part of an expression that may be skipped or repeated", node)
+        return node
+
+    def change(self, node):
+        """Notes that an expression changes."""
+        if any(part.kind == "member" and part.swizzle for part in node.walk()):
+            self.refuse(f"a change of '{self.text[node.start:node.end]}'", node)
+        node.changed = True
         return node
 
     def widest(self, nodes, where):
@@ -299,6 +270,8 @@ class Shader:
             if sign.text in ("&&", "||"):
                 self.pure(right)
             type = self.widest([left, right], sign)
+            if sign.text in LOGICAL and shape(type)[1] != 1:
+                self.refuse(f"{sign.text} of a {type}", sign)
             left = self.node("binary", left, [left, right], "bool" if sign.text in LOGICAL else type, sign=sign)
         return left
 
@@ -327,13 +300,11 @@ class Shader:
 
     def member(self, part, name):
         """Returns a struct's member, or components of a vector."""
-        if part.type in self.structs:
-            type = self.structs[part.type].fields[name.text].type
-            return self.node("member", part, [part], type, name=name, swizzle=False)
-        if set(name.text) - set("xyzw"):
+        struct = self.structs.get(part.type)
+        if not struct and set(name.text) - set("xyzw"):
             self.refuse(f".{name.text} of a {part.type}", name)
-        type = TYPES.get((shape(part.type)[0], len(name.text)))
-        return self.node("member", part, [part], type, name=name, swizzle=len(name.text) > 1)
+        type = struct.fields[name.text].type if struct else TYPES.get((shape(part.type)[0], len(name.text)))
+        return self.node("member", part, [part], type, name=name, swizzle=not struct and len(name.text) > 1)
 
     def primary(self):
         token = self.take()
@@ -345,17 +316,15 @@ class Shader:
             parts = self.until(")", self.expression)
             return self.node("group", token, parts, parts[0].type)
         if token.text in ("true", "false"):
-            return self.node("name", token, type="bool", name=token, declared=None)
+            return self.node("name", token, type="bool", name=token)
         if token.kind == "name" and self.maybe("("):
             parts = self.until(")", self.expression, ",")
-            return self.called(self.node("call", token, parts, name=token, callee=None))
+            return self.called(self.node("call", token, parts, name=token))
         if declared := self.variables.get(token.text):
             return self.node("name", token, type=declared.type, name=token, declared=declared)
         if macro := self.macros.get(token.text):
             return self.node("macro_name", token, type=macro.type, name=token)
         self.refuse(f"'{token.text}'", token)
-
-    # ---- Calls ----
 
     def called(self, node):
         """Returns the call with what it calls, and its type."""
@@ -364,13 +333,14 @@ class Shader:
             node.what, node.type = "vector", self.constructed(node, *SHAPES[name])
         elif name in self.structs:
             node.what, node.type, node.callee = "struct", name, self.structs[name]
-            node.callee.constructed |= node.callee in self.items
         elif name in self.functions:
-            node.what, node.callee = "function", self.overload(node)
+            node.what, node.callee = "function", self.functions[name]
             node.type = node.callee.type
-        elif name in self.macros or name in self.tested:
-            node.what, node.callee = "macro", self.macros.get(name)
-            node.type = node.callee and node.callee.type
+            for part, given in zip(node.parts, node.callee.parameters):
+                if given.out and self.change(part).kind != "name":
+                    self.refuse(f"'{self.text[part.start:part.end]}' as an out argument", part)
+        elif name in self.tested:
+            node.what = "macro"
         else:
             node.what, node.type = "builtin", self.builtin(node, name)
         return node
@@ -387,26 +357,15 @@ class Shader:
             self.refuse_types(node)
         return node.name.text
 
-    def overload(self, node):
-        """Returns the function that a call calls."""
-        types, known = [part.type for part in node.parts], self.functions[node.name.text]
-        found = [function for function in known if function.types == types] or known
-        if len(found) > 1:
-            self.refuse_types(node)
-        for part, given in zip(node.parts, found[0].parameters):
-            if given.out and self.change(part).kind != "name":
-                self.refuse(f"'{self.text[part.start:part.end]}' as an out argument", part)
-        return found[0]
-
     def builtin(self, node, name):
         """Returns the type of a call of one of GLSL's functions."""
         if name not in FUNCTIONS:
             self.refuse(name, node)
         kind, size = shape(self.widest(node.parts, node.name))
-        number, mask = size == 1 and name in REDUCING | {"normalize"}, shape(node.parts[-1].type)[0] == "bool"
-        if number or name == "mix" and mask:  # HLSL, Metal or C++ lack these
+        if size == 1 and name in REDUCING | {"normalize"}:  # HLSL, Metal or C++ lack these
             self.refuse_types(node)
-        return TYPES.get((FUNCTIONS[name] or kind, 1 if size and name in REDUCING else size))
+        kind = "float" if name == "uintBitsToFloat" else kind
+        return TYPES.get((kind, 1 if size and name in REDUCING else size))
 
 
 class Printer:
@@ -423,6 +382,8 @@ class Printer:
                 self.replace(token, self.word(token.text))
         for token in shader.comments:
             self.replace(token, self.remark(token.text))
+        for token in shader.dialects:  # conditions that only GLSL needs
+            self.replace(token, "")
 
     def word(self, word):
         return self.words.get(word, word)

@@ -202,7 +202,7 @@ std::string space_waves(const render::Request& request) {
         if (wave.radius != radius) {
             text += glsl("    place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS / {});\n", wave.radius);
             if (time != 0)
-                text += glsl("    place.animated = true;\n    place.time = {};\n", time);
+                text += glsl("    place.animated = true;\n    place.moment = {};\n", time);
             if (request.filter)
                 text += glsl("    place.filtered = true;\n"
                              "    place.dx = dFdx(p) / {0}; // in a fragment shader\n"

@@ -45,7 +45,7 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
         SolidWave wave = wave_table[i];
         GaborPlace3d place = gabor_place_3d(ivec3(0), p * (GABOR_RADIUS / wave.radius));
         place.animated = animated;
-        place.time = time;
+        place.moment = time;
         place.filtered = filtered;
         place.dx = dx / wave.radius;
         place.dy = dy / wave.radius;

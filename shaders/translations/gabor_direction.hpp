@@ -1,18 +1,20 @@
 // clang-format off
-// gabor_direction.hpp: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
-// pixel: for C++ on the CPU.
+// Generated from gabor_direction.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
+// gabor_direction.hpp: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
+// pixel.
+//
+// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, and after these lines:
 //
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
-//     #define GABOR_DIRECTION(p) flow(p)
-//     #include "gabor_direction.hpp"
-//     ...
+//     #define GABOR_DIRECTION(p) flow(p)                              // vec2(0.0) if you call only gabor_field_waves
+//
 //     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: the noise shows nothing of it, while
+// stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.hpp), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
@@ -21,11 +23,16 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include "gabor_vectors.hpp"
+
 #ifndef GABOR_NOISE_HPP
 #error Include gabor_noise.hpp before gabor_direction.hpp
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.hpp needs GABOR_TAPS 3
+#endif
+#ifndef GABOR_DIRECTION
+#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.hpp
 #endif
 #ifndef GABOR_DIRECTION_HPP
 #define GABOR_DIRECTION_HPP
@@ -35,7 +42,7 @@
 // The map's wave vectors at the nine nodes around a place, row by row: node `index` is at gabor_node_position(place,
 // index).
 struct GaborWaves {
-    gabor_vec2 wave[9];
+    gabor_vec2 wave[9] = {};
 };
 
 // vec2 gabor_node_position(GaborPlace place, int index)
@@ -44,7 +51,7 @@ struct GaborWaves {
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
 
-// ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
+// ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`.
@@ -92,7 +99,7 @@ GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, st
     GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.time);
+            gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
             gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          gabor_vec2(x.node[i].x, stretch.x * x.node[i].z),
@@ -104,7 +111,6 @@ GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, st
     return field;
 }
 
-#ifdef GABOR_DIRECTION
 GABOR_INLINE GaborField gabor_field_direction(GaborPlace place, std::uint32_t seed) {
     GaborWaves waves;
     for (int i = 0; i < 9; ++i)
@@ -115,6 +121,5 @@ GABOR_INLINE GaborField gabor_field_direction(GaborPlace place, std::uint32_t se
 GABOR_INLINE gabor_vec3 gabor_stripes_direction(gabor_vec2 p, float sharpness, std::uint32_t seed) {
     return gabor_stripes_of(gabor_field_direction(gabor_place_at(p), seed), sharpness);
 }
-#endif
 
 #endif // GABOR_DIRECTION_HPP

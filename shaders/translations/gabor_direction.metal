@@ -1,17 +1,19 @@
-// gabor_direction.metal: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
-// pixel: for the Metal shading language.
+// Generated from gabor_direction.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal.
+// gabor_direction.metal: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
+// pixel.
+//
+// Paste or include this file after gabor_noise.metal, with GABOR_TAPS 3, and after these lines:
 //
 //     float2 flow(float2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
-//     #define GABOR_DIRECTION(p) flow(p)
-//     #include "gabor_direction.metal"
-//     ...
+//     #define GABOR_DIRECTION(p) flow(p)                              // float2(0.0) if you call only gabor_field_waves
+//
 //     float3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: the noise shows nothing of it, while
+// stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.metal), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
@@ -20,18 +22,21 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifndef GABOR_NOISE_METAL
 #error Include gabor_noise.metal before gabor_direction.metal
 #endif
 #if GABOR_TAPS != 3
 #error gabor_direction.metal needs GABOR_TAPS 3
 #endif
+#ifndef GABOR_DIRECTION
+#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.metal
+#endif
 #ifndef GABOR_DIRECTION_METAL
 #define GABOR_DIRECTION_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 
 // ---- With wave vectors that you read yourself, for several maps or a language without macros -----------------------
 
@@ -47,7 +52,7 @@ struct GaborWaves {
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
 //     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
 
-// ---- With a map: define GABOR_DIRECTION(p) before the file ---------------------------------------------------------
+// ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`.
@@ -95,7 +100,7 @@ inline GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint see
     GaborField sum = GaborField{0.0, float2(0.0), 0.0, float2(0.0), 0.0};
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.time);
+            float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
             float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          float2(x.node[i].x, stretch.x * x.node[i].z),
@@ -107,7 +112,6 @@ inline GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint see
     return field;
 }
 
-#ifdef GABOR_DIRECTION
 inline GaborField gabor_field_direction(GaborPlace place, uint seed) {
     GaborWaves waves;
     for (int i = 0; i < 9; ++i)
@@ -118,6 +122,5 @@ inline GaborField gabor_field_direction(GaborPlace place, uint seed) {
 inline float3 gabor_stripes_direction(float2 p, float sharpness, uint seed) {
     return gabor_stripes_of(gabor_field_direction(gabor_place_at(p), seed), sharpness);
 }
-#endif
 
 #endif // GABOR_DIRECTION_METAL

@@ -1,18 +1,20 @@
+// Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest 78a1d01ed8458651.
+//
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
-// pixel: for WGSL.
+// pixel.
 //
-// Generated from shaders/gabor_direction.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: eb7fbdb7fa3a5393
+// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, and after these lines:
 //
-//     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
-//     #define GABOR_DIRECTION(p) flow(p)
-//     #include "gabor_direction.wgsl"
-//     ...
-//     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
+//     vec2f flow(vec2f p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
+//     #define GABOR_DIRECTION(p) flow(p)                              // vec2f(0.0) if you call only gabor_field_waves
+//
+//     vec3f s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: the noise shows nothing of it, while
+// stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
@@ -21,16 +23,43 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+// ---- With wave vectors that you read yourself, for several maps or a language without macros -----------------------
+
 // The map's wave vectors at the nine nodes around a place, row by row: node `index` is at gabor_node_position(place,
 // index).
 struct GaborWaves {
     wave: array<vec2<f32>, 9>,
 }
 
-// Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
+// vec2f gabor_node_position(GaborPlace place, i32 index)
+//     Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
+
+// GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, u32 seed)
+//     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
+
+// ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
+
+// GaborField gabor_field_direction(GaborPlace place, u32 seed)
+//     The noise, its quadrature, and their gradients at `place`.
+
+// vec3f gabor_stripes_direction(vec2f p, f32 sharpness, u32 seed)
+//     Stripes along the map, like gabor_stripes.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_noise.wgsl,
+//
+//     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
+//
+// where F_c does not depend on p. Multiplying A_c by a complex number of modulus 1 does not change its distribution, so
+// the value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and
+// therefore also normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is
+// the product of both windows.
+
 fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     var node: vec2<i32>;
-
     node = (vec2<i32>(floor((place.local + vec2(0.5f)))) + vec2<i32>(((index - ((index / 3i) * 3i)) - 1i), ((index / 3i) - 1i)));
     let _e24 = node;
     let _e29 = gabor_impl_wrap((place.cell.x + _e24.x), place.period.x);
@@ -41,7 +70,43 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
     return (vec2<f32>(_e39) / place.radius);
 }
 
-// The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
+// Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
+fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
+    var wave_6: vec2<f32>;
+    var a_2: vec2<f32>;
+    var value_5: vec2<f32>;
+    var slope_6: vec2<f32>;
+    wave_6 = wave;
+    let _e7 = wave_6;
+    wave_6 = clamp(_e7, vec2(-1000000f), vec2(1000000f));
+    let _e14 = wave_6;
+    let _e16 = gabor_impl_wave(dot(_e14, d));
+    let _e17 = gabor_impl_product(amplitude, _e16);
+    a_2 = _e17;
+    let _e22 = a_2;
+    value_5 = ((x.x * y.x) * _e22);
+    slope_6 = vec2<f32>((x.y * y.x), (x.x * y.y));
+    let _e34 = (*sum);
+    let _e36 = value_5;
+    (*sum).noise = (_e34.noise + _e36.y);
+    let _e40 = (*sum);
+    let _e42 = a_2;
+    let _e44 = slope_6;
+    let _e47 = value_5;
+    let _e50 = wave_6;
+    (*sum).gradient = (_e40.gradient + ((_e42.y * _e44) + ((6.2831855f * _e47.x) * _e50)));
+    let _e55 = (*sum);
+    let _e57 = value_5;
+    (*sum).quadrature = (_e55.quadrature + _e57.x);
+    let _e61 = (*sum);
+    let _e63 = a_2;
+    let _e65 = slope_6;
+    let _e68 = value_5;
+    let _e71 = wave_6;
+    (*sum).quadrature_gradient = (_e61.quadrature_gradient + ((_e63.x * _e65) - ((6.2831855f * _e68.y) * _e71)));
+    return;
+}
+
 fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
     var waves_1: GaborWaves;
     var salt_4: u32;
@@ -55,7 +120,6 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
     var d_1: vec2<f32>;
     var field_4: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var local_12: f32;
-
     waves_1 = waves;
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
@@ -83,7 +147,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
                     let _e70 = x_6.word[_e67];
                     let _e71 = j_1;
                     let _e74 = y_5.word[_e71];
-                    let _e77 = gabor_impl_amplitude_at((_e70 * _e74), place.time);
+                    let _e77 = gabor_impl_amplitude_at((_e70 * _e74), place.moment);
                     amplitude_3 = _e77;
                     let _e79 = x_6;
                     let _e81 = i;
@@ -130,53 +194,3 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
     return _e165;
 }
 
-// ====================================================================================================================
-// Private implementation
-// ====================================================================================================================
-//
-// With a wave vector F_c for each node c, windows h and amplitudes A as in gabor_noise.wgsl,
-//
-//     n(p) = K Im sum_c A_c h(x - c_x) h(y - c_y) exp(2 pi i F_c.(p - c)),
-//
-// where F_c does not depend on p. Multiplying A_c by a complex number of modulus 1 does not change its distribution, so
-// the value has the distribution of gabor_noise for any F_c. The gradient is linear in the same amplitudes and
-// therefore also normal, with the covariance K^2 E|A|^2 / 2 sum_c (grad h grad h^T + 4 pi^2 h^2 F_c F_c^T), where h is
-// the product of both windows.
-
-// Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
-fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
-    var wave_6: vec2<f32>;
-    var a_2: vec2<f32>;
-    var value_5: vec2<f32>;
-    var slope_6: vec2<f32>;
-
-    wave_6 = wave;
-    let _e7 = wave_6;
-    wave_6 = clamp(_e7, vec2(-1000000f), vec2(1000000f));
-    let _e14 = wave_6;
-    let _e16 = gabor_impl_wave(dot(_e14, d));
-    let _e17 = gabor_impl_product(amplitude, _e16);
-    a_2 = _e17;
-    let _e22 = a_2;
-    value_5 = ((x.x * y.x) * _e22);
-    slope_6 = vec2<f32>((x.y * y.x), (x.x * y.y));
-    let _e34 = (*sum);
-    let _e36 = value_5;
-    (*sum).noise = (_e34.noise + _e36.y);
-    let _e40 = (*sum);
-    let _e42 = a_2;
-    let _e44 = slope_6;
-    let _e47 = value_5;
-    let _e50 = wave_6;
-    (*sum).gradient = (_e40.gradient + ((_e42.y * _e44) + ((6.2831855f * _e47.x) * _e50)));
-    let _e55 = (*sum);
-    let _e57 = value_5;
-    (*sum).quadrature = (_e55.quadrature + _e57.x);
-    let _e61 = (*sum);
-    let _e63 = a_2;
-    let _e65 = slope_6;
-    let _e68 = value_5;
-    let _e71 = wave_6;
-    (*sum).quadrature_gradient = (_e61.quadrature_gradient + ((_e63.x * _e65) - ((6.2831855f * _e68.y) * _e71)));
-    return;
-}

@@ -1,6 +1,8 @@
-// gabor_erosion.hlsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for HLSL, shader model 5.0 and up.
+// Generated from gabor_erosion.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl.
+// gabor_erosion.hlsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
+//
+// Paste or include this file after gabor_noise.hlsl.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge

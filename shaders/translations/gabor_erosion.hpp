@@ -1,7 +1,9 @@
 // clang-format off
-// gabor_erosion.hpp: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for C++ on the CPU.
+// Generated from gabor_erosion.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
+// gabor_erosion.hpp: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
+//
+// Paste or include this file after gabor_noise.hpp.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -10,6 +12,8 @@
 // idea comes from runevision's erosion filter (2026), which follows Clay John (2018) and Fewes (2023).
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #ifndef GABOR_NOISE_HPP
 #error Include gabor_noise.hpp before gabor_erosion.hpp

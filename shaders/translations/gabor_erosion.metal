@@ -1,6 +1,8 @@
-// gabor_erosion.metal: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for the Metal shading language.
+// Generated from gabor_erosion.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_erosion.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal.
+// gabor_erosion.metal: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
+//
+// Paste or include this file after gabor_noise.metal.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -10,15 +12,15 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifndef GABOR_NOISE_METAL
 #error Include gabor_noise.metal before gabor_erosion.metal
 #endif
 #ifndef GABOR_EROSION_METAL
 #define GABOR_EROSION_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 
 // A height in units of p, its derivatives, and a ridge value from -1 in creases and valleys to 1 on ridges and peaks.
 struct GaborTerrain {

@@ -1,7 +1,9 @@
-// gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain: for WGSL.
+// Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest 049b879a4d510b7b.
 //
-// Generated from shaders/gabor_erosion.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl.
-// Digest of the GLSL and of this file: 89927d614919b6e1
+// gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
+//
+// Paste or include this file after gabor_noise.wgsl.
 //
 //     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
@@ -33,49 +35,27 @@ struct GaborErosion {
     branching: f32,
 }
 
-// Parameters for alpine ridges and valleys on the hills of gabor_terrain.
-fn gabor_erosion() -> GaborErosion {
-    return GaborErosion(5i, 1.5f, 0.12f, 2f, 0.5f, 0.5f, 1.5f, 2f, 0.1f, 0.1f, 0.5f, 1f);
-}
+// GaborErosion gabor_erosion()
+//     Parameters for alpine ridges and valleys on the hills of gabor_terrain.
 
-// Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
-fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e6 = gabor_terrain_filtered(p, vec2(0f), vec2(0f), seed);
-    return _e6;
-}
+// GaborTerrain gabor_terrain(vec2f p, u32 seed)
+//     Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
 
-// Adds gullies and ridges to the base at p. Where the base is flat, base.ridge distinguishes valleys, -1, from
-// peaks, 1. The height is continuous where the base and its slope are, and the result can be eroded again. The
-// returned slope takes only the phase of the gullies into account, not how they turn and fade: its rms error is
-// 0.63 times the rms slope.
-fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e8 = gabor_eroded_filtered(p, vec2(0f), vec2(0f), base, erosion, seed);
-    return _e8;
-}
+// GaborTerrain gabor_eroded(vec2f p, GaborTerrain base, GaborErosion erosion, u32 seed)
+//     Adds gullies and ridges to the base at p. Where the base is flat, base.ridge distinguishes valleys, -1, from
+//     peaks, 1. The height is continuous where the base and its slope are, and the result can be eroded again. The
+//     returned slope takes only the phase of the gullies into account, not how they turn and fade: its rms error is
+//     0.63 times the rms slope.
 
-// The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
-// and dFdy(p).
-fn gabor_terrain_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e9 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), dx, dy, seed);
-    return _e9;
-}
+// GaborTerrain gabor_terrain_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
+// GaborTerrain gabor_eroded_filtered(vec2f p, vec2f dx, vec2f dy, GaborTerrain base, GaborErosion erosion, u32 seed)
+//     The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
+//     and dFdy(p).
 
-fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e11 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), dx, dy, base, erosion, seed);
-    return _e11;
-}
-
-// The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
-// the hills.
-fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e10 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, period), vec2(0f), vec2(0f), seed);
-    return _e10;
-}
-
-fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e12 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, period), vec2(0f), vec2(0f), base, erosion, seed);
-    return _e12;
-}
+// GaborTerrain gabor_terrain_tiled(vec2f p, vec2f period, u32 seed)
+// GaborTerrain gabor_eroded_tiled(vec2f p, vec2f period, GaborTerrain base, GaborErosion erosion, u32 seed)
+//     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
+//     the hills.
 
 struct GaborTerrainPlace {
     cell: vec2<i32>,
@@ -83,8 +63,144 @@ struct GaborTerrainPlace {
     period: vec2<f32>,
 }
 
-// The same with a period, a filter (unless dx and dy are vec2(0.0)), or both. Without a period, the result is
-// precise at any distance from the origin.
+// GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2f dx, vec2f dy, u32 seed)
+// GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2f dx, vec2f dy, GaborTerrain base, GaborErosion erosion,
+//                              u32 seed)
+//     The same with a period, a filter (unless dx and dy are vec2f(0.0)), or both. Without a period, the result is
+//     precise at any distance from the origin.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+
+// The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
+// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
+// p, so that wave vectors and derivatives are per unit of p.
+fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
+    var rounded: u32;
+    var place_3: GaborPlace;
+    var low: vec2<u32>;
+    var high: vec2<u32>;
+    rounded = u32(((clamp(nodes, 0.0001f, 30000f) * 65536f) + 0.5f));
+    let _e15 = gabor_place(vec2(0i), vec2(0f));
+    place_3 = _e15;
+    let _e18 = rounded;
+    place_3.radius = vec2((f32(_e18) / 65536f));
+    let _e28 = rounded;
+    low = ((vec2<u32>(ground.cell) & vec2(65535u)) * (_e28 & 65535u));
+    let _e35 = rounded;
+    let _e46 = rounded;
+    high = ((vec2<u32>(ground.cell) * (_e35 >> 16u)) + (vec2<u32>((ground.cell >> vec2(16u))) * (_e46 & 65535u)));
+    let _e53 = high;
+    let _e54 = low;
+    place_3.cell = vec2<i32>((_e53 + (_e54 >> vec2(16u))));
+    let _e61 = low;
+    let _e70 = place_3;
+    place_3.local = ((vec2<f32>((_e61 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e70.radius));
+    if ((ground.period.x <= 0f) && (ground.period.y <= 0f)) {
+        let _e83 = place_3;
+        return _e83;
+    }
+    let _e86 = place_3;
+    place_3.period = vec2<i32>(max(floor(((ground.period * _e86.radius) + vec2(0.5f))), vec2(4f)));
+    if (ground.period.x > 0f) {
+        let _e103 = place_3;
+        place_3.radius.x = (f32(_e103.period.x) / ground.period.x);
+    } else {
+        place_3.period.x = 0i;
+    }
+    if (ground.period.y > 0f) {
+        let _e119 = place_3;
+        place_3.radius.y = (f32(_e119.period.y) / ground.period.y);
+    } else {
+        place_3.period.y = 0i;
+    }
+    place_3.cell = vec2(0i);
+    let _e137 = place_3;
+    place_3.local = ((vec2<f32>(ground.cell) + ground.local) * _e137.radius);
+    let _e140 = place_3;
+    return _e140;
+}
+
+// Computes the cubic B-splines of the four nodes around a point, and their derivatives. The point is t in [0, 1) node
+// spacings beyond the second node.
+fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+    var u_1: f32;
+    u_1 = (1f - t);
+    let _e6 = u_1;
+    let _e7 = u_1;
+    let _e9 = u_1;
+    let _e16 = u_1;
+    let _e22 = u_1;
+    let _e24 = u_1;
+    (*value) = (vec4<f32>(((_e6 * _e7) * _e9), (4f - (((3f * t) * t) * (1f + _e16))), (4f - (((3f * _e22) * _e24) * (1f + t))), ((t * t) * t)) / vec4(6f));
+    let _e37 = u_1;
+    let _e39 = u_1;
+    let _e46 = u_1;
+    let _e49 = u_1;
+    (*slope) = (0.5f * vec4<f32>((-(_e37) * _e39), (t * ((3f * t) - 4f)), (_e46 * (4f - (3f * _e49))), (t * t)));
+    return;
+}
+
+fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
+    var first_1: i32;
+    var second_2: i32;
+    var third_2: i32;
+    let _e5 = gabor_impl_wrap((index - 1i), period);
+    first_1 = _e5;
+    let _e7 = first_1;
+    let _e8 = gabor_impl_next_node(_e7, period);
+    second_2 = _e8;
+    let _e10 = second_2;
+    let _e11 = gabor_impl_next_node(_e10, period);
+    third_2 = _e11;
+    let _e13 = first_1;
+    let _e14 = gabor_impl_line_word(_e13, salt);
+    let _e15 = second_2;
+    let _e16 = gabor_impl_line_word(_e15, salt);
+    let _e17 = third_2;
+    let _e18 = gabor_impl_line_word(_e17, salt);
+    let _e19 = third_2;
+    let _e20 = gabor_impl_next_node(_e19, period);
+    let _e21 = gabor_impl_line_word(_e20, salt);
+    return vec4<u32>(_e14, _e16, _e18, _e21);
+}
+
+// Two noises and their derivatives.
+struct GaborHills {
+    value: vec2<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+}
+
+// Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
+fn gabor_impl_add_hill_row(sum: ptr<function, GaborHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
+    var a_2: vec4<f32>;
+    var b_2: vec4<f32>;
+    var row_1: vec2<f32>;
+    a_2 = vec4<f32>(vec4<i32>(words));
+    b_2 = vec4<f32>(vec4<i32>((words << vec4(16u))));
+    let _e15 = a_2;
+    let _e17 = b_2;
+    row_1 = vec2<f32>(dot(x, _e15), dot(x, _e17));
+    let _e22 = (*sum);
+    let _e24 = row_1;
+    (*sum).value = (_e22.value + (y * _e24));
+    let _e28 = (*sum);
+    let _e30 = a_2;
+    let _e32 = b_2;
+    (*sum).slope_x = (_e28.slope_x + (y * vec2<f32>(dot(slope_x, _e30), dot(slope_x, _e32))));
+    let _e38 = (*sum);
+    let _e40 = row_1;
+    (*sum).slope_y = (_e38.slope_y + (slope_y * _e40));
+    return;
+}
+
+// Wide hills, plus small ones along the contours of a second noise; the higher the wide hills, the higher the small
+// ones. The noises are random amplitudes under B-splines, which have a continuous curvature, unlike gabor_noise. Along
+// each axis, the squares of the splines sum to 151 / 315 on average, and those of their derivatives to 2 / 3. So a
+// filter with a standard deviation of half a pixel multiplies each noise by `kept`, and the variance that it removes
+// from the second noise damps the sine.
 fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
     var place_4: GaborPlace;
     var zero_1: vec2<f32>;
@@ -106,7 +222,6 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     var height: f32;
     var factors: vec2<f32>;
     var slope_7: vec2<f32>;
-
     let _e5 = gabor_impl_ground(ground, 1f);
     place_4 = _e5;
     let _e7 = place_4;
@@ -205,6 +320,28 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     return GaborTerrain((0.33f * _e231), _e233, (_e234 * inverseSqrt((1f + (_e236 * _e237)))));
 }
 
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
+fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
+    var local_12: f32;
+    var s_3: f32;
+    if (t < rounding) {
+        local_12 = (((0.5f * t) * t) / rounding);
+    } else {
+        local_12 = (t - (0.5f * rounding));
+    }
+    let _e12 = local_12;
+    s_3 = (1f - min(_e12, 1f));
+    let _e18 = s_3;
+    let _e19 = s_3;
+    return (1f - (_e18 * _e19));
+}
+
+// Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
+//     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
+// m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
+// ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow. The
+// constant differs between the two sides, but the sides meet where the mask of the finer gullies is 0. If an octave is
+// too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
 fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     var terrain: GaborTerrain;
     var gully: GaborTerrain;
@@ -224,7 +361,6 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var field_4: GaborField;
     var local_13: f32;
     var side_1: f32;
-
     terrain = base;
     gully = GaborTerrain(base.ridge, vec2(0f), base.ridge);
     steer = base.slope;
@@ -343,150 +479,39 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     return GaborTerrain(_e243.height, _e245.slope, _e247.ridge);
 }
 
-// ====================================================================================================================
-// Private implementation
-// ====================================================================================================================
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
 
-// The place on a lattice with about `nodes` nodes per unit of p. This number is rounded to a multiple of 1 / 65536, so
-// that its product with the cell splits exactly into integer and fraction. The place's `radius` is in nodes per unit of
-// p, so that wave vectors and derivatives are per unit of p.
-fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
-    var rounded: u32;
-    var place_3: GaborPlace;
-    var low: vec2<u32>;
-    var high: vec2<u32>;
-
-    rounded = u32(((clamp(nodes, 0.0001f, 30000f) * 65536f) + 0.5f));
-    let _e15 = gabor_place(vec2(0i), vec2(0f));
-    place_3 = _e15;
-    let _e18 = rounded;
-    place_3.radius = vec2((f32(_e18) / 65536f));
-    let _e28 = rounded;
-    low = ((vec2<u32>(ground.cell) & vec2(65535u)) * (_e28 & 65535u));
-    let _e35 = rounded;
-    let _e46 = rounded;
-    high = ((vec2<u32>(ground.cell) * (_e35 >> 16u)) + (vec2<u32>((ground.cell >> vec2(16u))) * (_e46 & 65535u)));
-    let _e53 = high;
-    let _e54 = low;
-    place_3.cell = vec2<i32>((_e53 + (_e54 >> vec2(16u))));
-    let _e61 = low;
-    let _e70 = place_3;
-    place_3.local = ((vec2<f32>((_e61 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e70.radius));
-    if ((ground.period.x <= 0f) && (ground.period.y <= 0f)) {
-        let _e83 = place_3;
-        return _e83;
-    }
-    let _e86 = place_3;
-    place_3.period = vec2<i32>(max(floor(((ground.period * _e86.radius) + vec2(0.5f))), vec2(4f)));
-    if (ground.period.x > 0f) {
-        let _e103 = place_3;
-        place_3.radius.x = (f32(_e103.period.x) / ground.period.x);
-    } else {
-        place_3.period.x = 0i;
-    }
-    if (ground.period.y > 0f) {
-        let _e119 = place_3;
-        place_3.radius.y = (f32(_e119.period.y) / ground.period.y);
-    } else {
-        place_3.period.y = 0i;
-    }
-    place_3.cell = vec2(0i);
-    let _e137 = place_3;
-    place_3.local = ((vec2<f32>(ground.cell) + ground.local) * _e137.radius);
-    let _e140 = place_3;
-    return _e140;
+fn gabor_erosion() -> GaborErosion {
+    return GaborErosion(5i, 1.5f, 0.12f, 2f, 0.5f, 0.5f, 1.5f, 2f, 0.1f, 0.1f, 0.5f, 1f);
 }
 
-// Computes the cubic B-splines of the four nodes around a point, and their derivatives. The point is t in [0, 1) node
-// spacings beyond the second node.
-fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
-    var u_1: f32;
-
-    u_1 = (1f - t);
-    let _e6 = u_1;
-    let _e7 = u_1;
-    let _e9 = u_1;
-    let _e16 = u_1;
-    let _e22 = u_1;
-    let _e24 = u_1;
-    (*value) = (vec4<f32>(((_e6 * _e7) * _e9), (4f - (((3f * t) * t) * (1f + _e16))), (4f - (((3f * _e22) * _e24) * (1f + t))), ((t * t) * t)) / vec4(6f));
-    let _e37 = u_1;
-    let _e39 = u_1;
-    let _e46 = u_1;
-    let _e49 = u_1;
-    (*slope) = (0.5f * vec4<f32>((-(_e37) * _e39), (t * ((3f * t) - 4f)), (_e46 * (4f - (3f * _e49))), (t * t)));
-    return;
+fn gabor_terrain_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
+    let _e9 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), dx, dy, seed);
+    return _e9;
 }
 
-fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
-    var first_1: i32;
-    var second_2: i32;
-    var third_2: i32;
-
-    let _e5 = gabor_impl_wrap((index - 1i), period);
-    first_1 = _e5;
-    let _e7 = first_1;
-    let _e8 = gabor_impl_next_node(_e7, period);
-    second_2 = _e8;
-    let _e10 = second_2;
-    let _e11 = gabor_impl_next_node(_e10, period);
-    third_2 = _e11;
-    let _e13 = first_1;
-    let _e14 = gabor_impl_line_word(_e13, salt);
-    let _e15 = second_2;
-    let _e16 = gabor_impl_line_word(_e15, salt);
-    let _e17 = third_2;
-    let _e18 = gabor_impl_line_word(_e17, salt);
-    let _e19 = third_2;
-    let _e20 = gabor_impl_next_node(_e19, period);
-    let _e21 = gabor_impl_line_word(_e20, salt);
-    return vec4<u32>(_e14, _e16, _e18, _e21);
+fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
+    let _e6 = gabor_terrain_filtered(p, vec2(0f), vec2(0f), seed);
+    return _e6;
 }
 
-// Two noises and their derivatives.
-struct GaborHills {
-    value: vec2<f32>,
-    slope_x: vec2<f32>,
-    slope_y: vec2<f32>,
+fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
+    let _e10 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, period), vec2(0f), vec2(0f), seed);
+    return _e10;
 }
 
-// Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-fn gabor_impl_add_hill_row(sum: ptr<function, GaborHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
-    var a_2: vec4<f32>;
-    var b_2: vec4<f32>;
-    var row_1: vec2<f32>;
-
-    a_2 = vec4<f32>(vec4<i32>(words));
-    b_2 = vec4<f32>(vec4<i32>((words << vec4(16u))));
-    let _e15 = a_2;
-    let _e17 = b_2;
-    row_1 = vec2<f32>(dot(x, _e15), dot(x, _e17));
-    let _e22 = (*sum);
-    let _e24 = row_1;
-    (*sum).value = (_e22.value + (y * _e24));
-    let _e28 = (*sum);
-    let _e30 = a_2;
-    let _e32 = b_2;
-    (*sum).slope_x = (_e28.slope_x + (y * vec2<f32>(dot(slope_x, _e30), dot(slope_x, _e32))));
-    let _e38 = (*sum);
-    let _e40 = row_1;
-    (*sum).slope_y = (_e38.slope_y + (slope_y * _e40));
-    return;
+fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
+    let _e11 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), dx, dy, base, erosion, seed);
+    return _e11;
 }
 
-// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
-fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
-    var local_12: f32;
-    var s_3: f32;
-
-    if (t < rounding) {
-        local_12 = (((0.5f * t) * t) / rounding);
-    } else {
-        local_12 = (t - (0.5f * rounding));
-    }
-    let _e12 = local_12;
-    s_3 = (1f - min(_e12, 1f));
-    let _e18 = s_3;
-    let _e19 = s_3;
-    return (1f - (_e18 * _e19));
+fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
+    let _e8 = gabor_eroded_filtered(p, vec2(0f), vec2(0f), base, erosion, seed);
+    return _e8;
 }
+
+fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
+    let _e12 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, period), vec2(0f), vec2(0f), base, erosion, seed);
+    return _e12;
+}
+

@@ -1,6 +1,9 @@
-// gabor_filter.hlsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire: for HLSL, shader model 5.0 and up.
+// Generated from gabor_filter.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_filter.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl. Paste or include it after gabor_spectrum.hlsl.
+// gabor_filter.hlsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
+//
+// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.hlsl, if you
+// filter its noises.
 //
 //     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -101,6 +104,14 @@ struct GaborFootprint {
     float3 resolved; // the same, limited to standard deviations of 1/2, the most that the windows allow
 };
 
+GaborFootprint GaborFootprint_of(float3 covariance, float3 resolved)
+{
+    GaborFootprint made;
+    made.covariance = covariance;
+    made.resolved = resolved;
+    return made;
+}
+
 GaborFootprint gabor_impl_footprint(float2 dx, float2 dy) {
     if (!(dot(dx, dx) + dot(dy, dy) < 1.0e6)) { // too large, or NaN: no wave is left
         dx = float2(1.0e5, 0.0);
@@ -163,9 +174,9 @@ void gabor_impl_filter(inout GaborAxis axis, float variance, float blurred, out 
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-float2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float time) {
+float2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float moment) {
     float4 sum, slope;
-    gabor_impl_sum(columns, rows, time, sum, slope);
+    gabor_impl_sum(columns, rows, moment, sum, slope);
     return sum.xy + coupling * slope.zw;
 }
 
@@ -180,9 +191,9 @@ GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, float3 s, u
     GaborAxis columns_slope, rows_slope;
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
-    float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.time);
-    float2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.time);
-    float2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.time);
+    float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
+    float2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
+    float2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
     return gabor_impl_field(float4(value, along_x), float4(along_y, 0.0, 0.0), turn, wave, (float2)(1.0));
 }
 
@@ -220,6 +231,27 @@ struct GaborFilteredAxis {
     float2 turn_back; // turn of the wave q = 1 / 2w from one node to the next
     float2 back;      // the same for the noise's wave
 };
+
+GaborFilteredAxis GaborFilteredAxis_of(float3 even_0, float3 even_1, float3 even_2, float3 even_3, float3 odd_1, float3 odd_2, float3 odd_3, float reach, float offset, int count, int first, int period, uint salt, float2 turn_back, float2 back)
+{
+    GaborFilteredAxis made;
+    made.even_0 = even_0;
+    made.even_1 = even_1;
+    made.even_2 = even_2;
+    made.even_3 = even_3;
+    made.odd_1 = odd_1;
+    made.odd_2 = odd_2;
+    made.odd_3 = odd_3;
+    made.reach = reach;
+    made.offset = offset;
+    made.count = count;
+    made.first = first;
+    made.period = period;
+    made.salt = salt;
+    made.turn_back = turn_back;
+    made.back = back;
+    return made;
+}
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in space.
@@ -271,6 +303,17 @@ struct GaborFilteredLine {
     float2 phase; // the same for the noise's wave
 };
 
+GaborFilteredLine GaborFilteredLine_of(uint word, GaborFactors window, float2 fade, float2 turn, float2 phase)
+{
+    GaborFilteredLine made;
+    made.word = word;
+    made.window = window;
+    made.fade = fade;
+    made.turn = turn;
+    made.phase = phase;
+    return made;
+}
+
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
 float2 gabor_impl_fade(GaborFilteredAxis b, int index) {
     float d = b.offset - float(index), t = clamp(4.0 * (b.reach - abs(d)), 0.0, 1.0);
@@ -311,6 +354,18 @@ struct GaborColumns {
     bool five;
 };
 
+GaborColumns GaborColumns_of(GaborFilteredLine column_0, GaborFilteredLine column_1, GaborFilteredLine column_2, GaborFilteredLine column_3, GaborFilteredLine column_4, bool five)
+{
+    GaborColumns made;
+    made.column_0 = column_0;
+    made.column_1 = column_1;
+    made.column_2 = column_2;
+    made.column_3 = column_3;
+    made.column_4 = column_4;
+    made.five = five;
+    return made;
+}
+
 GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
     GaborColumns columns;
     float2 turn = gabor_impl_wave(0.5 / b.reach * b.offset);
@@ -340,21 +395,21 @@ GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, flo
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
 void gabor_impl_add_filtered_node(inout GaborFactors row, inout GaborFactors edge, GaborFilteredLine column, uint row_word,
-                                  float time) {
-    float2 a = gabor_impl_amplitude_at(column.word * row_word, time), b = column.fade.x * a, c = column.fade.y * a;
+                                  float moment) {
+    float2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float time, out GaborFactors edge) {
+GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float moment, out GaborFactors edge) {
     GaborFactors row = GaborFactors_of((float3)(0.0), (float3)(0.0)), none = row;
     edge = row;
-    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, time);
-    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, time);
-    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, time);
-    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, time);
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, moment);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, moment);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, moment);
     return row;
 }
 
@@ -395,7 +450,7 @@ GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3 s, boo
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
         GaborFactors edge;
-        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.time, edge);
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
@@ -430,7 +485,7 @@ GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint, float
         float3 s = footprint.resolved;
         uint salt = gabor_impl_salt(seed);
         float amplitude = 1.0;
-        if (any((footprint.resolved != footprint.covariance)))
+        if (distance(footprint.resolved, footprint.covariance) > 0.0)
             amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
         if (wide < 1.0)
             gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude,
@@ -548,7 +603,7 @@ GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, float2 dy
         uint4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
             float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.time);
+            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
             float2 t = clamp((1.0 - abs(d)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
             float2 change = -6.0 / width * t * (1.0 - t) * sign(d);
             float2 cosine = fall * (float2(x.node[i].x, y.node[j].x) - 0.5);

@@ -1,7 +1,10 @@
 // clang-format off
-// gabor_filter.hpp: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire: for C++ on the CPU.
+// Generated from gabor_filter.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_filter.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp.
+// gabor_filter.hpp: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
+//
+// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default; and after gabor_spectrum.hpp, if you
+// filter its noises.
 //
 //     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -20,6 +23,8 @@
 // to its roughness. Gradients are those at a fixed footprint.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #ifndef GABOR_NOISE_HPP
 #error Include gabor_noise.hpp before gabor_filter.hpp
@@ -82,8 +87,8 @@
 // We use these three terms; |lambda| is at most 0.26.
 
 // A symmetric matrix (xx, yy, xy) times a vector.
-GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix, gabor_vec2 v) {
-    return matrix.xy() * v + matrix.z * v.yx();
+GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix_, gabor_vec2 v) {
+    return matrix_.xy() * v + matrix_.z * v.yx();
 }
 
 // The share of a lobe's variance that a filter of covariance S keeps. If we approximate the lobe's power by a
@@ -164,9 +169,9 @@ GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurr
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float time) {
+GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float moment) {
     gabor_vec4 sum, slope;
-    gabor_impl_sum(columns, rows, time, sum, slope);
+    gabor_impl_sum(columns, rows, moment, sum, slope);
     return sum.xy() + coupling * slope.zw();
 }
 
@@ -181,9 +186,9 @@ GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 
     GaborAxis columns_slope, rows_slope;
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
-    gabor_vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.time);
-    gabor_vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.time);
-    gabor_vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.time);
+    gabor_vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
+    gabor_vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
+    gabor_vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
     return gabor_impl_field(gabor_vec4(value, along_x), gabor_vec4(along_y, 0.0f, 0.0f), turn, wave, gabor_vec2(1.0f));
 }
 
@@ -272,26 +277,26 @@ GABOR_INLINE gabor_vec2 gabor_impl_fade(GaborFilteredAxis b, int index) {
 
 // Computes line `index` from its turn and phase.
 GABOR_INLINE GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, gabor_vec2 turn, gabor_vec2 phase, gabor_vec2 fade) {
-    GaborFilteredLine line;
-    line.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
-    line.turn = turn;
-    line.phase = phase;
+    GaborFilteredLine line_;
+    line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
+    line_.turn = turn;
+    line_.phase = phase;
     gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
     gabor_vec3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
-    line.fade = fade;
-    line.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
-    return line;
+    line_.fade = fade;
+    line_.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
+    return line_;
 }
 
 // Computes line `index` from the previous one.
-GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line, GaborFilteredAxis b, int index, gabor_vec2 fade) {
-    return gabor_impl_filtered_line(b, index, gabor_impl_product(line.turn, b.turn_back),
-                                    gabor_impl_product(line.phase, b.back), fade);
+GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line_, GaborFilteredAxis b, int index, gabor_vec2 fade) {
+    return gabor_impl_filtered_line(b, index, gabor_impl_product(line_.turn, b.turn_back),
+                                    gabor_impl_product(line_.phase, b.back), fade);
 }
 
 // The line's window with its fade.
-GABOR_INLINE GaborFactors gabor_impl_faded(GaborFilteredLine line) {
-    return GaborFactors{line.fade.x * line.window.real, line.fade.x * line.window.imaginary};
+GABOR_INLINE GaborFactors gabor_impl_faded(GaborFilteredLine line_) {
+    return GaborFactors{line_.fade.x * line_.window.real, line_.fade.x * line_.window.imaginary};
 }
 
 // The four or five columns of nodes that reach a point.
@@ -319,10 +324,10 @@ GABOR_INLINE GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
 
 // The line before line 0, given the phase of the noise's wave there.
 GABOR_INLINE GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, gabor_vec2 phase) {
-    GaborFilteredLine line;
-    line.turn = gabor_impl_wave(0.5f / b.reach * (b.offset + 1.0f));
-    line.phase = phase;
-    return line;
+    GaborFilteredLine line_;
+    line_.turn = gabor_impl_wave(0.5f / b.reach * (b.offset + 1.0f));
+    line_.phase = phase;
+    return line_;
 }
 
 // Returns the sum plus a complex number times the factors.
@@ -333,21 +338,21 @@ GABOR_INLINE GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
 GABOR_INLINE void gabor_impl_add_filtered_node(GaborFactors& row, GaborFactors& edge, GaborFilteredLine column, std::uint32_t row_word,
-                                  float time) {
-    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, time), b = column.fade.x * a, c = column.fade.y * a;
+                                  float moment) {
+    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, float time, GaborFactors& edge) {
+GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, float moment, GaborFactors& edge) {
     GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}, none = row;
     edge = row;
-    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, time);
-    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, time);
-    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, time);
-    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, time);
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, moment);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, moment);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, moment);
     return row;
 }
 
@@ -380,21 +385,21 @@ GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wa
     GaborFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
                                       salt ^ GABOR_IMPL_ROWS, step_y);
     GaborColumns columns = gabor_impl_columns(across);
-    GaborFilteredLine line = gabor_impl_line_before(
+    GaborFilteredLine line_ = gabor_impl_line_before(
         along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
     int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
     gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), edge_x = gabor_vec2(0.0f), edge_y = gabor_vec2(0.0f);
     int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
     do {
-        line = gabor_impl_next_line(line, along, j, gabor_impl_fade(along, j));
+        line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
         GaborFactors edge;
-        GaborFactors row = gabor_impl_filtered_row(columns, line.word, place.time, edge);
-        GaborFactors window = gabor_impl_faded(line);
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
+        GaborFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
         next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
         edge_x += gabor_impl_contracted(edge, window, weights);
-        edge_y += line.fade.y * gabor_impl_contracted(row, line.window, weights);
+        edge_y += line_.fade.y * gabor_impl_contracted(row, line_.window, weights);
     } while (++j < rows);
     float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c));
     // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
@@ -423,7 +428,7 @@ GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint foo
         gabor_vec3 s = footprint.resolved;
         std::uint32_t salt = gabor_impl_salt(seed);
         float amplitude = 1.0f;
-        if (gabor_cpp_any((footprint.resolved != footprint.covariance)))
+        if (gabor_cpp_distance(footprint.resolved, footprint.covariance) > 0.0f)
             amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
         if (wide < 1.0f)
             gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0f - wide) * amplitude,
@@ -532,7 +537,7 @@ GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_v
         gabor_uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
             gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.time);
+            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
             gabor_vec2 t = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d)) / width, 0.0f, 1.0f), fade = t * t * (3.0f - 2.0f * t);
             gabor_vec2 change = -6.0f / width * t * (1.0f - t) * gabor_cpp_sign(d);
             gabor_vec2 cosine = fall * (gabor_vec2(x.node[i].x, y.node[j].x) - 0.5f);

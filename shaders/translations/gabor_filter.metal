@@ -1,6 +1,9 @@
-// gabor_filter.metal: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire: for the Metal shading language.
+// Generated from gabor_filter.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_filter.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.metal. Paste or include it after gabor_spectrum.metal.
+// gabor_filter.metal: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
+//
+// Paste or include this file after gabor_noise.metal, with GABOR_TAPS 3, the default; and after gabor_spectrum.metal, if you
+// filter its noises.
 //
 //     float2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
@@ -20,6 +23,10 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifndef GABOR_NOISE_METAL
 #error Include gabor_noise.metal before gabor_filter.metal
 #endif
@@ -28,10 +35,6 @@
 #endif
 #ifndef GABOR_FILTER_METAL
 #define GABOR_FILTER_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 
 // float2 gabor_noise_filtered(float2 p, float2 dx, float2 dy, float frequency, float orientation, uint seed)
 //     (noise, removed).
@@ -167,9 +170,9 @@ inline void gabor_impl_filter(thread GaborAxis& axis, float variance, float blur
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-inline float2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float time) {
+inline float2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float moment) {
     float4 sum, slope;
-    gabor_impl_sum(columns, rows, time, sum, slope);
+    gabor_impl_sum(columns, rows, moment, sum, slope);
     return sum.xy + coupling * slope.zw;
 }
 
@@ -184,9 +187,9 @@ inline GaborField gabor_impl_filtered_narrow(GaborPlace place, float2 wave, floa
     GaborAxis columns_slope, rows_slope;
     gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
     gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
-    float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.time);
-    float2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.time);
-    float2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.time);
+    float2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
+    float2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
+    float2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
     return gabor_impl_field(float4(value, along_x), float4(along_y, 0.0, 0.0), turn, wave, float2(1.0));
 }
 
@@ -336,21 +339,21 @@ inline GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors facto
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
 inline void gabor_impl_add_filtered_node(thread GaborFactors& row, thread GaborFactors& edge, GaborFilteredLine column, uint row_word,
-                                  float time) {
-    float2 a = gabor_impl_amplitude_at(column.word * row_word, time), b = column.fade.x * a, c = column.fade.y * a;
+                                  float moment) {
+    float2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
     row = gabor_impl_plus_product(row, column.window, b.x, b.y);
     edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
 }
 
 // The sums of a row over its columns.
-inline GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float time, thread GaborFactors& edge) {
+inline GaborFactors gabor_impl_filtered_row(GaborColumns columns, uint row_word, float moment, thread GaborFactors& edge) {
     GaborFactors row = GaborFactors{float3(0.0), float3(0.0)}, none = row;
     edge = row;
-    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, time);
-    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, time);
-    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, time);
-    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, time);
-    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, time);
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, moment);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, moment);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, moment);
     return row;
 }
 
@@ -391,7 +394,7 @@ inline GaborField gabor_impl_filtered_wide(GaborPlace place, float2 wave, float3
     do {
         line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
         GaborFactors edge;
-        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.time, edge);
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
         GaborFactors window = gabor_impl_faded(line_);
         value += gabor_impl_contracted(row, window, weights);
         next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
@@ -426,7 +429,7 @@ inline GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint
         float3 s = footprint.resolved;
         uint salt = gabor_impl_salt(seed);
         float amplitude = 1.0;
-        if (any((footprint.resolved != footprint.covariance)))
+        if (distance(footprint.resolved, footprint.covariance) > 0.0)
             amplitude *= sqrt(transmitted / gabor_impl_transmitted(wave, s));
         if (wide < 1.0)
             gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0 - wide) * amplitude,
@@ -535,7 +538,7 @@ inline GaborField gabor_field_isotropic_filtered(GaborPlace place, float2 dx, fl
         uint4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < 3; ++i) {
             float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
-            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.time);
+            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
             float2 t = clamp((1.0 - abs(d)) / width, 0.0, 1.0), fade = t * t * (3.0 - 2.0 * t);
             float2 change = -6.0 / width * t * (1.0 - t) * sign(d);
             float2 cosine = fall * (float2(x.node[i].x, y.node[j].x) - 0.5);

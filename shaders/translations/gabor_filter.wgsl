@@ -1,9 +1,12 @@
-// gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire: for WGSL.
+// Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest 22aaa4cc3fb8c4d4.
 //
-// Generated from shaders/gabor_filter.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl.
-// Digest of the GLSL and of this file: 67cb9d68d76339c3
+// gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
-//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
+// Paste or include this file after gabor_noise.wgsl, with GABOR_TAPS 3, the default; and after gabor_spectrum.wgsl, if you
+// filter its noises.
+//
+//     vec2f f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
 //
 //     I want                                   call
 //     filtered noise                           gabor_noise_filtered
@@ -21,293 +24,26 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// (noise, removed).
-fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    var field_7: GaborField;
+// vec2f gabor_noise_filtered(vec2f p, vec2f dx, vec2f dy, f32 frequency, f32 orientation, u32 seed)
+//     (noise, removed).
 
-    let _e6 = gabor_place_at(p);
-    let _e7 = gabor_wave_vector(frequency, orientation);
-    let _e8 = gabor_field_filtered(_e6, dx, dy, _e7, seed);
-    field_7 = _e8;
-    let _e10 = field_7;
-    let _e12 = field_7;
-    return vec2<f32>(_e10.noise, _e12.removed);
-}
+// GaborField gabor_field_filtered(GaborPlace place, vec2f dx, vec2f dy, vec2f wave, u32 seed)
+//     The filtered noise at `place`.
+//     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
+//     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
+//     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
+//     is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
+//     radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
+//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
+//     branch, the cost is 3 for small pixels and 5 for larger ones.
 
-// The filtered noise at `place`.
-// The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
-// axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
-// radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
-// is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
-// radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
-// nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
-// branch, the cost is 3 for small pixels and 5 for larger ones.
-fn gabor_field_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, seed: u32) -> GaborField {
-    var stretch_4: vec2<f32>;
-    var footprint_3: GaborFootprint;
+// GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2f dx, vec2f dy, f32 frequency, u32 seed)
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
+//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
+//     only the variance is right.
 
-    stretch_4 = (place.radius / vec2(1.5f));
-    let _e13 = stretch_4;
-    let _e15 = stretch_4;
-    let _e17 = gabor_impl_footprint((_e13 * dx), (_e15 * dy));
-    footprint_3 = _e17;
-    let _e19 = footprint_3;
-    let _e20 = footprint_3;
-    let _e21 = gabor_impl_wide_share(_e20);
-    let _e22 = gabor_impl_filtered(place, _e19, _e21, wave, seed);
-    return _e22;
-}
-
-// gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
-// standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
-// only the variance is right.
-fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> GaborField {
-    var frequency_16: f32;
-    var s_6: vec3<f32>;
-    var kept: f32;
-    var field_9: GaborField;
-    var local_24: f32;
-    var amplitude_3: f32;
-    var stretch_5: vec2<f32>;
-    var unit_4: vec2<f32>;
-    var fall_1: vec2<f32>;
-    var width_3: vec2<f32>;
-    var salt_9: u32;
-    var x_12: GaborAxis;
-    var y_8: GaborAxis;
-    var sum_14: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var j_4: i32 = 0i;
-    var row_5: vec4<u32>;
-    var i_7: i32;
-    var d_5: vec2<f32>;
-    var star_2: GaborStar;
-    var t_9: vec2<f32>;
-    var fade_3: vec2<f32>;
-    var change: vec2<f32>;
-    var cosine: vec2<f32>;
-    var node_2: GaborWindows;
-    var faded_3: vec2<f32>;
-
-    frequency_16 = frequency;
-    let _e6 = gabor_impl_footprint(dx, dy);
-    s_6 = _e6.covariance;
-    let _e9 = frequency_16;
-    frequency_16 = min(abs(_e9), 1000000f);
-    let _e13 = frequency_16;
-    let _e14 = s_6;
-    let _e15 = gabor_impl_transmitted_isotropic_2d(_e13, _e14);
-    kept = _e15;
-    let _e24 = kept;
-    field_9 = GaborField(0f, vec2(0f), 0f, vec2(0f), (1f - _e24));
-    let _e28 = kept;
-    if !((_e28 > 0.0000000001f)) {
-        {
-            field_9.removed = 1f;
-            let _e34 = field_9;
-            return _e34;
-        }
-    }
-    let _e35 = s_6;
-    let _e38 = s_6;
-    let _e40 = s_6;
-    let _e43 = s_6;
-    let _e45 = s_6;
-    let _e49 = s_6;
-    s_6 = (_e35 * (0.04f / max((0.5f * ((_e38.x + _e40.y) + length(vec2<f32>((_e43.x - _e45.y), (2f * _e49.z))))), 0.04f)));
-    if false {
-        local_24 = 1f;
-    } else {
-        local_24 = 1.125f;
-    }
-    let _e71 = local_24;
-    let _e74 = kept;
-    let _e75 = frequency_16;
-    let _e76 = s_6;
-    let _e77 = gabor_impl_transmitted_isotropic_2d(_e75, _e76);
-    amplitude_3 = ((0.57735026f / (1459955300000000000000000000f * _e71)) * sqrt((_e74 / _e77)));
-    stretch_5 = (place.radius / vec2(1.5f));
-    let _e90 = frequency_16;
-    let _e91 = stretch_5;
-    unit_4 = (vec2(_e90) / _e91);
-    let _e95 = s_6;
-    let _e96 = stretch_5;
-    let _e97 = stretch_5;
-    let _e98 = (_e96 * _e97);
-    let _e99 = stretch_5;
-    let _e101 = stretch_5;
-    s_6 = (_e95 * vec3<f32>(_e98.x, _e98.y, (_e99.x * _e101.y)));
-    let _e110 = s_6;
-    fall_1 = exp((-4.934802f * _e110.xy));
-    let _e116 = s_6;
-    width_3 = clamp((0.5f * sqrt(_e116.xy)), vec2(0.001f), vec2(0.05f));
-    let _e126 = gabor_impl_salt(seed);
-    salt_9 = _e126;
-    let _e134 = salt_9;
-    let _e140 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e134, 0f, 1.5f);
-    x_12 = _e140;
-    let _e148 = salt_9;
-    let _e156 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e148 ^ 1540483477u), 0f, 1.5f);
-    y_8 = _e156;
-    loop {
-        let _e169 = j_4;
-        if !((_e169 < 3i)) {
-            break;
-        }
-        {
-            let _e176 = j_4;
-            let _e179 = y_8.word[_e176];
-            let _e180 = gabor_impl_row(_e179);
-            row_5 = _e180;
-            i_7 = 0i;
-            loop {
-                let _e184 = i_7;
-                if !((_e184 < 3i)) {
-                    break;
-                }
-                {
-                    let _e191 = x_12;
-                    let _e193 = i_7;
-                    let _e198 = y_8;
-                    let _e200 = j_4;
-                    d_5 = (vec2<f32>((_e191.offset - f32((_e193 - 1i))), (_e198.offset - f32((_e200 - 1i)))) / vec2(1.5f));
-                    let _e213 = i_7;
-                    let _e216 = x_12.word[_e213];
-                    let _e217 = row_5;
-                    let _e219 = unit_4;
-                    let _e220 = d_5;
-                    let _e223 = gabor_impl_star((_e216 * _e217), (_e219 * _e220), place.time);
-                    star_2 = _e223;
-                    let _e226 = d_5;
-                    let _e230 = width_3;
-                    t_9 = clamp(((vec2(1f) - abs(_e226)) / _e230), vec2(0f), vec2(1f));
-                    let _e238 = t_9;
-                    let _e239 = t_9;
-                    let _e243 = t_9;
-                    fade_3 = ((_e238 * _e239) * (vec2(3f) - (2f * _e243)));
-                    let _e251 = width_3;
-                    let _e254 = t_9;
-                    let _e257 = t_9;
-                    let _e261 = d_5;
-                    change = ((((vec2(-6f) / _e251) * _e254) * (vec2(1f) - _e257)) * sign(_e261));
-                    let _e265 = fall_1;
-                    let _e266 = i_7;
-                    let _e269 = x_12.node[_e266];
-                    let _e271 = j_4;
-                    let _e274 = y_8.node[_e271];
-                    cosine = (_e265 * (vec2<f32>(_e269.x, _e274.x) - vec2(0.5f)));
-                    let _e283 = fade_3;
-                    let _e285 = fade_3;
-                    let _e286 = cosine;
-                    let _e288 = fade_3;
-                    let _e289 = fall_1;
-                    let _e291 = i_7;
-                    let _e294 = x_12.node[_e291];
-                    let _e296 = j_4;
-                    let _e299 = y_8.node[_e296];
-                    node_2 = GaborWindows((0.5f * _e283), (_e285 * _e286), ((_e288 * _e289) * vec2<f32>(_e294.z, _e299.z)));
-                    let _e305 = change;
-                    let _e306 = fade_3;
-                    faded_3 = (_e305 / max(_e306, vec2(0.000001f)));
-                    let _e313 = node_2;
-                    let _e314 = faded_3;
-                    let _e315 = s_6;
-                    let _e316 = star_2;
-                    let _e318 = unit_4;
-                    let _e319 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e313, _e314, _e315, _e316.first, (_e318 * _e319.u));
-                    let _e324 = node_2;
-                    let _e325 = faded_3;
-                    let _e326 = s_6;
-                    let _e327 = star_2;
-                    let _e329 = unit_4;
-                    let _e330 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e324, _e325, _e326, _e327.second, (_e329 * _e330.v));
-                    let _e335 = node_2;
-                    let _e336 = faded_3;
-                    let _e337 = s_6;
-                    let _e338 = star_2;
-                    let _e340 = unit_4;
-                    let _e341 = star_2;
-                    let _e343 = star_2;
-                    gabor_impl_add_filtered_wave((&sum_14), _e335, _e336, _e337, _e338.third, (_e340 * (_e341.v - _e343.u)));
-                }
-                continuing {
-                    let _e188 = i_7;
-                    i_7 = (_e188 + 1i);
-                }
-            }
-        }
-        continuing {
-            let _e173 = j_4;
-            j_4 = (_e173 + 1i);
-        }
-    }
-    let _e349 = sum_14;
-    let _e350 = amplitude_3;
-    let _e351 = stretch_5;
-    gabor_impl_add_field((&field_9), _e349, _e350, _e351);
-    let _e353 = field_9;
-    return _e353;
-}
-
-// gabor_field_lobes, filtered. dx and dy are in units of p.
-fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
-    var lobes_5: GaborLobes;
-    var sum_12: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var power_4: f32;
-    var i_6: i32 = 0i;
-    var lobe_2: GaborLobe;
-    var unit_2: vec2<f32>;
-    var field_8: GaborField;
-    var local_23: f32;
-
-    lobes_5 = lobes;
-    let _e15 = lobes_5;
-    let _e16 = gabor_impl_lobes_power(_e15);
-    power_4 = _e16;
-    loop {
-        let _e20 = i_6;
-        let _e21 = lobes_5;
-        if !((_e20 < min(_e21.count, 4i))) {
-            break;
-        }
-        {
-            let _e30 = i_6;
-            let _e33 = lobes_5.lobe[_e30];
-            lobe_2 = _e33;
-            let _e36 = lobe_2;
-            unit_2 = (vec2(1f) / _e36.radius);
-            let _e41 = lobe_2;
-            let _e43 = gabor_impl_stretched(place, _e41.radius);
-            let _e44 = unit_2;
-            let _e46 = unit_2;
-            let _e48 = lobe_2;
-            let _e49 = gabor_impl_lobe_wave(_e48);
-            let _e50 = i_6;
-            let _e51 = gabor_lobe_seed(seed, _e50);
-            let _e52 = gabor_field_filtered(_e43, (_e44 * dx), (_e46 * dy), _e49, _e51);
-            field_8 = _e52;
-            let _e55 = field_8;
-            let _e56 = power_4;
-            if (_e56 > 0f) {
-                let _e59 = lobe_2;
-                let _e61 = power_4;
-                local_23 = sqrt((_e59.power / _e61));
-            } else {
-                local_23 = 0f;
-            }
-            let _e66 = local_23;
-            let _e67 = unit_2;
-            gabor_impl_add_field((&sum_12), _e55, _e66, _e67);
-        }
-        continuing {
-            let _e27 = i_6;
-            i_6 = (_e27 + 1i);
-        }
-    }
-    let _e69 = sum_12;
-    return _e69;
-}
+// GaborField gabor_field_lobes_filtered(GaborPlace place, vec2f dx, vec2f dy, GaborLobes lobes, u32 seed)
+//     gabor_field_lobes, filtered. dx and dy are in units of p.
 
 // ====================================================================================================================
 // Private implementation
@@ -349,7 +85,6 @@ fn gabor_impl_transmitted(wave: vec2<f32>, covariance: vec3<f32>) -> f32 {
     var area: f32;
     var d_2: f32;
     var exponent: f32;
-
     area = (6.579736f * ((covariance.x * covariance.y) - (covariance.z * covariance.z)));
     let _e17 = area;
     d_2 = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
@@ -379,7 +114,6 @@ fn gabor_impl_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var side_1: f32;
     var smaller: f32;
     var local_16: f32;
-
     dx_1 = dx;
     dy_1 = dy;
     let _e4 = dx_1;
@@ -459,7 +193,6 @@ fn gabor_impl_filtered_node(value: f32, slope: f32, part: vec2<f32>, phase: vec2
     var wave_9: vec2<f32>;
     var even: vec2<f32>;
     var odd: vec2<f32>;
-
     wave_9 = vec2<f32>((value - 0.5f), slope);
     let _e9 = wave_9;
     even = (part.x * _e9);
@@ -488,7 +221,7 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var rise: f32;
     var part_1: vec2<f32>;
     var width_2: f32;
-    var t_6: vec2<f32>;
+    var t_5: vec2<f32>;
     var fade: vec2<f32>;
     var faded_1: vec2<f32>;
     var turn_6: vec2<f32>;
@@ -496,7 +229,6 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     var last: vec2<f32>;
     var value_7: vec4<f32>;
     var slope_7: vec4<f32>;
-
     rise = exp((19.739208f * blurred));
     let _e14 = rise;
     let _e16 = rise;
@@ -507,14 +239,14 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
     let _e36 = (*axis);
     let _e39 = (*axis);
     let _e45 = width_2;
-    t_6 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e36.offset), _e39.offset))) / vec2(_e45)), vec2(0f), vec2(1f));
-    let _e54 = t_6;
-    let _e55 = t_6;
-    let _e59 = t_6;
+    t_5 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e36.offset), _e39.offset))) / vec2(_e45)), vec2(0f), vec2(1f));
+    let _e54 = t_5;
+    let _e55 = t_5;
+    let _e59 = t_5;
     fade = ((_e54 * _e55) * (vec2(3f) - (2f * _e59)));
     let _e66 = width_2;
-    let _e68 = t_6;
-    let _e71 = t_6;
+    let _e68 = t_5;
+    let _e71 = t_5;
     let _e75 = fade;
     faded_1 = (((((6f / _e66) * _e68) * (vec2(1f) - _e71)) / max(_e75, vec2(0.000001f))) * vec2<f32>(-1f, 1f));
     let _e86 = (*axis);
@@ -565,11 +297,10 @@ fn gabor_impl_filter(axis: ptr<function, GaborAxis>, variance: f32, blurred: f32
 }
 
 // The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
-fn gabor_impl_coupled_sum(columns: GaborAxis, rows: GaborAxis, coupling: f32, time: f32) -> vec2<f32> {
+fn gabor_impl_coupled_sum(columns: GaborAxis, rows: GaborAxis, coupling: f32, moment: f32) -> vec2<f32> {
     var sum_9: vec4<f32>;
     var slope_8: vec4<f32>;
-
-    gabor_impl_sum(columns, rows, time, (&sum_9), (&slope_8));
+    gabor_impl_sum(columns, rows, moment, (&sum_9), (&slope_8));
     let _e10 = sum_9;
     let _e12 = slope_8;
     return (_e10.xy + (coupling * _e12.zw));
@@ -586,7 +317,6 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     var value_8: vec2<f32>;
     var along_x_1: vec2<f32>;
     var along_y_1: vec2<f32>;
-
     let _e4 = gabor_impl_symmetric(s, wave);
     blurred_1 = _e4;
     let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
@@ -606,15 +336,15 @@ fn gabor_impl_filtered_narrow(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, 
     gabor_impl_filter((&rows_1), s.y, _e65.y, (&rows_slope));
     let _e70 = columns_1;
     let _e71 = rows_1;
-    let _e74 = gabor_impl_coupled_sum(_e70, _e71, s.z, place.time);
+    let _e74 = gabor_impl_coupled_sum(_e70, _e71, s.z, place.moment);
     value_8 = _e74;
     let _e76 = columns_slope;
     let _e77 = rows_1;
-    let _e80 = gabor_impl_coupled_sum(_e76, _e77, s.z, place.time);
+    let _e80 = gabor_impl_coupled_sum(_e76, _e77, s.z, place.moment);
     along_x_1 = _e80;
     let _e82 = columns_1;
     let _e83 = rows_slope;
-    let _e86 = gabor_impl_coupled_sum(_e82, _e83, s.z, place.time);
+    let _e86 = gabor_impl_coupled_sum(_e82, _e83, s.z, place.moment);
     along_y_1 = _e86;
     let _e88 = value_8;
     let _e89 = along_x_1;
@@ -664,7 +394,7 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     var fall: f32;
     var rise_1: f32;
     var sink: f32;
-    var t_7: f32;
+    var t_6: f32;
     var wave_11: vec3<f32>;
     var fall_4_: f32;
     var above: vec3<f32>;
@@ -677,7 +407,6 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     var odd_1_: vec3<f32>;
     var even_2_: vec3<f32>;
     var odd_2_: vec3<f32>;
-
     b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
     let _e18 = b_2;
     if (_e18.reach > 2f) {
@@ -726,9 +455,9 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     let _e100 = rise_1;
     sink = (1f / _e100);
     let _e103 = b_2;
-    t_7 = (_e103.reach - 2f);
-    let _e113 = t_7;
-    let _e119 = t_7;
+    t_6 = (_e103.reach - 2f);
+    let _e113 = t_6;
+    let _e119 = t_6;
     wave_11 = (vec3<f32>(0.25723323f, 0.12732396f, -0.03693604f) + (_e113 * (vec3<f32>(-0.03099653f, 0.22852218f, 0.10636504f) - (_e119 * vec3<f32>(0.0214304f, 0.11618766f, -0.1615392f)))));
     let _e130 = fall;
     let _e131 = fall;
@@ -834,16 +563,15 @@ struct GaborFilteredLine {
 // The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
 fn gabor_impl_fade(b: GaborFilteredAxis, index: i32) -> vec2<f32> {
     var d_3: f32;
-    var t_8: f32;
-
+    var t_7: f32;
     d_3 = (b.offset - f32(index));
     let _e8 = d_3;
-    t_8 = clamp((4f * (b.reach - abs(_e8))), 0f, 1f);
-    let _e16 = t_8;
-    let _e17 = t_8;
-    let _e20 = t_8;
+    t_7 = clamp((4f * (b.reach - abs(_e8))), 0f, 1f);
+    let _e16 = t_7;
+    let _e17 = t_7;
+    let _e20 = t_7;
     let _e31 = d_3;
-    let _e35 = t_8;
+    let _e35 = t_7;
     return (_e16 * vec2<f32>((_e17 * (3f - (2f * _e20))), ((-36f * sign(_e31)) * (1f - _e35))));
 }
 
@@ -852,7 +580,6 @@ fn gabor_impl_filtered_line(b: GaborFilteredAxis, index: i32, turn: vec2<f32>, p
     var line: GaborFilteredLine;
     var real: vec3<f32>;
     var imaginary: vec3<f32>;
-
     let _e10 = gabor_impl_wrap((b.first + index), b.period);
     let _e12 = gabor_impl_line_word(_e10, b.salt);
     line.word = _e12;
@@ -896,7 +623,6 @@ struct GaborColumns {
 fn gabor_impl_columns(b: GaborFilteredAxis) -> GaborColumns {
     var columns_2: GaborColumns;
     var turn_9: vec2<f32>;
-
     let _e7 = gabor_impl_wave(((0.5f / b.reach) * b.offset));
     turn_9 = _e7;
     columns_2.five = (b.count == 5i);
@@ -930,7 +656,6 @@ fn gabor_impl_columns(b: GaborFilteredAxis) -> GaborColumns {
 // The line before line 0, given the phase of the noise's wave there.
 fn gabor_impl_line_before(b: GaborFilteredAxis, phase: vec2<f32>) -> GaborFilteredLine {
     var line_3: GaborFilteredLine;
-
     let _e11 = gabor_impl_wave(((0.5f / b.reach) * (b.offset + 1f)));
     line_3.turn = _e11;
     line_3.phase = phase;
@@ -944,12 +669,11 @@ fn gabor_impl_plus_product(sum: GaborFactors, factors: GaborFactors, real: f32, 
 }
 
 // Adds a node to the sums of a row, and to those with the derivative of the fade.
-fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, time: f32) {
+fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<function, GaborFactors>, column: GaborFilteredLine, row_word: u32, moment: f32) {
     var a_3: vec2<f32>;
     var b_8: vec2<f32>;
     var c_4: vec2<f32>;
-
-    let _e7 = gabor_impl_amplitude_at((column.word * row_word), time);
+    let _e7 = gabor_impl_amplitude_at((column.word * row_word), moment);
     a_3 = _e7;
     let _e11 = a_3;
     b_8 = (column.fade.x * _e11);
@@ -969,20 +693,19 @@ fn gabor_impl_add_filtered_node(row: ptr<function, GaborFactors>, edge: ptr<func
 }
 
 // The sums of a row over its columns.
-fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, time: f32, edge: ptr<function, GaborFactors>) -> GaborFactors {
+fn gabor_impl_filtered_row(columns: GaborColumns, row_word: u32, moment: f32, edge: ptr<function, GaborFactors>) -> GaborFactors {
     var row_3: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
     var none: GaborFactors;
-
     let _e10 = row_3;
     none = _e10;
     let _e12 = row_3;
     (*edge) = _e12;
-    gabor_impl_add_filtered_node((&row_3), edge, columns.column_0_, row_word, time);
-    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_1_, row_word, time);
-    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_2_, row_word, time);
-    gabor_impl_add_filtered_node((&row_3), edge, columns.column_3_, row_word, time);
+    gabor_impl_add_filtered_node((&row_3), edge, columns.column_0_, row_word, moment);
+    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_1_, row_word, moment);
+    gabor_impl_add_filtered_node((&row_3), (&none), columns.column_2_, row_word, moment);
+    gabor_impl_add_filtered_node((&row_3), edge, columns.column_3_, row_word, moment);
     if columns.five {
-        gabor_impl_add_filtered_node((&row_3), edge, columns.column_4_, row_word, time);
+        gabor_impl_add_filtered_node((&row_3), edge, columns.column_4_, row_word, moment);
     }
     let _e39 = row_3;
     return _e39;
@@ -1035,7 +758,6 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var y_6: vec2<f32>;
     var local_22: f32;
     var scale: f32;
-
     m_1 = (s.xy + vec2(0.13069098f));
     deviation_1 = sqrt(s.xy);
     let _e13 = gabor_impl_symmetric(s, wave);
@@ -1110,7 +832,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
             line_4 = _e181;
             let _e183 = columns_4;
             let _e184 = line_4;
-            let _e189 = gabor_impl_filtered_row(_e183, _e184.word, place.time, (&edge_2));
+            let _e189 = gabor_impl_filtered_row(_e183, _e184.word, place.moment, (&edge_2));
             row_4 = _e189;
             let _e191 = line_4;
             let _e192 = gabor_impl_faded(_e191);
@@ -1227,7 +949,6 @@ fn gabor_impl_filtered(place: GaborPlace, footprint: GaborFootprint, wide: f32, 
     var s_4: vec3<f32>;
     var salt_8: u32;
     var amplitude_2: f32 = 1f;
-
     wave_14 = wave;
     stretch_3 = (place.radius / vec2(1.5f));
     let _e14 = wave_14;
@@ -1242,44 +963,129 @@ fn gabor_impl_filtered(place: GaborPlace, footprint: GaborFootprint, wide: f32, 
             s_4 = footprint.resolved;
             let _e41 = gabor_impl_salt(seed);
             salt_8 = _e41;
-            if any((footprint.resolved != footprint.covariance)) {
-                let _e49 = amplitude_2;
-                let _e50 = transmitted;
-                let _e51 = wave_14;
-                let _e52 = s_4;
-                let _e53 = gabor_impl_transmitted(_e51, _e52);
-                amplitude_2 = (_e49 * sqrt((_e50 / _e53)));
+            if (distance(footprint.resolved, footprint.covariance) > 0f) {
+                let _e50 = amplitude_2;
+                let _e51 = transmitted;
+                let _e52 = wave_14;
+                let _e53 = s_4;
+                let _e54 = gabor_impl_transmitted(_e52, _e53);
+                amplitude_2 = (_e50 * sqrt((_e51 / _e54)));
             }
             if (wide < 1f) {
-                let _e60 = wave_14;
-                let _e61 = s_4;
-                let _e62 = salt_8;
-                let _e63 = gabor_impl_filtered_narrow(place, _e60, _e61, _e62);
-                let _e66 = amplitude_2;
-                let _e68 = stretch_3;
-                gabor_impl_add_field((&sum_11), _e63, ((1f - wide) * _e66), _e68);
+                let _e61 = wave_14;
+                let _e62 = s_4;
+                let _e63 = salt_8;
+                let _e64 = gabor_impl_filtered_narrow(place, _e61, _e62, _e63);
+                let _e67 = amplitude_2;
+                let _e69 = stretch_3;
+                gabor_impl_add_field((&sum_11), _e64, ((1f - wide) * _e67), _e69);
             }
             if (wide > 0f) {
-                let _e73 = wave_14;
-                let _e74 = s_4;
-                let _e77 = salt_8;
-                let _e78 = gabor_impl_filtered_wide(place, _e73, _e74, (wide > 0f), _e77);
-                let _e79 = amplitude_2;
-                let _e81 = stretch_3;
-                gabor_impl_add_field((&sum_11), _e78, (wide * _e79), _e81);
+                let _e74 = wave_14;
+                let _e75 = s_4;
+                let _e78 = salt_8;
+                let _e79 = gabor_impl_filtered_wide(place, _e74, _e75, (wide > 0f), _e78);
+                let _e80 = amplitude_2;
+                let _e82 = stretch_3;
+                gabor_impl_add_field((&sum_11), _e79, (wide * _e80), _e82);
             }
         }
     }
-    let _e85 = transmitted;
-    sum_11.removed = (1f - _e85);
-    let _e87 = sum_11;
-    return _e87;
+    let _e86 = transmitted;
+    sum_11.removed = (1f - _e86);
+    let _e88 = sum_11;
+    return _e88;
+}
+
+fn gabor_field_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, wave: vec2<f32>, seed: u32) -> GaborField {
+    var stretch_4: vec2<f32>;
+    var footprint_3: GaborFootprint;
+    stretch_4 = (place.radius / vec2(1.5f));
+    let _e13 = stretch_4;
+    let _e15 = stretch_4;
+    let _e17 = gabor_impl_footprint((_e13 * dx), (_e15 * dy));
+    footprint_3 = _e17;
+    let _e19 = footprint_3;
+    let _e20 = footprint_3;
+    let _e21 = gabor_impl_wide_share(_e20);
+    let _e22 = gabor_impl_filtered(place, _e19, _e21, wave, seed);
+    return _e22;
+}
+
+fn gabor_noise_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    var field_7: GaborField;
+    let _e6 = gabor_place_at(p);
+    let _e7 = gabor_wave_vector(frequency, orientation);
+    let _e8 = gabor_field_filtered(_e6, dx, dy, _e7, seed);
+    field_7 = _e8;
+    let _e10 = field_7;
+    let _e12 = field_7;
+    return vec2<f32>(_e10.noise, _e12.removed);
 }
 
 // Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
 fn gabor_impl_mean_angle(q: f32) -> f32 {
     return sqrt(((1f + (q * (0.19075951f + (0.0865599f * q)))) / (1f + (q * (1.1907595f + (q * (0.60787135f + (0.27193594f * q))))))));
 }
+
+fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, lobes: GaborLobes, seed: u32) -> GaborField {
+    var lobes_5: GaborLobes;
+    var sum_12: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
+    var power_4: f32;
+    var i_6: i32 = 0i;
+    var lobe_2: GaborLobe;
+    var unit_2: vec2<f32>;
+    var field_8: GaborField;
+    var local_23: f32;
+    lobes_5 = lobes;
+    let _e15 = lobes_5;
+    let _e16 = gabor_impl_lobes_power(_e15);
+    power_4 = _e16;
+    loop {
+        let _e20 = i_6;
+        let _e21 = lobes_5;
+        if !((_e20 < min(_e21.count, 4i))) {
+            break;
+        }
+        {
+            let _e30 = i_6;
+            let _e33 = lobes_5.lobe[_e30];
+            lobe_2 = _e33;
+            let _e36 = lobe_2;
+            unit_2 = (vec2(1f) / _e36.radius);
+            let _e41 = lobe_2;
+            let _e43 = gabor_impl_stretched(place, _e41.radius);
+            let _e44 = unit_2;
+            let _e46 = unit_2;
+            let _e48 = lobe_2;
+            let _e49 = gabor_impl_lobe_wave(_e48);
+            let _e50 = i_6;
+            let _e51 = gabor_lobe_seed(seed, _e50);
+            let _e52 = gabor_field_filtered(_e43, (_e44 * dx), (_e46 * dy), _e49, _e51);
+            field_8 = _e52;
+            let _e55 = field_8;
+            let _e56 = power_4;
+            if (_e56 > 0f) {
+                let _e59 = lobe_2;
+                let _e61 = power_4;
+                local_23 = sqrt((_e59.power / _e61));
+            } else {
+                local_23 = 0f;
+            }
+            let _e66 = local_23;
+            let _e67 = unit_2;
+            gabor_impl_add_field((&sum_12), _e55, _e66, _e67);
+        }
+        continuing {
+            let _e27 = i_6;
+            i_6 = (_e27 + 1i);
+        }
+    }
+    let _e69 = sum_12;
+    return _e69;
+}
+
+// ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
 // The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
 fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) -> f32 {
@@ -1288,7 +1094,6 @@ fn gabor_impl_transmitted_isotropic_2d(frequency: f32, covariance: vec3<f32>) ->
     var unit_3: f32;
     var apart_1: f32;
     var smaller_1: f32;
-
     area_1 = (6.579736f * ((covariance.x * covariance.y) - (covariance.z * covariance.z)));
     let _e17 = area_1;
     d_4 = (1f + (6.579736f * ((covariance.x + covariance.y) + _e17)));
@@ -1330,7 +1135,6 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     var value_10: vec2<f32>;
     var along_x_2: vec2<f32>;
     var along_y_2: vec2<f32>;
-
     a_6 = a;
     let _e8 = gabor_impl_symmetric(s, wave);
     x_11 = (19.739208f * _e8);
@@ -1403,3 +1207,192 @@ fn gabor_impl_add_filtered_wave(sum: ptr<function, GaborField>, node: GaborWindo
     (*sum).quadrature_gradient = (_e157.quadrature_gradient + ((vec2<f32>(_e159.x, _e161.x) + (_e164.x * faded)) - ((6.2831855f * _e169.y) * wave)));
     return;
 }
+
+fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, seed: u32) -> GaborField {
+    var frequency_16: f32;
+    var s_6: vec3<f32>;
+    var kept: f32;
+    var field_9: GaborField;
+    var local_24: f32;
+    var amplitude_3: f32;
+    var stretch_5: vec2<f32>;
+    var unit_4: vec2<f32>;
+    var fall_1: vec2<f32>;
+    var width_3: vec2<f32>;
+    var salt_9: u32;
+    var x_12: GaborAxis;
+    var y_8: GaborAxis;
+    var sum_14: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
+    var j_4: i32 = 0i;
+    var row_5: vec4<u32>;
+    var i_7: i32;
+    var d_5: vec2<f32>;
+    var star_2: GaborStar;
+    var t_8: vec2<f32>;
+    var fade_3: vec2<f32>;
+    var change: vec2<f32>;
+    var cosine: vec2<f32>;
+    var node_2: GaborWindows;
+    var faded_3: vec2<f32>;
+    frequency_16 = frequency;
+    let _e6 = gabor_impl_footprint(dx, dy);
+    s_6 = _e6.covariance;
+    let _e9 = frequency_16;
+    frequency_16 = min(abs(_e9), 1000000f);
+    let _e13 = frequency_16;
+    let _e14 = s_6;
+    let _e15 = gabor_impl_transmitted_isotropic_2d(_e13, _e14);
+    kept = _e15;
+    let _e24 = kept;
+    field_9 = GaborField(0f, vec2(0f), 0f, vec2(0f), (1f - _e24));
+    let _e28 = kept;
+    if !((_e28 > 0.0000000001f)) {
+        {
+            field_9.removed = 1f;
+            let _e34 = field_9;
+            return _e34;
+        }
+    }
+    let _e35 = s_6;
+    let _e38 = s_6;
+    let _e40 = s_6;
+    let _e43 = s_6;
+    let _e45 = s_6;
+    let _e49 = s_6;
+    s_6 = (_e35 * (0.04f / max((0.5f * ((_e38.x + _e40.y) + length(vec2<f32>((_e43.x - _e45.y), (2f * _e49.z))))), 0.04f)));
+    if false {
+        local_24 = 1f;
+    } else {
+        local_24 = 1.125f;
+    }
+    let _e71 = local_24;
+    let _e74 = kept;
+    let _e75 = frequency_16;
+    let _e76 = s_6;
+    let _e77 = gabor_impl_transmitted_isotropic_2d(_e75, _e76);
+    amplitude_3 = ((0.57735026f / (1459955300000000000000000000f * _e71)) * sqrt((_e74 / _e77)));
+    stretch_5 = (place.radius / vec2(1.5f));
+    let _e90 = frequency_16;
+    let _e91 = stretch_5;
+    unit_4 = (vec2(_e90) / _e91);
+    let _e95 = s_6;
+    let _e96 = stretch_5;
+    let _e97 = stretch_5;
+    let _e98 = (_e96 * _e97);
+    let _e99 = stretch_5;
+    let _e101 = stretch_5;
+    s_6 = (_e95 * vec3<f32>(_e98.x, _e98.y, (_e99.x * _e101.y)));
+    let _e110 = s_6;
+    fall_1 = exp((-4.934802f * _e110.xy));
+    let _e116 = s_6;
+    width_3 = clamp((0.5f * sqrt(_e116.xy)), vec2(0.001f), vec2(0.05f));
+    let _e126 = gabor_impl_salt(seed);
+    salt_9 = _e126;
+    let _e134 = salt_9;
+    let _e140 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e134, 0f, 1.5f);
+    x_12 = _e140;
+    let _e148 = salt_9;
+    let _e156 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e148 ^ 1540483477u), 0f, 1.5f);
+    y_8 = _e156;
+    loop {
+        let _e169 = j_4;
+        if !((_e169 < 3i)) {
+            break;
+        }
+        {
+            let _e176 = j_4;
+            let _e179 = y_8.word[_e176];
+            let _e180 = gabor_impl_row(_e179);
+            row_5 = _e180;
+            i_7 = 0i;
+            loop {
+                let _e184 = i_7;
+                if !((_e184 < 3i)) {
+                    break;
+                }
+                {
+                    let _e191 = x_12;
+                    let _e193 = i_7;
+                    let _e198 = y_8;
+                    let _e200 = j_4;
+                    d_5 = (vec2<f32>((_e191.offset - f32((_e193 - 1i))), (_e198.offset - f32((_e200 - 1i)))) / vec2(1.5f));
+                    let _e213 = i_7;
+                    let _e216 = x_12.word[_e213];
+                    let _e217 = row_5;
+                    let _e219 = unit_4;
+                    let _e220 = d_5;
+                    let _e223 = gabor_impl_star((_e216 * _e217), (_e219 * _e220), place.moment);
+                    star_2 = _e223;
+                    let _e226 = d_5;
+                    let _e230 = width_3;
+                    t_8 = clamp(((vec2(1f) - abs(_e226)) / _e230), vec2(0f), vec2(1f));
+                    let _e238 = t_8;
+                    let _e239 = t_8;
+                    let _e243 = t_8;
+                    fade_3 = ((_e238 * _e239) * (vec2(3f) - (2f * _e243)));
+                    let _e251 = width_3;
+                    let _e254 = t_8;
+                    let _e257 = t_8;
+                    let _e261 = d_5;
+                    change = ((((vec2(-6f) / _e251) * _e254) * (vec2(1f) - _e257)) * sign(_e261));
+                    let _e265 = fall_1;
+                    let _e266 = i_7;
+                    let _e269 = x_12.node[_e266];
+                    let _e271 = j_4;
+                    let _e274 = y_8.node[_e271];
+                    cosine = (_e265 * (vec2<f32>(_e269.x, _e274.x) - vec2(0.5f)));
+                    let _e283 = fade_3;
+                    let _e285 = fade_3;
+                    let _e286 = cosine;
+                    let _e288 = fade_3;
+                    let _e289 = fall_1;
+                    let _e291 = i_7;
+                    let _e294 = x_12.node[_e291];
+                    let _e296 = j_4;
+                    let _e299 = y_8.node[_e296];
+                    node_2 = GaborWindows((0.5f * _e283), (_e285 * _e286), ((_e288 * _e289) * vec2<f32>(_e294.z, _e299.z)));
+                    let _e305 = change;
+                    let _e306 = fade_3;
+                    faded_3 = (_e305 / max(_e306, vec2(0.000001f)));
+                    let _e313 = node_2;
+                    let _e314 = faded_3;
+                    let _e315 = s_6;
+                    let _e316 = star_2;
+                    let _e318 = unit_4;
+                    let _e319 = star_2;
+                    gabor_impl_add_filtered_wave((&sum_14), _e313, _e314, _e315, _e316.first, (_e318 * _e319.u));
+                    let _e324 = node_2;
+                    let _e325 = faded_3;
+                    let _e326 = s_6;
+                    let _e327 = star_2;
+                    let _e329 = unit_4;
+                    let _e330 = star_2;
+                    gabor_impl_add_filtered_wave((&sum_14), _e324, _e325, _e326, _e327.second, (_e329 * _e330.v));
+                    let _e335 = node_2;
+                    let _e336 = faded_3;
+                    let _e337 = s_6;
+                    let _e338 = star_2;
+                    let _e340 = unit_4;
+                    let _e341 = star_2;
+                    let _e343 = star_2;
+                    gabor_impl_add_filtered_wave((&sum_14), _e335, _e336, _e337, _e338.third, (_e340 * (_e341.v - _e343.u)));
+                }
+                continuing {
+                    let _e188 = i_7;
+                    i_7 = (_e188 + 1i);
+                }
+            }
+        }
+        continuing {
+            let _e173 = j_4;
+            j_4 = (_e173 + 1i);
+        }
+    }
+    let _e349 = sum_14;
+    let _e350 = amplitude_3;
+    let _e351 = stretch_5;
+    gabor_impl_add_field((&field_9), _e349, _e350, _e351);
+    let _e353 = field_9;
+    return _e353;
+}
+

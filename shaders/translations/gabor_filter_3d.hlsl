@@ -1,6 +1,8 @@
-// gabor_filter_3d.hlsl: the noises of gabor_noise_3d.hlsl, averaged over a pixel: for HLSL, shader model 5.0 and up.
+// Generated from gabor_filter_3d.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_filter_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl. Paste or include it after gabor_spectrum.hlsl. Paste or include it after gabor_filter.hlsl. Paste or include it after gabor_noise_3d.hlsl.
+// gabor_filter_3d.hlsl: the noises of gabor_noise_3d.hlsl, averaged over a pixel.
+//
+// Paste or include this file after gabor_noise.hlsl, gabor_filter.hlsl and gabor_noise_3d.hlsl.
 //
 //     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
 //
@@ -118,7 +120,7 @@ GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, float3 wave, GaborM
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborFactors edge;
-            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.time,
+            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment,
                                                        edge);
             GaborFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
@@ -210,11 +212,11 @@ GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, Gabo
     float4 sum = (float4)(0.0), slopes = (float4)(0.0);
     for (int k = 0; k < 3; ++k) {
         float4 slice, slope;
-        gabor_impl_sum_slice(x, y, z, k, place.time, slice, slope);
+        gabor_impl_sum_slice(x, y, z, k, place.moment, slice, slope);
         gabor_impl_add_products(sum, slice, z.node[k].xy);
         slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
-        sum.xy += gabor_impl_product(pixel.mixed.x * slope.xy + pixel.mixed.y * slice.zw, z.node[k].zw)
-                + pixel.mixed.z * gabor_impl_product(slope.zw, z.node[k].xy);
+        sum += float4(gabor_impl_product(pixel.mixed.x * slope.xy + pixel.mixed.y * slice.zw, z.node[k].zw)
+                    + pixel.mixed.z * gabor_impl_product(slope.zw, z.node[k].xy), 0.0, 0.0);
     }
     return gabor_impl_field_3d(sum, slopes, exp(-19.739209 * max(dot(wave, blurred), 0.0)) * turn, wave);
 }
@@ -289,8 +291,8 @@ GaborFilteredNode gabor_impl_filtered_node_3d(GaborNode node, float variance) {
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                     float4 wave, float time, GaborMatrix pixel, uint word) {
-    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, time), gabor_impl_wave(wave.w));
+                                     float4 wave, float moment, GaborMatrix pixel, uint word) {
+    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     float3 middle = float3(x.middle, y.middle, z.middle), cosine = float3(x.cosine, y.cosine, z.cosine);
     float3 sine = float3(x.sine, y.sine, z.sine), s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
     a *= exp(-max(dot(wave.xyz, s), 0.0));
@@ -311,15 +313,15 @@ void gabor_impl_add_filtered_wave_3d(inout GaborField3d sum, GaborFilteredNode x
 }
 
 void gabor_impl_add_filtered_waves_3d(inout GaborField3d sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                      float3 scale, float time, GaborMatrix pixel, GaborTangents tangents, uint column,
+                                      float3 scale, float moment, GaborMatrix pixel, GaborTangents tangents, uint column,
                                       uint4 row) {
     float3 d = scale * float3(x.offset, y.offset, z.offset);
     GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     float4 unit = float4(scale, 1.0);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.u, time, pixel, column * row.x);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.v, time, pixel, column * row.y);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.u, moment, pixel, column * row.x);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.v, moment, pixel, column * row.y);
     if (!tangents.only)
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.w, time, pixel, column * row.z);
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.w, moment, pixel, column * row.z);
 }
 
 // The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
@@ -371,9 +373,9 @@ GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, float3 dx, float3
         GaborFilteredNode y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
         GaborFilteredNode z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
         uint4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.time, pixel, tangents, x.word[0], row);
-        gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.time, pixel, tangents, x.word[1], row);
-        gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.time, pixel, tangents, x.word[2], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.moment, pixel, tangents, x.word[0], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
     }
     amplitude *= rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_impl_add_field_3d(field, sum, amplitude, stretch);

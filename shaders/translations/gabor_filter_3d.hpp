@@ -1,7 +1,9 @@
 // clang-format off
-// gabor_filter_3d.hpp: the noises of gabor_noise_3d.hpp, averaged over a pixel: for C++ on the CPU.
+// Generated from gabor_filter_3d.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_filter_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp. Paste or include it after gabor_spectrum.hpp. Paste or include it after gabor_filter.hpp. Paste or include it after gabor_noise_3d.hpp.
+// gabor_filter_3d.hpp: the noises of gabor_noise_3d.hpp, averaged over a pixel.
+//
+// Paste or include this file after gabor_noise.hpp, gabor_filter.hpp and gabor_noise_3d.hpp.
 //
 //     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
 //
@@ -9,6 +11,8 @@
 // share of the variance that averaging removed: see gabor_filter.hpp.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #if !defined(GABOR_FILTER_HPP) || !defined(GABOR_NOISE_3D_HPP)
 #error Include gabor_noise.hpp, gabor_filter.hpp and gabor_noise_3d.hpp before gabor_filter_3d.hpp
@@ -111,7 +115,7 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_wide_3d(GaborPlace3d place, gabor_
         do {
             row = gabor_impl_next_line(row, y, j, gabor_impl_fade(y, j));
             GaborFactors edge;
-            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.time,
+            GaborFactors sum = gabor_impl_filtered_row(columns, gabor_impl_slice_word(row.word, slice.word), place.moment,
                                                        edge);
             GaborFactors window = gabor_impl_faded(row);
             y_0 = gabor_impl_plus_product(y_0, sum, window.real.x, window.imaginary.x);
@@ -195,11 +199,11 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabo
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
     for (int k = 0; k < 3; ++k) {
         gabor_vec4 slice, slope;
-        gabor_impl_sum_slice(x, y, z, k, place.time, slice, slope);
+        gabor_impl_sum_slice(x, y, z, k, place.moment, slice, slope);
         gabor_impl_add_products(sum, slice, z.node[k].xy());
         slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
-        gabor_cpp_assign(sum.x, sum.y, sum.xy() + (gabor_impl_product(pixel.mixed.x * slope.xy() + pixel.mixed.y * slice.zw(), z.node[k].zw())
-                + pixel.mixed.z * gabor_impl_product(slope.zw(), z.node[k].xy())));
+        sum += gabor_vec4(gabor_impl_product(pixel.mixed.x * slope.xy() + pixel.mixed.y * slice.zw(), z.node[k].zw())
+                    + pixel.mixed.z * gabor_impl_product(slope.zw(), z.node[k].xy()), 0.0f, 0.0f);
     }
     return gabor_impl_field_3d(sum, slopes, gabor_cpp_exp(-19.739209f * gabor_cpp_max(gabor_cpp_dot(wave, blurred), 0.0f)) * turn, wave);
 }
@@ -263,8 +267,8 @@ GABOR_INLINE GaborFilteredNode gabor_impl_filtered_node_3d(GaborNode node, float
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
 GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                     gabor_vec4 wave, float time, GaborMatrix pixel, std::uint32_t word) {
-    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, time), gabor_impl_wave(wave.w));
+                                     gabor_vec4 wave, float moment, GaborMatrix pixel, std::uint32_t word) {
+    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     gabor_vec3 middle = gabor_vec3(x.middle, y.middle, z.middle), cosine = gabor_vec3(x.cosine, y.cosine, z.cosine);
     gabor_vec3 sine = gabor_vec3(x.sine, y.sine, z.sine), s = 19.739209f * gabor_impl_symmetric_3d(pixel, wave.xyz());
     a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave.xyz(), s), 0.0f));
@@ -285,15 +289,15 @@ GABOR_INLINE void gabor_impl_add_filtered_wave_3d(GaborField3d& sum, GaborFilter
 }
 
 GABOR_INLINE void gabor_impl_add_filtered_waves_3d(GaborField3d& sum, GaborFilteredNode x, GaborFilteredNode y, GaborFilteredNode z,
-                                      gabor_vec3 scale, float time, GaborMatrix pixel, GaborTangents tangents, std::uint32_t column,
+                                      gabor_vec3 scale, float moment, GaborMatrix pixel, GaborTangents tangents, std::uint32_t column,
                                       gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
     GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     gabor_vec4 unit = gabor_vec4(scale, 1.0f);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.u, time, pixel, column * row.x);
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.v, time, pixel, column * row.y);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.u, moment, pixel, column * row.x);
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.v, moment, pixel, column * row.y);
     if (!tangents.only)
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.w, time, pixel, column * row.z);
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, unit * star.w, moment, pixel, column * row.z);
 }
 
 // The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
@@ -345,9 +349,9 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic_filtered(GaborPlace3d place, gabo
         GaborFilteredNode y_j = gabor_impl_filtered_node_3d(gabor_impl_node(y, i % 3), s.y);
         GaborFilteredNode z_k = gabor_impl_filtered_node_3d(gabor_impl_node(z, i / 3), s.z);
         gabor_uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.time, pixel, tangents, x.word[0], row);
-        gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.time, pixel, tangents, x.word[1], row);
-        gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.time, pixel, tangents, x.word[2], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_0, y_j, z_k, scale, place.moment, pixel, tangents, x.word[0], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_1, y_j, z_k, scale, place.moment, pixel, tangents, x.word[1], row);
+        gabor_impl_add_filtered_waves_3d(sum, x_2, y_j, z_k, scale, place.moment, pixel, tangents, x.word[2], row);
     }
     amplitude *= gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_impl_add_field_3d(field, sum, amplitude, stretch);

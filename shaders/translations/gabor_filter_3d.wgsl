@@ -1,7 +1,9 @@
-// gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel: for WGSL.
+// Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest 02500dced7903e57.
 //
-// Generated from shaders/gabor_filter_3d.glsl by tools/translate and naga 30.0.1: change that file, not this one. Paste or include it after gabor_noise.wgsl. Paste or include it after gabor_spectrum.wgsl. Paste or include it after gabor_filter.wgsl. Paste or include it after gabor_noise_3d.wgsl.
-// Digest of the GLSL and of this file: 319ca69f37cfac55
+// gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
+//
+// Paste or include this file after gabor_noise.wgsl, gabor_filter.wgsl and gabor_noise_3d.wgsl.
 //
 //     GaborField3d f = gabor_field_3d_isotropic_filtered(gabor_place_3d_at(p), dFdx(p), dFdy(p), 2.0, 7u);
 //
@@ -10,245 +12,32 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-// radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
-// much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
-// 6.6 times (125 nodes).
-fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wave: vec3<f32>, seed: u32) -> GaborField3d {
-    var wave_26: vec3<f32>;
-    var stretch_10: vec3<f32>;
-    var salt_14: u32;
-    var whole: GaborPixelAxes;
-    var resolved: GaborPixelAxes;
-    var transmitted_1: f32;
-    var amplitude_6: f32;
-    var pixel_5: GaborMatrix;
-    var variance_1: vec3<f32>;
-    var wide_1: f32;
-    var sum_28: GaborField3d;
+// GaborField3d gabor_field_3d_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f wave, u32 seed)
+// GaborField3d gabor_field_surface_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f normal, f32 frequency,
+//                                           vec3f direction, u32 seed)
+//     The error is that of gabor_field_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
+//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times as
+//     much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at most
+//     6.6 times (125 nodes).
 
-    wave_26 = wave;
-    stretch_10 = (place.radius / vec3(1.5f));
-    let _e14 = wave_26;
-    let _e21 = stretch_10;
-    wave_26 = (clamp(_e14, vec3(-1000000f), vec3(1000000f)) / _e21);
-    let _e23 = gabor_impl_salt(seed);
-    salt_14 = _e23;
-    let _e25 = stretch_10;
-    let _e26 = gabor_impl_pixel(dx, dy, _e25);
-    whole = _e26;
-    let _e28 = whole;
-    let _e30 = gabor_impl_resolved(_e28, 1f);
-    resolved = _e30;
-    let _e32 = wave_26;
-    let _e33 = whole;
-    let _e34 = gabor_impl_transmitted_3d(_e32, _e33);
-    transmitted_1 = _e34;
-    let _e36 = transmitted_1;
-    let _e37 = wave_26;
-    let _e38 = resolved;
-    let _e39 = gabor_impl_transmitted_3d(_e37, _e38);
-    amplitude_6 = sqrt((_e36 / _e39));
-    let _e43 = transmitted_1;
-    if !((_e43 > 0.0000000001f)) {
-        transmitted_1 = 0f;
-    }
-    let _e48 = resolved;
-    let _e49 = gabor_impl_covariance(_e48);
-    pixel_5 = _e49;
-    let _e51 = pixel_5;
-    variance_1 = _e51.diagonal;
-    let _e55 = variance_1;
-    let _e57 = variance_1;
-    let _e60 = variance_1;
-    wide_1 = clamp(((100f * sqrt(max(max(_e55.x, _e57.y), _e60.z))) - 9f), 0f, 1f);
-    let _e78 = transmitted_1;
-    sum_28 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e78));
-    let _e82 = transmitted_1;
-    if (_e82 == 0f) {
-        let _e85 = sum_28;
-        return _e85;
-    }
-    let _e86 = wide_1;
-    if (_e86 < 1f) {
-        let _e90 = wave_26;
-        let _e91 = pixel_5;
-        let _e92 = salt_14;
-        let _e93 = gabor_impl_filtered_narrow_3d(place, _e90, _e91, _e92);
-        let _e95 = wide_1;
-        let _e97 = amplitude_6;
-        let _e99 = stretch_10;
-        gabor_impl_add_field_3d((&sum_28), _e93, ((1f - _e95) * _e97), _e99);
-    }
-    let _e101 = wide_1;
-    if (_e101 > 0f) {
-        let _e105 = wave_26;
-        let _e106 = pixel_5;
-        let _e107 = wide_1;
-        let _e110 = salt_14;
-        let _e111 = gabor_impl_filtered_wide_3d(place, _e105, _e106, (_e107 > 0f), _e110);
-        let _e112 = wide_1;
-        let _e113 = amplitude_6;
-        let _e115 = stretch_10;
-        gabor_impl_add_field_3d((&sum_28), _e111, (_e112 * _e113), _e115);
-    }
-    let _e117 = sum_28;
-    return _e117;
-}
-
-fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
-    var surface_1: GaborSurface;
-    var sum_29: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_48: i32;
-    var i_13: i32;
-    var local_49: i32;
-    var local_50: vec3<f32>;
-    var wave_27: vec3<f32>;
-    var local_51: f32;
-    var power_7: f32;
-
-    let _e7 = gabor_impl_surface(normal, direction);
-    surface_1 = _e7;
-    let _e18 = surface_1;
-    if (_e18.second < 1f) {
-        local_48 = 0i;
-    } else {
-        local_48 = 1i;
-    }
-    let _e25 = local_48;
-    i_13 = _e25;
-    loop {
-        let _e27 = i_13;
-        let _e28 = surface_1;
-        if (_e28.second > 0f) {
-            local_49 = 2i;
-        } else {
-            local_49 = 1i;
-        }
-        let _e35 = local_49;
-        if !((_e27 < _e35)) {
-            break;
-        }
-        {
-            let _e42 = i_13;
-            if (_e42 == 0i) {
-                let _e45 = surface_1;
-                local_50 = _e45.direction;
-            } else {
-                let _e47 = surface_1;
-                local_50 = _e47.other;
-            }
-            let _e50 = local_50;
-            wave_27 = (abs(frequency) * _e50);
-            let _e53 = i_13;
-            if (_e53 == 0i) {
-                let _e57 = surface_1;
-                local_51 = (1f - _e57.second);
-            } else {
-                let _e60 = surface_1;
-                local_51 = _e60.second;
-            }
-            let _e63 = local_51;
-            let _e64 = gabor_impl_takeover(_e63);
-            power_7 = _e64;
-            let _e67 = wave_27;
-            let _e68 = i_13;
-            let _e69 = gabor_lobe_seed(seed, _e68);
-            let _e70 = gabor_field_3d_filtered(place, dx, dy, _e67, _e69);
-            let _e71 = power_7;
-            gabor_impl_add_field_3d((&sum_29), _e70, sqrt(_e71), vec3(1f));
-        }
-        continuing {
-            let _e38 = i_13;
-            i_13 = (_e38 + 1i);
-        }
-    }
-    let _e76 = sum_29;
-    return _e76;
-}
-
-// They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
-// standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
-// pixels, only the variance is right.
-fn gabor_field_3d_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
-    let _e5 = gabor_impl_all_directions();
-    let _e6 = gabor_impl_isotropic_filtered(place, dx, dy, frequency, _e5, seed);
-    return _e6;
-}
-
-fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
-    var normal_9: vec3<f32>;
-    var aside_1: f32;
-    var sum_34: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_55: i32;
-    var i_15: i32;
-    var local_56: i32;
-    var local_57: f32;
-    var power_8: f32;
-    var field_14: GaborField3d;
-
-    normal_9 = normal;
-    let _e7 = normal_9;
-    let _e8 = gabor_impl_unit(_e7);
-    normal_9 = _e8;
-    let _e9 = normal_9;
-    let _e11 = normal_9;
-    aside_1 = dot(_e9.xy, _e11.xy);
-    let _e24 = aside_1;
-    if (_e24 > 0.25f) {
-        local_55 = 0i;
-    } else {
-        local_55 = 1i;
-    }
-    let _e30 = local_55;
-    i_15 = _e30;
-    loop {
-        let _e32 = i_15;
-        let _e33 = aside_1;
-        if (_e33 < 0.5f) {
-            local_56 = 2i;
-        } else {
-            local_56 = 1i;
-        }
-        let _e39 = local_56;
-        if !((_e32 < _e39)) {
-            break;
-        }
-        {
-            let _e45 = i_15;
-            if (_e45 == 0i) {
-                let _e50 = aside_1;
-                local_57 = smoothstep(0.25f, 0.5f, _e50);
-            } else {
-                let _e55 = aside_1;
-                local_57 = (1f - smoothstep(0.25f, 0.5f, _e55));
-            }
-            let _e59 = local_57;
-            let _e60 = gabor_impl_takeover(_e59);
-            power_8 = _e60;
-            let _e62 = normal_9;
-            let _e63 = i_15;
-            let _e64 = gabor_impl_tangents(_e62, _e63);
-            let _e65 = i_15;
-            let _e66 = gabor_lobe_seed(seed, _e65);
-            let _e67 = gabor_impl_isotropic_filtered(place, dx, dy, frequency, _e64, _e66);
-            field_14 = _e67;
-            let _e70 = field_14;
-            let _e71 = power_8;
-            gabor_impl_add_field_3d((&sum_34), _e70, sqrt(_e71), vec3(1f));
-        }
-        continuing {
-            let _e42 = i_15;
-            i_15 = (_e42 + 1i);
-        }
-    }
-    let _e76 = sum_34;
-    return _e76;
-}
+// GaborField3d gabor_field_3d_isotropic_filtered(GaborPlace3d place, vec3f dx, vec3f dy, f32 frequency, u32 seed)
+// GaborField3d gabor_field_surface_isotropic_filtered(GaborPlace3d place, vec3f dx, vec3f dy, vec3f normal, f32 frequency,
+//                                                     u32 seed)
+//     They cost less than twice as much as without the filter. The rms error against exactly filtered noise is 2 % of a
+//     standard deviation as long as the pixel's longest axis is at most 0.3 kernel radii, and 3 % at 0.4. For larger
+//     pixels, only the variance is right.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
+
+// ---- The coupling of three axes ------------------------------------------------------------------------------------
+//
+// In addition to gabor_filter.wgsl: with M = S + v, a diagonal matrix D with D_ii^2 = M_ii / (M^-1)_ii, C = D^(-1/2) M
+// D^(-1/2), B = (1 - C) (1 + C)^-1 and z = 2 pi D^(1/2) (q - c), the coupling of three axes is again a sum of products:
+//     exp(-z.C z / 2) = sqrt(8 / |1 + C|) exp(-z.z / 2) (1 + 2 (B_yz z_y z_z + B_zx z_z z_x + B_xy z_x z_y) + ...).
+// The right side is the series of exp(z.B z) with Hermite polynomials instead of powers of z, and without B's diagonal,
+// which is at most 0.01. We use the terms up to the square of each factor.
 
 // A symmetric 3 x 3 matrix.
 struct GaborMatrix {
@@ -263,7 +52,6 @@ fn gabor_impl_symmetric_3d(m: GaborMatrix, v: vec3<f32>) -> vec3<f32> {
 // The inverse times the determinant.
 fn gabor_impl_adjugate(m: GaborMatrix, determinant: ptr<function, f32>) -> GaborMatrix {
     var a_8: GaborMatrix;
-
     a_8 = GaborMatrix(((m.diagonal.yzx * m.diagonal.zxy) - (m.mixed * m.mixed)), ((m.mixed.yzx * m.mixed.zxy) - (m.diagonal * m.mixed)));
     let _e24 = a_8;
     let _e30 = a_8;
@@ -282,7 +70,6 @@ fn gabor_impl_along_z(y_0: vec3<f32>, y_1: vec3<f32>, y_2: vec3<f32>, w: vec3<f3
 // The weighted sum of the products of three axes' factors.
 fn gabor_impl_contracted_3d(y_0: GaborFactors, y_1: GaborFactors, y_2: GaborFactors, z: GaborFactors, w: vec3<f32>) -> vec2<f32> {
     var slice_2: GaborFactors;
-
     let _e8 = gabor_impl_along_z(y_0.real, y_1.real, y_2.real, w);
     let _e12 = gabor_impl_along_z(y_0.imaginary, y_1.imaginary, y_2.imaginary, w);
     slice_2 = GaborFactors(_e8, _e12);
@@ -333,7 +120,6 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var local_46: f32;
     var scale_3: f32;
     var local_47: f32;
-
     m_4 = GaborMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
     let _e13 = m_4;
     let _e16 = gabor_impl_adjugate(_e13, (&determinant_1));
@@ -440,7 +226,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
                     let _e228 = row_9;
                     let _e230 = slice_3;
                     let _e232 = gabor_impl_slice_word(_e228.word, _e230.word);
-                    let _e236 = gabor_impl_filtered_row(_e227, _e232, place.time, (&edge_3));
+                    let _e236 = gabor_impl_filtered_row(_e227, _e232, place.moment, (&edge_3));
                     sum_26 = _e236;
                     let _e238 = row_9;
                     let _e239 = gabor_impl_faded(_e238);
@@ -579,6 +365,7 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     let _e436 = imaginary_3;
     return GaborField3d((_e419 * _e420.y), ((6.2831855f * _e424) * _e426), (_e428 * _e429.x), ((-6.2831855f * _e434) * _e436), 0f);
 }
+// ---- One wave vector -----------------------------------------------------------------------------------------------
 
 // The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
 // for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
@@ -590,10 +377,9 @@ struct GaborPixelAxes {
 fn gabor_impl_pixel(dx: vec3<f32>, dy: vec3<f32>, stretch: vec3<f32>) -> GaborPixelAxes {
     var dx_7: vec3<f32>;
     var dy_7: vec3<f32>;
-    var twice_1: vec2<f32>;
+    var twice_2: vec2<f32>;
     var cosine_1: f32;
     var turn_14: vec2<f32>;
-
     dx_7 = dx;
     dy_7 = dy;
     let _e5 = dx_7;
@@ -606,13 +392,13 @@ fn gabor_impl_pixel(dx: vec3<f32>, dy: vec3<f32>, stretch: vec3<f32>) -> GaborPi
     let _e25 = dy_7;
     let _e29 = dx_7;
     let _e30 = dy_7;
-    twice_1 = vec2<f32>((dot(_e21, _e22) - dot(_e24, _e25)), (2f * dot(_e29, _e30)));
-    let _e35 = twice_1;
-    let _e37 = twice_1;
+    twice_2 = vec2<f32>((dot(_e21, _e22) - dot(_e24, _e25)), (2f * dot(_e29, _e30)));
+    let _e35 = twice_2;
+    let _e37 = twice_2;
     cosine_1 = (_e35.x / max(length(_e37), 0.000000000000000000000000000001f));
     let _e48 = cosine_1;
     turn_14 = sqrt(max((vec2(0.5f) + (vec2<f32>(0.5f, -0.5f) * _e48)), vec2(0f)));
-    let _e57 = twice_1;
+    let _e57 = twice_2;
     if (_e57.y < 0f) {
         let _e62 = turn_14;
         turn_14.y = -(_e62.y);
@@ -636,7 +422,6 @@ fn gabor_impl_resolved(pixel: GaborPixelAxes, most: f32) -> GaborPixelAxes {
 fn gabor_impl_covariance(pixel: GaborPixelAxes) -> GaborMatrix {
     var major: vec3<f32>;
     var minor: vec3<f32>;
-
     major = (0.5f * pixel.major);
     minor = (0.5f * pixel.minor);
     let _e9 = major;
@@ -659,7 +444,6 @@ fn gabor_impl_spread(pixel: GaborPixelAxes) -> vec2<f32> {
 fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     var d_9: vec2<f32>;
     var k_3: vec2<f32>;
-
     let _e2 = gabor_impl_spread(pixel);
     d_9 = _e2;
     k_3 = vec2<f32>(dot(wave, pixel.major), dot(wave, pixel.minor));
@@ -685,7 +469,6 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
     var k_4: i32 = 0i;
     var slice_4: vec4<f32>;
     var slope_11: vec4<f32>;
-
     let _e15 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
     x_19 = _e15;
     let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
@@ -718,7 +501,7 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
             let _e111 = y_16;
             let _e112 = z_9;
             let _e113 = k_4;
-            gabor_impl_sum_slice(_e110, _e111, _e112, _e113, place.time, (&slice_4), (&slope_11));
+            gabor_impl_sum_slice(_e110, _e111, _e112, _e113, place.moment, (&slice_4), (&slope_11));
             let _e120 = slice_4;
             let _e121 = k_4;
             let _e124 = z_9.node[_e121];
@@ -734,32 +517,183 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
             let _e143 = gabor_impl_product(_e136.xy, _e141.zw);
             slopes_4 = (_e127 + vec4<f32>(_e135.x, _e135.y, _e143.x, _e143.y));
             let _e150 = sum_27;
-            let _e152 = sum_27;
-            let _e156 = slope_11;
-            let _e161 = slice_4;
-            let _e165 = k_4;
-            let _e168 = z_9.node[_e165];
-            let _e170 = gabor_impl_product(((pixel.mixed.x * _e156.xy) + (pixel.mixed.y * _e161.zw)), _e168.zw);
-            let _e173 = slope_11;
-            let _e175 = k_4;
-            let _e178 = z_9.node[_e175];
-            let _e180 = gabor_impl_product(_e173.zw, _e178.xy);
-            let _e183 = (_e152.xy + (_e170 + (pixel.mixed.z * _e180)));
-            sum_27.x = _e183.x;
-            sum_27.y = _e183.y;
+            let _e153 = slope_11;
+            let _e158 = slice_4;
+            let _e162 = k_4;
+            let _e165 = z_9.node[_e162];
+            let _e167 = gabor_impl_product(((pixel.mixed.x * _e153.xy) + (pixel.mixed.y * _e158.zw)), _e165.zw);
+            let _e170 = slope_11;
+            let _e172 = k_4;
+            let _e175 = z_9.node[_e172];
+            let _e177 = gabor_impl_product(_e170.zw, _e175.xy);
+            let _e179 = (_e167 + (pixel.mixed.z * _e177));
+            sum_27 = (_e150 + vec4<f32>(_e179.x, _e179.y, 0f, 0f));
         }
         continuing {
             let _e105 = k_4;
             k_4 = (_e105 + 1i);
         }
     }
-    let _e188 = sum_27;
-    let _e189 = slopes_4;
-    let _e192 = blurred_4;
-    let _e198 = turn_15;
-    let _e200 = gabor_impl_field_3d(_e188, _e189, (exp((-19.739208f * max(dot(wave, _e192), 0f))) * _e198), wave);
-    return _e200;
+    let _e186 = sum_27;
+    let _e187 = slopes_4;
+    let _e190 = blurred_4;
+    let _e196 = turn_15;
+    let _e198 = gabor_impl_field_3d(_e186, _e187, (exp((-19.739208f * max(dot(wave, _e190), 0f))) * _e196), wave);
+    return _e198;
 }
+
+fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wave: vec3<f32>, seed: u32) -> GaborField3d {
+    var wave_26: vec3<f32>;
+    var stretch_10: vec3<f32>;
+    var salt_14: u32;
+    var whole: GaborPixelAxes;
+    var resolved: GaborPixelAxes;
+    var transmitted_1: f32;
+    var amplitude_6: f32;
+    var pixel_5: GaborMatrix;
+    var variance_1: vec3<f32>;
+    var wide_1: f32;
+    var sum_28: GaborField3d;
+    wave_26 = wave;
+    stretch_10 = (place.radius / vec3(1.5f));
+    let _e14 = wave_26;
+    let _e21 = stretch_10;
+    wave_26 = (clamp(_e14, vec3(-1000000f), vec3(1000000f)) / _e21);
+    let _e23 = gabor_impl_salt(seed);
+    salt_14 = _e23;
+    let _e25 = stretch_10;
+    let _e26 = gabor_impl_pixel(dx, dy, _e25);
+    whole = _e26;
+    let _e28 = whole;
+    let _e30 = gabor_impl_resolved(_e28, 1f);
+    resolved = _e30;
+    let _e32 = wave_26;
+    let _e33 = whole;
+    let _e34 = gabor_impl_transmitted_3d(_e32, _e33);
+    transmitted_1 = _e34;
+    let _e36 = transmitted_1;
+    let _e37 = wave_26;
+    let _e38 = resolved;
+    let _e39 = gabor_impl_transmitted_3d(_e37, _e38);
+    amplitude_6 = sqrt((_e36 / _e39));
+    let _e43 = transmitted_1;
+    if !((_e43 > 0.0000000001f)) {
+        transmitted_1 = 0f;
+    }
+    let _e48 = resolved;
+    let _e49 = gabor_impl_covariance(_e48);
+    pixel_5 = _e49;
+    let _e51 = pixel_5;
+    variance_1 = _e51.diagonal;
+    let _e55 = variance_1;
+    let _e57 = variance_1;
+    let _e60 = variance_1;
+    wide_1 = clamp(((100f * sqrt(max(max(_e55.x, _e57.y), _e60.z))) - 9f), 0f, 1f);
+    let _e78 = transmitted_1;
+    sum_28 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e78));
+    let _e82 = transmitted_1;
+    if (_e82 == 0f) {
+        let _e85 = sum_28;
+        return _e85;
+    }
+    let _e86 = wide_1;
+    if (_e86 < 1f) {
+        let _e90 = wave_26;
+        let _e91 = pixel_5;
+        let _e92 = salt_14;
+        let _e93 = gabor_impl_filtered_narrow_3d(place, _e90, _e91, _e92);
+        let _e95 = wide_1;
+        let _e97 = amplitude_6;
+        let _e99 = stretch_10;
+        gabor_impl_add_field_3d((&sum_28), _e93, ((1f - _e95) * _e97), _e99);
+    }
+    let _e101 = wide_1;
+    if (_e101 > 0f) {
+        let _e105 = wave_26;
+        let _e106 = pixel_5;
+        let _e107 = wide_1;
+        let _e110 = salt_14;
+        let _e111 = gabor_impl_filtered_wide_3d(place, _e105, _e106, (_e107 > 0f), _e110);
+        let _e112 = wide_1;
+        let _e113 = amplitude_6;
+        let _e115 = stretch_10;
+        gabor_impl_add_field_3d((&sum_28), _e111, (_e112 * _e113), _e115);
+    }
+    let _e117 = sum_28;
+    return _e117;
+}
+
+fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
+    var surface_1: GaborSurface;
+    var sum_29: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_48: i32;
+    var i_13: i32;
+    var local_49: i32;
+    var local_50: vec3<f32>;
+    var wave_27: vec3<f32>;
+    var local_51: f32;
+    var power_7: f32;
+    let _e7 = gabor_impl_surface(normal, direction);
+    surface_1 = _e7;
+    let _e18 = surface_1;
+    if (_e18.second < 1f) {
+        local_48 = 0i;
+    } else {
+        local_48 = 1i;
+    }
+    let _e25 = local_48;
+    i_13 = _e25;
+    loop {
+        let _e27 = i_13;
+        let _e28 = surface_1;
+        if (_e28.second > 0f) {
+            local_49 = 2i;
+        } else {
+            local_49 = 1i;
+        }
+        let _e35 = local_49;
+        if !((_e27 < _e35)) {
+            break;
+        }
+        {
+            let _e42 = i_13;
+            if (_e42 == 0i) {
+                let _e45 = surface_1;
+                local_50 = _e45.direction;
+            } else {
+                let _e47 = surface_1;
+                local_50 = _e47.other;
+            }
+            let _e50 = local_50;
+            wave_27 = (abs(frequency) * _e50);
+            let _e53 = i_13;
+            if (_e53 == 0i) {
+                let _e57 = surface_1;
+                local_51 = (1f - _e57.second);
+            } else {
+                let _e60 = surface_1;
+                local_51 = _e60.second;
+            }
+            let _e63 = local_51;
+            let _e64 = gabor_impl_takeover(_e63);
+            power_7 = _e64;
+            let _e67 = wave_27;
+            let _e68 = i_13;
+            let _e69 = gabor_lobe_seed(seed, _e68);
+            let _e70 = gabor_field_3d_filtered(place, dx, dy, _e67, _e69);
+            let _e71 = power_7;
+            gabor_impl_add_field_3d((&sum_29), _e70, sqrt(_e71), vec3(1f));
+        }
+        continuing {
+            let _e38 = i_13;
+            i_13 = (_e38 + 1i);
+        }
+    }
+    let _e76 = sum_29;
+    return _e76;
+}
+
+// ---- Isotropic noise -----------------------------------------------------------------------------------------------
 
 // A node's window along an axis, filtered: middle + cosine, and its derivative, sine. It fades out within half a standard
 // deviation of its ends.
@@ -773,23 +707,22 @@ struct GaborFilteredNode {
 
 fn gabor_impl_filtered_node_3d(node: GaborNode, variance: f32) -> GaborFilteredNode {
     var width_4: f32;
-    var t_10: f32;
+    var t_9: f32;
     var fade_4: f32;
     var fall_2: f32;
     var faded_4: f32;
-
     width_4 = clamp((0.5f * sqrt(variance)), 0.001f, 0.05f);
     let _e13 = width_4;
-    t_10 = clamp(((1f - abs(node.offset)) / _e13), 0f, 1f);
-    let _e19 = t_10;
-    let _e20 = t_10;
-    let _e24 = t_10;
+    t_9 = clamp(((1f - abs(node.offset)) / _e13), 0f, 1f);
+    let _e19 = t_9;
+    let _e20 = t_9;
+    let _e24 = t_9;
     fade_4 = ((_e19 * _e20) * (3f - (2f * _e24)));
     let _e29 = fade_4;
     fall_2 = (_e29 * exp((-4.934802f * variance)));
     let _e38 = width_4;
-    let _e40 = t_10;
-    let _e43 = t_10;
+    let _e40 = t_9;
+    let _e43 = t_9;
     let _e49 = fade_4;
     faded_4 = (((((-6f / _e38) * _e40) * (1f - _e43)) * sign(node.offset)) / max(_e49, 0.000001f));
     let _e56 = fade_4;
@@ -801,7 +734,7 @@ fn gabor_impl_filtered_node_3d(node: GaborNode, variance: f32) -> GaborFilteredN
 
 // Adds a wave of a node: see gabor_impl_add_wave_3d. The filter multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
 // S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, wave: vec4<f32>, time: f32, pixel: GaborMatrix, word: u32) {
+fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, wave: vec4<f32>, moment: f32, pixel: GaborMatrix, word: u32) {
     var a_9: vec2<f32>;
     var middle: vec3<f32>;
     var cosine_2: vec3<f32>;
@@ -820,8 +753,7 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     var slope_12: vec3<f32>;
     var turned_1: vec3<f32>;
     var faded_5: vec3<f32>;
-
-    let _e8 = gabor_impl_amplitude_at(word, time);
+    let _e8 = gabor_impl_amplitude_at(word, moment);
     let _e10 = gabor_impl_wave(wave.w);
     let _e11 = gabor_impl_product(_e8, _e10);
     a_9 = _e11;
@@ -924,11 +856,10 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     return;
 }
 
-fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, scale: vec3<f32>, time: f32, pixel: GaborMatrix, tangents: GaborTangents, column: u32, row: vec4<u32>) {
+fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFilteredNode, y: GaborFilteredNode, z: GaborFilteredNode, scale: vec3<f32>, moment: f32, pixel: GaborMatrix, tangents: GaborTangents, column: u32, row: vec4<u32>) {
     var d_10: vec3<f32>;
     var star_4: GaborStar3d;
     var unit_6: vec4<f32>;
-
     d_10 = (scale * vec3<f32>(x.offset, y.offset, z.offset));
     let _e16 = d_10;
     let _e19 = gabor_impl_star_3d(tangents, _e16, (column * row.w));
@@ -936,14 +867,14 @@ fn gabor_impl_add_filtered_waves_3d(sum: ptr<function, GaborField3d>, x: GaborFi
     unit_6 = vec4<f32>(scale.x, scale.y, scale.z, 1f);
     let _e28 = unit_6;
     let _e29 = star_4;
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e28 * _e29.u), time, pixel, (column * row.x));
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e28 * _e29.u), moment, pixel, (column * row.x));
     let _e36 = unit_6;
     let _e37 = star_4;
-    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e36 * _e37.v), time, pixel, (column * row.y));
+    gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e36 * _e37.v), moment, pixel, (column * row.y));
     if !(tangents.only) {
         let _e46 = unit_6;
         let _e47 = star_4;
-        gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e46 * _e47.w), time, pixel, (column * row.z));
+        gabor_impl_add_filtered_wave_3d(sum, x, y, z, (_e46 * _e47.w), moment, pixel, (column * row.z));
         return;
     } else {
         return;
@@ -965,7 +896,6 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
     var q_2: vec2<f32>;
     var larger_1: f32;
     var smaller_2: f32;
-
     let _e3 = gabor_impl_spread(pixel);
     d_11 = _e3;
     let _e10 = d_11;
@@ -1050,7 +980,6 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     var local_52: f32;
     var local_53: f32;
     var local_54: f32;
-
     frequency_27 = frequency;
     stretch_11 = (place.radius / vec3(1.5f));
     let _e15 = frequency_27;
@@ -1150,7 +1079,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e201 = pixel_9;
             let _e205 = x_22.word[0];
             let _e206 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_33), _e196, _e197, _e198, _e199, place.time, _e201, tangents, _e205, _e206);
+            gabor_impl_add_filtered_waves_3d((&sum_33), _e196, _e197, _e198, _e199, place.moment, _e201, tangents, _e205, _e206);
             let _e209 = x_1_;
             let _e210 = y_j_1;
             let _e211 = z_k_1;
@@ -1158,7 +1087,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e214 = pixel_9;
             let _e218 = x_22.word[1];
             let _e219 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_33), _e209, _e210, _e211, _e212, place.time, _e214, tangents, _e218, _e219);
+            gabor_impl_add_filtered_waves_3d((&sum_33), _e209, _e210, _e211, _e212, place.moment, _e214, tangents, _e218, _e219);
             let _e222 = x_2_;
             let _e223 = y_j_1;
             let _e224 = z_k_1;
@@ -1166,7 +1095,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e227 = pixel_9;
             let _e231 = x_22.word[2];
             let _e232 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_33), _e222, _e223, _e224, _e225, place.time, _e227, tangents, _e231, _e232);
+            gabor_impl_add_filtered_waves_3d((&sum_33), _e222, _e223, _e224, _e225, place.moment, _e227, tangents, _e231, _e232);
         }
         continuing {
             let _e161 = i_14;
@@ -1200,3 +1129,79 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     let _e271 = field_13;
     return _e271;
 }
+
+fn gabor_field_3d_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
+    let _e5 = gabor_impl_all_directions();
+    let _e6 = gabor_impl_isotropic_filtered(place, dx, dy, frequency, _e5, seed);
+    return _e6;
+}
+
+fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
+    var normal_9: vec3<f32>;
+    var aside_1: f32;
+    var sum_34: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_55: i32;
+    var i_15: i32;
+    var local_56: i32;
+    var local_57: f32;
+    var power_8: f32;
+    var field_14: GaborField3d;
+    normal_9 = normal;
+    let _e7 = normal_9;
+    let _e8 = gabor_impl_unit(_e7);
+    normal_9 = _e8;
+    let _e9 = normal_9;
+    let _e11 = normal_9;
+    aside_1 = dot(_e9.xy, _e11.xy);
+    let _e24 = aside_1;
+    if (_e24 > 0.25f) {
+        local_55 = 0i;
+    } else {
+        local_55 = 1i;
+    }
+    let _e30 = local_55;
+    i_15 = _e30;
+    loop {
+        let _e32 = i_15;
+        let _e33 = aside_1;
+        if (_e33 < 0.5f) {
+            local_56 = 2i;
+        } else {
+            local_56 = 1i;
+        }
+        let _e39 = local_56;
+        if !((_e32 < _e39)) {
+            break;
+        }
+        {
+            let _e45 = i_15;
+            if (_e45 == 0i) {
+                let _e50 = aside_1;
+                local_57 = smoothstep(0.25f, 0.5f, _e50);
+            } else {
+                let _e55 = aside_1;
+                local_57 = (1f - smoothstep(0.25f, 0.5f, _e55));
+            }
+            let _e59 = local_57;
+            let _e60 = gabor_impl_takeover(_e59);
+            power_8 = _e60;
+            let _e62 = normal_9;
+            let _e63 = i_15;
+            let _e64 = gabor_impl_tangents(_e62, _e63);
+            let _e65 = i_15;
+            let _e66 = gabor_lobe_seed(seed, _e65);
+            let _e67 = gabor_impl_isotropic_filtered(place, dx, dy, frequency, _e64, _e66);
+            field_14 = _e67;
+            let _e70 = field_14;
+            let _e71 = power_8;
+            gabor_impl_add_field_3d((&sum_34), _e70, sqrt(_e71), vec3(1f));
+        }
+        continuing {
+            let _e42 = i_15;
+            i_15 = (_e42 + 1i);
+        }
+    }
+    let _e76 = sum_34;
+    return _e76;
+}
+

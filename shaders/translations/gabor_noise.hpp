@@ -1,7 +1,7 @@
 // clang-format off
-// gabor_noise.hpp: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for C++ on the CPU.
+// Generated from gabor_noise.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+// gabor_noise.hpp: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //
@@ -34,13 +34,13 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include "gabor_vectors.hpp"
+
 #ifdef GABOR_SPARSE_HPP
 #error Include gabor_sparse.hpp or gabor_noise.hpp, not both: they define the same functions
 #endif
 #ifndef GABOR_NOISE_HPP
 #define GABOR_NOISE_HPP
-
-#include "gabor_vectors.hpp"
 #define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
@@ -56,9 +56,10 @@
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
-//     cos^2(pi t). Costs three times as much as gabor_noise.
+// float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
+//     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
+//     cos^2(pi t). Costs three times as much as gabor_noise. Pass the fraction of the time: a float has so few digits
+//     at 1000 that the noise errs by 4e-4.
 
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
@@ -80,7 +81,8 @@
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
 // uint gabor_lobe_seed(uint seed, int index)
-//     The seed of noise `index` in a sum of independent noises.
+//     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
+//     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
 // ---- Any position, wave vector, period and time --------------------------------------------------------------------
 
@@ -92,7 +94,7 @@ struct GaborPlace {
     gabor_vec2 local;   // offset from that cell's corner in node spacings, most precise in [0, 1)^2
     gabor_vec2 radius;  // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
     gabor_ivec2 period; // period in nodes, 0 for none
-    float time;   // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
+    float moment; // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
 };
 
 // GaborPlace gabor_place_at(vec2 p)
@@ -157,9 +159,9 @@ struct GaborField {
 
 // Hashes a word; each salt gives a different sequence. The constants are from the hash-prospector project.
 GABOR_INLINE std::uint32_t gabor_impl_mix(std::uint32_t word, std::uint32_t salt) {
-    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
-    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
-    return word ^ (word >> 15u);
+    std::uint32_t once = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    std::uint32_t twice = (once ^ (once >> 15u)) * 0xd35a2d97u;
+    return twice ^ (twice >> 15u);
 }
 
 GABOR_INLINE std::uint32_t gabor_lobe_seed(std::uint32_t seed, int index) {
@@ -179,8 +181,7 @@ GABOR_INLINE std::uint32_t gabor_impl_salt(std::uint32_t seed) {
 // than a constant: two indices, however far apart, have equal words with probability 2^-22.
 GABOR_INLINE std::uint32_t gabor_impl_line_word(int index, std::uint32_t salt) {
     std::uint32_t word = std::uint32_t(index) * 0x9e3779b1u + salt;
-    word = word * (word ^ (word >> 15u));
-    return (word >> 8u) | 0x800001u;
+    return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
 }
 
 #define GABOR_IMPL_DEVIATION 1.4599553e27f // standard deviation of each part of an amplitude
@@ -226,15 +227,15 @@ GABOR_INLINE gabor_vec2 gabor_impl_half_turn(float t) {
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
 // reduced to [-1/2, 1/2], cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), where y = 1/4 - |t|.
 GABOR_INLINE gabor_vec2 gabor_impl_wave(float t) {
-    t -= gabor_cpp_floor(t + 0.5f);
-    gabor_vec2 turn = gabor_impl_half_turn(0.25f - gabor_cpp_abs(t));
-    return gabor_vec2(turn.y, t < 0.0f ? -turn.x : turn.x);
+    float within = t - gabor_cpp_floor(t + 0.5f);
+    gabor_vec2 turn = gabor_impl_half_turn(0.25f - gabor_cpp_abs(within));
+    return gabor_vec2(turn.y, within < 0.0f ? -turn.x : turn.x);
 }
 
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0f : 0.375f * float(GABOR_TAPS)) // the sum of the squared windows
 // Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
-#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0f : 0.375f * float(GABOR_TAPS)) // the sum of the squared windows
 GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slope) {
 #if GABOR_TAPS == 2
     // The squares of only two shifts of Hann's window do not sum to a constant. So the windows are 1 - s and s, with
@@ -286,8 +287,8 @@ GABOR_INLINE int gabor_impl_next_node(int index, int period) {
 struct GaborAxis {
     float offset; // offset of the point from node 0, in node spacings
     float turns;  // turns of the wave from one node to the next
-    std::uint32_t word[4];
-    gabor_vec4 node[4]; // for node k, e^(-i u k) times the window, and times the window's derivative
+    std::uint32_t word[4] = {};
+    gabor_vec4 node[4] = {}; // for node k, e^(-i u k) times the window, and times the window's derivative
 };
 
 // `wave` is in cycles per kernel radius, `radius` in nodes per kernel radius.
@@ -318,12 +319,12 @@ GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::u
 
 // The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
 // from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float time) {
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float moment) {
     gabor_vec2 amplitude = gabor_impl_amplitude(word);
-    if (time == 0.0f) return amplitude;
+    if (moment == 0.0f) return amplitude;
     std::uint32_t second = (word ^ (word >> 15u)) * 0xd35a2d97u;
     std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
-    gabor_vec2 turn = gabor_impl_wave(time);
+    gabor_vec2 turn = gabor_impl_wave(moment);
     return (0.5f + 0.5f * turn.x) * amplitude + (0.5f - 0.5f * turn.x) * gabor_impl_amplitude(second)
          + 0.70710678f * turn.y * gabor_impl_amplitude(third);
 }
@@ -331,26 +332,29 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float time) 
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, float time) {
+GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, float moment) {
     gabor_vec4 row = gabor_vec4(0.0f);
-    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], time));
-    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], time));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], moment));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], moment));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], time));
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], moment));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], time));
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], moment));
+#ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
+    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0f)
+#endif
     {
         gabor_impl_add_products(sum, row, y.node[j].xy());
         gabor_impl_add_products(slope, row, y.node[j].zw());
     }
 }
 
-GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, float time, gabor_vec4& sum, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, float moment, gabor_vec4& sum, gabor_vec4& slope) {
     sum = slope = gabor_vec4(0.0f);
-    gabor_impl_add_node_row(sum, slope, x, y, 0, time);
-    gabor_impl_add_node_row(sum, slope, x, y, 1, time);
-    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, time);
-    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, moment);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, moment);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, moment);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
@@ -372,7 +376,7 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, gabor_vec2 wave, std::uint
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     gabor_vec4 sum, slope;
-    gabor_impl_sum(x, y, place.time, sum, slope);
+    gabor_impl_sum(x, y, place.moment, sum, slope);
     return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
 }
 
@@ -418,9 +422,9 @@ GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float freq
     return gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
 }
 
-GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed) {
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float moment, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_place_at(p);
-    place.time = time;
+    place.moment = moment;
     return gabor_field(place, gabor_wave_vector(frequency, orientation), seed).noise;
 }
 

@@ -1,6 +1,6 @@
-// gabor_noise.metal: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point: for the Metal shading language.
+// Generated from gabor_noise.glsl by tools/translate, for the Metal shading language: change that file, not this one.
 //
-// Generated from shaders/gabor_noise.glsl by tools/translate: change that file, not this one.
+// gabor_noise.metal: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //
@@ -33,15 +33,15 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include <metal_stdlib>
+
+using namespace metal;
+
 #ifdef GABOR_SPARSE_METAL
 #error Include gabor_sparse.metal or gabor_noise.metal, not both: they define the same functions
 #endif
 #ifndef GABOR_NOISE_METAL
 #define GABOR_NOISE_METAL
-
-#include <metal_stdlib>
-
-using namespace metal;
 #define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
@@ -57,9 +57,10 @@ using namespace metal;
 // float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
 //     The noise, with continuous first derivatives.
 
-// float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
-//     Noise that evolves in place with period 1; time 0 gives gabor_noise. Values a time t apart have the correlation
-//     cos^2(pi t). Costs three times as much as gabor_noise.
+// float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed)
+//     Noise that evolves in place with period 1; moment 0 gives gabor_noise. Values a time t apart have the correlation
+//     cos^2(pi t). Costs three times as much as gabor_noise. Pass the fraction of the time: a float has so few digits
+//     at 1000 that the noise errs by 4e-4.
 
 // float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
@@ -81,7 +82,8 @@ using namespace metal;
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
 // uint gabor_lobe_seed(uint seed, int index)
-//     The seed of noise `index` in a sum of independent noises.
+//     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
+//     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
 // ---- Any position, wave vector, period and time --------------------------------------------------------------------
 
@@ -93,7 +95,7 @@ struct GaborPlace {
     float2 local;   // offset from that cell's corner in node spacings, most precise in [0, 1)^2
     float2 radius;  // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
     int2 period; // period in nodes, 0 for none
-    float time;   // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
+    float moment; // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
 };
 
 // GaborPlace gabor_place_at(float2 p)
@@ -158,9 +160,9 @@ struct GaborField {
 
 // Hashes a word; each salt gives a different sequence. The constants are from the hash-prospector project.
 inline uint gabor_impl_mix(uint word, uint salt) {
-    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
-    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
-    return word ^ (word >> 15u);
+    uint once = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    uint twice = (once ^ (once >> 15u)) * 0xd35a2d97u;
+    return twice ^ (twice >> 15u);
 }
 
 inline uint gabor_lobe_seed(uint seed, int index) {
@@ -180,8 +182,7 @@ inline uint gabor_impl_salt(uint seed) {
 // than a constant: two indices, however far apart, have equal words with probability 2^-22.
 inline uint gabor_impl_line_word(int index, uint salt) {
     uint word = uint(index) * 0x9e3779b1u + salt;
-    word = word * (word ^ (word >> 15u));
-    return (word >> 8u) | 0x800001u;
+    return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
 }
 
 #define GABOR_IMPL_DEVIATION 1.4599553e27 // standard deviation of each part of an amplitude
@@ -227,15 +228,15 @@ inline float2 gabor_impl_half_turn(float t) {
 // (cos, sin) of 2 pi t for any t, within 2e-7 in [-1, 1]; beyond that, the rounding of t adds to the error. After t is
 // reduced to [-1/2, 1/2], cos(2 pi t) = sin(2 pi y) and sin(2 pi t) = +-cos(2 pi y), where y = 1/4 - |t|.
 inline float2 gabor_impl_wave(float t) {
-    t -= floor(t + 0.5);
-    float2 turn = gabor_impl_half_turn(0.25 - abs(t));
-    return float2(turn.y, t < 0.0 ? -turn.x : turn.x);
+    float within = t - floor(t + 0.5);
+    float2 turn = gabor_impl_half_turn(0.25 - abs(within));
+    return float2(turn.y, within < 0.0 ? -turn.x : turn.x);
 }
 
+#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of the squared windows
 // Computes the windows of the nodes k = -1, 0, ... along an axis, h = 1/2 + cos(pi (x - k) / R) / 2, and their
 // derivatives per kernel radius. x is in node spacings from node 0: in [-1/2, 1/2] for three taps, [0, 1] for four and
 // [-1, 0] for two.
-#define GABOR_IMPL_ENERGY (GABOR_TAPS == 2 ? 1.0 : 0.375 * float(GABOR_TAPS)) // the sum of the squared windows
 inline void gabor_impl_windows(float x, thread float4& value, thread float4& slope) {
 #if GABOR_TAPS == 2
     // The squares of only two shifts of Hann's window do not sum to a constant. So the windows are 1 - s and s, with
@@ -319,12 +320,12 @@ inline GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, f
 
 // The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
 // from it. The squared weights sum to 1; at time 0 the weights are 1, 0, 0.
-inline float2 gabor_impl_amplitude_at(uint word, float time) {
+inline float2 gabor_impl_amplitude_at(uint word, float moment) {
     float2 amplitude = gabor_impl_amplitude(word);
-    if (time == 0.0) return amplitude;
+    if (moment == 0.0) return amplitude;
     uint second = (word ^ (word >> 15u)) * 0xd35a2d97u;
     uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
-    float2 turn = gabor_impl_wave(time);
+    float2 turn = gabor_impl_wave(moment);
     return (0.5 + 0.5 * turn.x) * amplitude + (0.5 - 0.5 * turn.x) * gabor_impl_amplitude(second)
          + 0.70710678 * turn.y * gabor_impl_amplitude(third);
 }
@@ -332,26 +333,29 @@ inline float2 gabor_impl_amplitude_at(uint word, float time) {
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-inline void gabor_impl_add_node_row(thread float4& sum, thread float4& slope, GaborAxis x, GaborAxis y, int j, float time) {
+inline void gabor_impl_add_node_row(thread float4& sum, thread float4& slope, GaborAxis x, GaborAxis y, int j, float moment) {
     float4 row = float4(0.0);
-    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], time));
-    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], time));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], moment));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], moment));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], time));
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], moment));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], time));
-    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0) { // always true, but keeps CPU compilers from spilling registers
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], moment));
+#ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
+    if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0)
+#endif
+    {
         gabor_impl_add_products(sum, row, y.node[j].xy);
         gabor_impl_add_products(slope, row, y.node[j].zw);
     }
 }
 
-inline void gabor_impl_sum(GaborAxis x, GaborAxis y, float time, thread float4& sum, thread float4& slope) {
+inline void gabor_impl_sum(GaborAxis x, GaborAxis y, float moment, thread float4& sum, thread float4& slope) {
     sum = slope = float4(0.0);
-    gabor_impl_add_node_row(sum, slope, x, y, 0, time);
-    gabor_impl_add_node_row(sum, slope, x, y, 1, time);
-    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, time);
-    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, time);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, moment);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, moment);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, moment);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
@@ -373,7 +377,7 @@ inline GaborField gabor_field(GaborPlace place, float2 wave, uint seed) {
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     float2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     float4 sum, slope;
-    gabor_impl_sum(x, y, place.time, sum, slope);
+    gabor_impl_sum(x, y, place.moment, sum, slope);
     return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
 }
 
@@ -419,9 +423,9 @@ inline float gabor_noise_tiled(float2 p, float2 period, float frequency, float o
     return gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
 }
 
-inline float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed) {
+inline float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place_at(p);
-    place.time = time;
+    place.moment = moment;
     return gabor_field(place, gabor_wave_vector(frequency, orientation), seed).noise;
 }
 

@@ -1,7 +1,9 @@
-// gabor_noise_3d.hlsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point: for HLSL, shader model 5.0 and up.
+// Generated from gabor_noise_3d.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_noise_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl.
+// gabor_noise_3d.hlsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
+// distribution at every point.
+//
+// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, the default.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);   // 2 cycles per kernel radius, seed 7
 //
@@ -35,17 +37,17 @@ struct GaborPlace3d {
     float3 local;
     float3 radius;
     int3 period;
-    float time;
+    float moment;
 };
 
-GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, float time)
+GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, float moment)
 {
     GaborPlace3d made;
     made.cell = cell;
     made.local = local;
     made.radius = radius;
     made.period = period;
-    made.time = time;
+    made.moment = moment;
     return made;
 }
 
@@ -146,17 +148,17 @@ uint gabor_impl_slice_word(uint row, uint slice) {
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float time, out float4 sum, out float4 slope) {
+void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment, out float4 sum, out float4 slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
-    gabor_impl_sum(x, y, time, sum, slope);
+    gabor_impl_sum(x, y, moment, sum, slope);
 }
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float time) {
+void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment) {
     float4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, k, time, slice, slope);
+    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy);
     slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
 }
@@ -184,9 +186,9 @@ GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed) {
                                   GABOR_RADIUS);
     float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     float4 sum = (float4)(0.0), slopes = (float4)(0.0);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.time);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.time);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.time);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.moment);
     GaborField3d field = gabor_impl_field_3d(sum, slopes, turn, wave);
     field.gradient *= stretch;
     field.quadrature_gradient *= stretch;
@@ -314,8 +316,8 @@ GaborStar3d gabor_impl_star_3d(GaborTangents tangents, float3 d, uint word) {
 
 // Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
 // to the point.
-void gabor_impl_add_wave_3d(inout GaborField3d sum, float4 window, float4 wave, float time, uint word) {
-    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, time), gabor_impl_wave(wave.w));
+void gabor_impl_add_wave_3d(inout GaborField3d sum, float4 window, float4 wave, float moment, uint word) {
+    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     float2 value = window.w * a;
     sum.noise += value.y;
     sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz;
@@ -350,16 +352,16 @@ uint gabor_impl_node_word(GaborAxis axis, int i) {
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
 // frequency along each axis.
-void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode y, GaborNode z, float3 scale, float time,
+void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode y, GaborNode z, float3 scale, float moment,
                                   GaborTangents tangents, uint column, uint4 row) {
     float3 d = scale * float3(x.offset, y.offset, z.offset);
     GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     float4 window = float4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     float4 unit = float4(scale, 1.0);
-    gabor_impl_add_wave_3d(sum, window, unit * star.u, time, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.v, time, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, time, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.u, moment, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.v, moment, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, moment, column * row.z);
 }
 
 // The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
@@ -374,9 +376,9 @@ GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTang
     for (int i = 0; i < 9; ++i) {
         GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         uint4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.time, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.time, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.time, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
     }
     GaborField3d field = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     float amplitude = rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)

@@ -1,8 +1,10 @@
 // clang-format off
-// gabor_noise_3d.hpp: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
-// distribution at every point: for C++ on the CPU.
+// Generated from gabor_noise_3d.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_noise_3d.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
+// gabor_noise_3d.hpp: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
+// distribution at every point.
+//
+// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default.
 //
 //     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);   // 2 cycles per kernel radius, seed 7
 //
@@ -22,6 +24,8 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include "gabor_vectors.hpp"
+
 #ifndef GABOR_NOISE_3D_HPP
 #define GABOR_NOISE_3D_HPP
 #ifndef GABOR_NOISE_HPP
@@ -36,7 +40,7 @@ struct GaborPlace3d {
     gabor_vec3 local;
     gabor_vec3 radius;
     gabor_ivec3 period;
-    float time;
+    float moment;
 };
 
 // GaborPlace3d gabor_place_3d_at(vec3 p)
@@ -125,17 +129,17 @@ GABOR_INLINE std::uint32_t gabor_impl_slice_word(std::uint32_t row, std::uint32_
 }
 
 // Sums slice k of nodes, as gabor_impl_sum does.
-GABOR_INLINE void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float time, gabor_vec4& sum, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment, gabor_vec4& sum, gabor_vec4& slope) {
     for (int j = 0; j < 3; ++j)
         y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
-    gabor_impl_sum(x, y, time, sum, slope);
+    gabor_impl_sum(x, y, moment, sum, slope);
 }
 
 // Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
 // `slopes` receives the same part of its derivatives along y and z.
-GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float time) {
+GABOR_INLINE void gabor_impl_add_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment) {
     gabor_vec4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, k, time, slice, slope);
+    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
     gabor_impl_add_products(sum, slice, z.node[k].xy());
     slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
 }
@@ -163,9 +167,9 @@ GABOR_INLINE GaborField3d gabor_field_3d(GaborPlace3d place, gabor_vec3 wave, st
                                   GABOR_RADIUS);
     gabor_vec2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.time);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.time);
-    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.time);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.moment);
     GaborField3d field = gabor_impl_field_3d(sum, slopes, turn, wave);
     field.gradient *= stretch;
     field.quadrature_gradient *= stretch;
@@ -266,8 +270,8 @@ GABOR_INLINE GaborStar3d gabor_impl_star_3d(GaborTangents tangents, gabor_vec3 d
 
 // Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
 // to the point.
-GABOR_INLINE void gabor_impl_add_wave_3d(GaborField3d& sum, gabor_vec4 window, gabor_vec4 wave, float time, std::uint32_t word) {
-    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, time), gabor_impl_wave(wave.w));
+GABOR_INLINE void gabor_impl_add_wave_3d(GaborField3d& sum, gabor_vec4 window, gabor_vec4 wave, float moment, std::uint32_t word) {
+    gabor_vec2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
     gabor_vec2 value = window.w * a;
     sum.noise += value.y;
     sum.gradient += a.y * window.xyz() + 6.2831853f * value.x * wave.xyz();
@@ -293,16 +297,16 @@ GABOR_INLINE std::uint32_t gabor_impl_node_word(GaborAxis axis, int i) {
 
 // Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
 // frequency along each axis.
-GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborNode x, GaborNode y, GaborNode z, gabor_vec3 scale, float time,
+GABOR_INLINE void gabor_impl_add_node_waves_3d(GaborField3d& sum, GaborNode x, GaborNode y, GaborNode z, gabor_vec3 scale, float moment,
                                   GaborTangents tangents, std::uint32_t column, gabor_uvec4 row) {
     gabor_vec3 d = scale * gabor_vec3(x.offset, y.offset, z.offset);
     GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
     gabor_vec4 window = gabor_vec4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
                        x.value * (y.value * z.value));
     gabor_vec4 unit = gabor_vec4(scale, 1.0f);
-    gabor_impl_add_wave_3d(sum, window, unit * star.u, time, column * row.x);
-    gabor_impl_add_wave_3d(sum, window, unit * star.v, time, column * row.y);
-    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, time, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.u, moment, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.v, moment, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, moment, column * row.z);
 }
 
 // The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
@@ -317,9 +321,9 @@ GABOR_INLINE GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequen
     for (int i = 0; i < 9; ++i) {
         GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
         gabor_uvec4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.time, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.time, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.time, tangents, x.word[2], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
     }
     GaborField3d field = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 0.0f};
     float amplitude = gabor_cpp_inversesqrt((tangents.only ? 2.0f : 3.0f) * GABOR_IMPL_ENERGY)

@@ -1,7 +1,7 @@
-// gabor_sparse.hlsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point: for HLSL, shader model 5.0 and up.
+// Generated from gabor_sparse.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_sparse.glsl by tools/translate: change that file, not this one.
+// gabor_sparse.hlsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -84,7 +84,7 @@
 //     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
 //     2, the diameter of a kernel, counts as 2.
 
-// float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed)
+// float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
 //     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
 //     points, the noise hardly changes.
@@ -116,17 +116,17 @@ struct GaborPlace {
     float2 local;   // offset from that cell's corner in cells, most precise in [0, 1)^2
     float2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
     int2 period; // period in cells, 0 for none
-    float time;   // time in periods: only its fraction counts
+    float moment; // time in periods: only its fraction counts
 };
 
-GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float time)
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float moment)
 {
     GaborPlace made;
     made.cell = cell;
     made.local = local;
     made.radius = radius;
     made.period = period;
-    made.time = time;
+    made.moment = moment;
     return made;
 }
 
@@ -174,11 +174,12 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
 //
 // After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-void gabor_impl_macros_must_be_int_float_float_int_vec3(int, float, float, int, float3) {
+float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, int phases, float3 window) {
+    return float(n + phases) + r + a + window.x;
 }
-void gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
-                                                       GABOR_WINDOW);
+float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+                                                            GABOR_PHASES, GABOR_WINDOW);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
@@ -344,11 +345,11 @@ int gabor_impl_wrap(int cell, int period) {
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
 // J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-float gabor_impl_phase_gain(GaborKernel kernel_, float time) {
-    if (GABOR_PHASES != 2 || time == 0.0)
+float gabor_impl_phase_gain(GaborKernel kernel_, float moment) {
+    if (GABOR_PHASES != 2 || moment == 0.0)
         return 1.0;
-    float4 sines = float4(gabor_impl_sine(time), gabor_impl_sine(2.0 * time),
-                      gabor_impl_sine(3.0 * time), gabor_impl_sine(4.0 * time));
+    float4 sines = float4(gabor_impl_sine(moment), gabor_impl_sine(2.0 * moment),
+                      gabor_impl_sine(3.0 * moment), gabor_impl_sine(4.0 * moment));
     float u = 0.5 * dot(sines, sines);
     return rsqrt(1.0 + u * (1.0 - kernel_.variance_factor) / kernel_.variance_factor);
 }
@@ -384,7 +385,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
     int2 cell = place.cell + (int2)(whole + first);
     first -= 1.0; // undoes the 1 of position_plus_one
     float2 cell_side = 1.0 / place.radius;
-    float time = frac(place.time);
+    float moment = frac(place.moment);
     uint seed_word = gabor_impl_seed_word(seed);
     GaborField sum = GaborField_of((float2)(0.0), (float2)(0.0), (float2)(0.0));
     GABOR_UNROLL for (int j = 0; j < visited; ++j) {
@@ -399,7 +400,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (max(abs(d.x), abs(d.y)) < 1.0) {
-                    float turns = dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * time;
+                    float turns = dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * moment;
                     float2 x = gabor_impl_window(d.x);
                     float2 y = gabor_impl_window(d.y);
                     float2 wave = impulse.magnitude * float2(gabor_impl_sine(turns + 0.25), gabor_impl_sine(turns));
@@ -414,7 +415,7 @@ GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
     float scale = kernel_.amplitude * GABOR_RADIUS * rsqrt(place.radius.x * place.radius.y)
-                * gabor_impl_phase_gain(kernel_, time);
+                * gabor_impl_phase_gain(kernel_, moment);
     return GaborField_of(scale * sum.value, scale * sum.slope_x, scale * sum.slope_y);
 }
 
@@ -450,9 +451,9 @@ float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientat
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-float gabor_noise_animated(float2 p, float time, float frequency, float orientation, uint seed) {
+float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed) {
     GaborPlace place = gabor_place((int2)(0), p * GABOR_RADIUS);
-    place.time = time;
+    place.moment = moment;
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

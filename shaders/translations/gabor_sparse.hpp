@@ -1,8 +1,8 @@
 // clang-format off
-// gabor_sparse.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point: for C++ on the CPU.
+// Generated from gabor_sparse.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_sparse.glsl by tools/translate: change that file, not this one.
+// gabor_sparse.hpp: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
+// point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
 //     float v = gabor_unorm(n);                    // in [0, 1], for display
@@ -13,13 +13,13 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
+#include "gabor_vectors.hpp"
+
 #ifdef GABOR_NOISE_HPP
 #error Include gabor_sparse.hpp or gabor_noise.hpp, not both: they define the same functions
 #endif
 #ifndef GABOR_SPARSE_HPP
 #define GABOR_SPARSE_HPP
-
-#include "gabor_vectors.hpp"
 
 #define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
@@ -87,7 +87,7 @@
 //     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
 //     2, the diameter of a kernel, counts as 2.
 
-// float gabor_noise_animated(vec2 p, float time, float frequency, float orientation, uint seed)
+// float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
 //     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
 //     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
 //     points, the noise hardly changes.
@@ -110,7 +110,7 @@ struct GaborPlace {
     gabor_vec2 local;   // offset from that cell's corner in cells, most precise in [0, 1)^2
     gabor_vec2 radius;  // cells per kernel radius along each axis: GABOR_RADIUS, or as little as half of it to fit a period
     gabor_ivec2 period; // period in cells, 0 for none
-    float time;   // time in periods: only its fraction counts
+    float moment; // time in periods: only its fraction counts
 };
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -148,11 +148,12 @@ struct GaborField {
 //
 // After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
-GABOR_INLINE void gabor_impl_macros_must_be_int_float_float_int_vec3(int, float, float, int, gabor_vec3) {
+GABOR_INLINE float gabor_impl_needs_int_float_float_int_vec3_macros(int n, float r, float a, int phases, gabor_vec3 window) {
+    return float(n + phases) + r + a + window.x;
 }
-GABOR_INLINE void gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
-    gabor_impl_macros_must_be_int_float_float_int_vec3(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR, GABOR_PHASES,
-                                                       GABOR_WINDOW);
+GABOR_INLINE float gabor_impl_check_macros() { // a macro of the wrong type fails to compile here
+    return gabor_impl_needs_int_float_float_int_vec3_macros(GABOR_IMPULSES, GABOR_RADIUS, GABOR_WEIGHT_FLOOR,
+                                                            GABOR_PHASES, GABOR_WINDOW);
 }
 
 // ---- Randomness ----------------------------------------------------------------------------------------------------
@@ -299,13 +300,13 @@ GABOR_INLINE int gabor_impl_wrap(int cell, int period) {
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
 // J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel, float time) {
-    if (GABOR_PHASES != 2 || time == 0.0f)
+GABOR_INLINE float gabor_impl_phase_gain(GaborKernel kernel_, float moment) {
+    if (GABOR_PHASES != 2 || moment == 0.0f)
         return 1.0f;
-    gabor_vec4 sines = gabor_vec4(gabor_impl_sine(time), gabor_impl_sine(2.0f * time),
-                      gabor_impl_sine(3.0f * time), gabor_impl_sine(4.0f * time));
+    gabor_vec4 sines = gabor_vec4(gabor_impl_sine(moment), gabor_impl_sine(2.0f * moment),
+                      gabor_impl_sine(3.0f * moment), gabor_impl_sine(4.0f * moment));
     float u = 0.5f * gabor_cpp_dot(sines, sines);
-    return gabor_cpp_inversesqrt(1.0f + u * (1.0f - kernel.variance_factor) / kernel.variance_factor);
+    return gabor_cpp_inversesqrt(1.0f + u * (1.0f - kernel_.variance_factor) / kernel_.variance_factor);
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
@@ -331,7 +332,7 @@ GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
     return GaborKernel{wave, amplitude * gabor_cpp_inversesqrt(variance_factor), variance_factor};
 }
 
-GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::uint32_t seed) {
+GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel_, std::uint32_t seed) {
     int visited = int(gabor_cpp_ceil(2.0f * GABOR_RADIUS)) + 1;
     gabor_vec2 whole = gabor_cpp_floor(place.local);
     gabor_vec2 local = gabor_cpp_clamp(place.local - whole, 0.0f, 1.0f); // the clamp matters only if a compiler fuses this with a product
@@ -339,7 +340,7 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::u
     gabor_ivec2 cell = place.cell + gabor_ivec2(whole + first);
     first -= 1.0f; // undoes the 1 of position_plus_one
     gabor_vec2 cell_side = 1.0f / place.radius;
-    float time = gabor_cpp_fract(place.time);
+    float moment = gabor_cpp_fract(place.moment);
     std::uint32_t seed_word = gabor_impl_seed_word(seed);
     GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     GABOR_UNROLL for (int j = 0; j < visited; ++j) {
@@ -354,27 +355,27 @@ GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel, std::u
                 // Only about half of the impulses reach this point. The branch also keeps CPU compilers from spilling
                 // registers.
                 if (gabor_cpp_max(gabor_cpp_abs(d.x), gabor_cpp_abs(d.y)) < 1.0f) {
-                    float turns = gabor_cpp_dot(kernel.wave, d) + impulse.phase + impulse.phase_rate * time;
+                    float turns = gabor_cpp_dot(kernel_.wave, d) + impulse.phase + impulse.phase_rate * moment;
                     gabor_vec2 x = gabor_impl_window(d.x);
                     gabor_vec2 y = gabor_impl_window(d.y);
                     gabor_vec2 wave = impulse.magnitude * gabor_vec2(gabor_impl_sine(turns + 0.25f), gabor_impl_sine(turns));
                     // The derivative of e^(2 pi i F x) is 2 pi i F e^(2 pi i F x).
                     gabor_vec2 turned = (6.2831853f * x.x * y.x) * gabor_vec2(-wave.y, wave.x);
                     sum.value += (x.x * y.x) * wave;
-                    sum.slope_x += (x.y * y.x) * wave + kernel.wave.x * turned;
-                    sum.slope_y += (y.y * x.x) * wave + kernel.wave.y * turned;
+                    sum.slope_x += (x.y * y.x) * wave + kernel_.wave.x * turned;
+                    sum.slope_y += (y.y * x.x) * wave + kernel_.wave.y * turned;
                 }
             }
         }
     }
     // With fewer cells per radius, fewer impulses reach the point; the scale makes up for this.
-    float scale = kernel.amplitude * GABOR_RADIUS * gabor_cpp_inversesqrt(place.radius.x * place.radius.y)
-                * gabor_impl_phase_gain(kernel, time);
+    float scale = kernel_.amplitude * GABOR_RADIUS * gabor_cpp_inversesqrt(place.radius.x * place.radius.y)
+                * gabor_impl_phase_gain(kernel_, moment);
     return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
 }
 
-GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel, std::uint32_t seed) {
-    return gabor_field(gabor_place(cell, local), kernel, seed).value.y;
+GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel_, std::uint32_t seed) {
+    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
 }
 
 GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
@@ -405,9 +406,9 @@ GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float freq
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 
-GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float time, float frequency, float orientation, std::uint32_t seed) {
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float moment, float frequency, float orientation, std::uint32_t seed) {
     GaborPlace place = gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
-    place.time = time;
+    place.moment = moment;
     return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
 }
 

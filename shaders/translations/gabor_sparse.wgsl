@@ -1,11 +1,11 @@
+// Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
+// naga 30.0.1 made it from GLSL with the digest 3f4753156720d5c8.
+//
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
-// point: for WGSL.
+// point.
 //
-// Generated from shaders/gabor_sparse.glsl by tools/translate and naga 30.0.1: change that file, not this one.
-// Digest of the GLSL and of this file: 1a92498925a3dc86
-//
-//     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], for display
+//     f32 n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
+//     f32 v = gabor_unorm(n);                    // in [0, 1], for display
 //
 // Use this file for the paper's own noise. The noise of gabor_noise.wgsl, which has the same functions, is faster and
 // is normal at every point. Positions are in kernel radii: a kernel ends one radius from its impulse. Frequencies are
@@ -15,129 +15,50 @@
 
 const GABOR_NOISE_VERSION: u32 = 30000u;
 
-// Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
-// all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
-//   p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
-//                steps of 0.008
-//   frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
-//                too coarse for the exact variance
-//   orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
-//   seed         any; different seeds give independent noises
-// Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
-// value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
-fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    let _e8 = gabor_kernel(frequency, orientation);
-    let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
-    return _e9;
-}
+// ---- Macros: define them before the file. The defaults are the recipe `one`; docs/recipes.md lists others ----------
 
-// (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
-fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var field: GaborField;
+// ---- Functions -----------------------------------------------------------------------------------------------------
 
-    let _e8 = gabor_place(vec2(0i), (p * 1f));
-    let _e9 = gabor_kernel(frequency, orientation);
-    let _e10 = gabor_field(_e8, _e9, seed);
-    field = _e10;
-    let _e12 = field;
-    let _e15 = field;
-    let _e18 = field;
-    return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
-}
+// f32 gabor_noise(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     Gabor noise at p, with mean 0 and variance 1 at every point, and continuous first derivatives. Values pooled over
+//     all points are nearly normal; those at a fixed position in the cells are less so: see docs/recipes.md.
+//       p            position in kernel radii, |p| < 2^31 / GABOR_RADIUS. Float rounding shows earlier: at 10^5, p has
+//                    steps of 0.008
+//       frequency    cycles per kernel radius, 10^-6 to 10^6; the sign is ignored. Above 64, positions of impulses are
+//                    too coarse for the exact variance
+//       orientation  direction of the wave vector in radians from +x towards +y, precise from -400 to 400
+//       seed         any; different seeds give independent noises
+//     Frequency and orientation may vary with p; where they are continuous, so is the noise. NaN gives an unspecified
+//     value. Cost: (ceil(2 GABOR_RADIUS) + 1)^2 GABOR_IMPULSES impulses, 9 by default.
 
-// (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
-// sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-// variance 1 only at frequencies of 1.5 and more.
-fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    let _e8 = gabor_place(vec2(0i), (p * 1f));
-    let _e9 = gabor_kernel(frequency, orientation);
-    let _e10 = gabor_field(_e8, _e9, seed);
-    return _e10.value;
-}
+// vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     (noise, d/dx, d/dy), per kernel radius, for constant frequency and orientation.
 
-// (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
-// is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
-fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
-    var intensity: f32;
-    var local_10: f32;
-    var phase: f32;
-    var local_11: f32;
+// vec2f gabor_noise_complex(vec2f p, f32 frequency, f32 orientation, u32 seed)
+//     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
+//     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
+//     variance 1 only at frequencies of 1.5 and more.
 
-    intensity = length(value);
-    let _e3 = intensity;
-    if (_e3 > 0f) {
-        local_10 = (atan2(value.y, value.x) * 0.15915494f);
-    } else {
-        local_10 = 0f;
-    }
-    let _e13 = local_10;
-    phase = _e13;
-    let _e15 = phase;
-    if (_e15 < 0f) {
-        let _e18 = phase;
-        local_11 = min((_e18 + 1f), 0.99999994f);
-    } else {
-        let _e23 = phase;
-        local_11 = _e23;
-    }
-    let _e25 = local_11;
-    let _e26 = intensity;
-    return vec2<f32>(_e25, _e26);
-}
+// vec2f gabor_phasor(vec2f value)
+//     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
+//     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
-// Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
-// mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
-// Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
-// 1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
-// 2, the diameter of a kernel, counts as 2.
-fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var period_2: vec2<f32>;
-    var cells: vec2<f32>;
-    var radius: vec2<f32>;
-    var within_1: vec2<f32>;
-    var place_1: GaborPlace;
+// f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
+//     Noise that repeats exactly after `period` kernel radii along x and y, at any frequency and orientation, with the
+//     mean and variance of gabor_noise. If period * GABOR_RADIUS is an integer, the distribution is also the same.
+//     Otherwise cells grow to fit, and values become less normal: with the recipe `one`, cvm (see docs/recipes.md) is
+//     1.1 for 5 % fewer cells per radius, 6.4 for 10 %, and 14 to 425 for square periods of 2.3 to 4.9. A period below
+//     2, the diameter of a kernel, counts as 2.
 
-    period_2 = period;
-    let _e6 = period_2;
-    period_2 = max(_e6, vec2(2f));
-    let _e10 = period_2;
-    cells = floor((_e10 * 1f));
-    let _e15 = cells;
-    let _e16 = period_2;
-    radius = (_e15 / _e16);
-    let _e19 = period_2;
-    let _e22 = period_2;
-    within_1 = (p - (floor((p / _e19)) * _e22));
-    let _e28 = within_1;
-    let _e29 = radius;
-    let _e31 = radius;
-    let _e32 = cells;
-    place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
-    let _e37 = place_1;
-    let _e38 = gabor_kernel(frequency, orientation);
-    let _e39 = gabor_field(_e37, _e38, seed);
-    return _e39.value.y;
-}
+// f32 gabor_noise_animated(vec2f p, f32 moment, f32 frequency, f32 orientation, u32 seed)
+//     Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
+//     is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
+//     points, the noise hardly changes.
 
-// Noise that evolves in place with period 1. At any time it has the statistics of gabor_noise. Its autocorrelation
-// is the mean of cos(2 pi k lag) over k = 1 to 4: 0.87 at a lag of 0.03, 0 at 0.1, -0.38 at 0.16. At 3.5 % of all
-// points, the noise hardly changes.
-fn gabor_noise_animated(p: vec2<f32>, time: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
+// f32 gabor_unorm(f32 noise)
+//     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
 
-    let _e9 = gabor_place(vec2(0i), (p * 1f));
-    place_2 = _e9;
-    place_2.time = time;
-    let _e12 = place_2;
-    let _e13 = gabor_kernel(frequency, orientation);
-    let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
-}
-
-// Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
-fn gabor_unorm(noise: f32) -> f32 {
-    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
-}
+// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
 
 // A wave and its normalization, returned by gabor_kernel.
 struct GaborKernel {
@@ -152,7 +73,7 @@ struct GaborPlace {
     local: vec2<f32>,
     radius: vec2<f32>,
     period: vec2<i32>,
-    time: f32,
+    moment: f32,
 }
 
 // Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
@@ -162,233 +83,19 @@ struct GaborField {
     slope_y: vec2<f32>,
 }
 
-// The kernel with a given frequency and orientation; ranges are those of gabor_noise. Compute it once for many
-// calls.
-fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
-    var local_7: f32;
-    var wave: vec2<f32>;
-    var energy_1: GaborEnergy;
-    var density: f32 = 1f;
-    var power: f32 = 0.7278125f;
-    var amplitude: f32;
-    var x_1: f32;
-    var y_1: f32;
-    var variance_factor: f32;
+// GaborKernel gabor_kernel(f32 frequency, f32 orientation)
+//     The kernel with a given frequency and orientation; ranges are those of gabor_noise. Compute it once for many
+//     calls.
 
-    if (abs(frequency) > 0.000001f) {
-        local_7 = abs(frequency);
-    } else {
-        local_7 = 0.000001f;
-    }
-    let _e8 = local_7;
-    let _e11 = gabor_impl_direction(orientation);
-    wave = (min(_e8, 1000000f) * _e11);
-    let _e14 = gabor_impl_energy();
-    energy_1 = _e14;
-    let _e32 = density;
-    let _e34 = power;
-    let _e36 = energy_1;
-    let _e39 = energy_1;
-    amplitude = inverseSqrt(((((0.5f * _e32) * _e34) * _e36.sum) * _e39.sum));
-    if true {
-        let _e47 = wave;
-        let _e48 = amplitude;
-        return GaborKernel(_e47, _e48, 1f);
-    }
-    let _e51 = wave;
-    let _e53 = energy_1;
-    let _e54 = gabor_impl_relative_energy(_e51.x, _e53);
-    x_1 = _e54;
-    let _e56 = wave;
-    let _e58 = energy_1;
-    let _e59 = gabor_impl_relative_energy(_e56.y, _e58);
-    y_1 = _e59;
-    let _e61 = x_1;
-    let _e62 = y_1;
-    let _e64 = x_1;
-    let _e65 = y_1;
-    variance_factor = ((_e61 + _e62) - (_e64 * _e65));
-    let _e69 = wave;
-    let _e70 = amplitude;
-    let _e71 = variance_factor;
-    let _e74 = variance_factor;
-    return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
-}
+// GaborPlace gabor_place(vec2i cell, vec2f local)
+//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
+//     axis.
 
-// The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-// axis.
-fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
-    return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
-}
+// GaborField gabor_field(GaborPlace place, GaborKernel kernel, u32 seed)
+//     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
 
-// The noise, its quadrature, and their gradients at `place`. All noise functions call it.
-fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    var visited: i32 = 3i;
-    var whole: vec2<f32>;
-    var local_8: vec2<f32>;
-    var first: vec2<f32>;
-    var cell_2: vec2<i32>;
-    var cell_side: vec2<f32>;
-    var time_1: f32;
-    var seed_word_1: u32;
-    var sum: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
-    var j: i32 = 0i;
-    var row_word_1: u32;
-    var i_1: i32;
-    var column_1: i32;
-    var k_1: i32;
-    var word_3: u32;
-    var impulse: GaborImpulse;
-    var d: vec2<f32>;
-    var turns: f32;
-    var x_2: vec2<f32>;
-    var y_2: vec2<f32>;
-    var wave_1: vec2<f32>;
-    var turned: vec2<f32>;
-    var scale: f32;
-
-    whole = floor(place.local);
-    let _e15 = whole;
-    local_8 = clamp((place.local - _e15), vec2(0f), vec2(1f));
-    let _e23 = local_8;
-    first = floor((_e23 - place.radius));
-    let _e29 = whole;
-    let _e30 = first;
-    cell_2 = (place.cell + vec2<i32>((_e29 + _e30)));
-    let _e35 = first;
-    first = (_e35 - vec2(1f));
-    cell_side = (vec2(1f) / place.radius);
-    time_1 = fract(place.time);
-    let _e47 = gabor_impl_seed_word(seed);
-    seed_word_1 = _e47;
-    loop {
-        let _e59 = j;
-        let _e60 = visited;
-        if !((_e59 < _e60)) {
-            break;
-        }
-        {
-            let _e66 = cell_2;
-            let _e68 = j;
-            let _e72 = gabor_impl_wrap((_e66.y + _e68), place.period.y);
-            let _e73 = seed_word_1;
-            let _e74 = gabor_impl_row_word(_e72, _e73);
-            row_word_1 = _e74;
-            i_1 = 0i;
-            loop {
-                let _e78 = i_1;
-                let _e79 = visited;
-                if !((_e78 < _e79)) {
-                    break;
-                }
-                {
-                    let _e85 = cell_2;
-                    let _e87 = i_1;
-                    let _e91 = gabor_impl_wrap((_e85.x + _e87), place.period.x);
-                    column_1 = _e91;
-                    k_1 = 0i;
-                    loop {
-                        let _e95 = k_1;
-                        if !((_e95 < 1i)) {
-                            break;
-                        }
-                        {
-                            let _e102 = column_1;
-                            let _e103 = row_word_1;
-                            let _e104 = k_1;
-                            let _e105 = gabor_impl_impulse_word(_e102, _e103, _e104);
-                            word_3 = _e105;
-                            let _e107 = word_3;
-                            let _e108 = gabor_impl_impulse(_e107);
-                            impulse = _e108;
-                            let _e110 = local_8;
-                            let _e111 = impulse;
-                            let _e113 = first;
-                            let _e114 = i_1;
-                            let _e116 = j;
-                            let _e122 = cell_side;
-                            d = ((_e110 - (_e111.position_plus_one + (_e113 + vec2<f32>(f32(_e114), f32(_e116))))) * _e122);
-                            let _e125 = d;
-                            let _e128 = d;
-                            if (max(abs(_e125.x), abs(_e128.y)) < 1f) {
-                                {
-                                    let _e135 = d;
-                                    let _e137 = impulse;
-                                    let _e140 = impulse;
-                                    let _e142 = time_1;
-                                    turns = ((dot(kernel.wave, _e135) + _e137.phase) + (_e140.phase_rate * _e142));
-                                    let _e146 = d;
-                                    let _e148 = gabor_impl_window(_e146.x);
-                                    x_2 = _e148;
-                                    let _e150 = d;
-                                    let _e152 = gabor_impl_window(_e150.y);
-                                    y_2 = _e152;
-                                    let _e154 = impulse;
-                                    let _e156 = turns;
-                                    let _e159 = gabor_impl_sine((_e156 + 0.25f));
-                                    let _e160 = turns;
-                                    let _e161 = gabor_impl_sine(_e160);
-                                    wave_1 = (_e154.magnitude * vec2<f32>(_e159, _e161));
-                                    let _e166 = x_2;
-                                    let _e169 = y_2;
-                                    let _e172 = wave_1;
-                                    let _e175 = wave_1;
-                                    turned = (((6.2831855f * _e166.x) * _e169.x) * vec2<f32>(-(_e172.y), _e175.x));
-                                    let _e181 = sum;
-                                    let _e183 = x_2;
-                                    let _e185 = y_2;
-                                    let _e188 = wave_1;
-                                    sum.value = (_e181.value + ((_e183.x * _e185.x) * _e188));
-                                    let _e192 = sum;
-                                    let _e194 = x_2;
-                                    let _e196 = y_2;
-                                    let _e199 = wave_1;
-                                    let _e203 = turned;
-                                    sum.slope_x = (_e192.slope_x + (((_e194.y * _e196.x) * _e199) + (kernel.wave.x * _e203)));
-                                    let _e208 = sum;
-                                    let _e210 = y_2;
-                                    let _e212 = x_2;
-                                    let _e215 = wave_1;
-                                    let _e219 = turned;
-                                    sum.slope_y = (_e208.slope_y + (((_e210.y * _e212.x) * _e215) + (kernel.wave.y * _e219)));
-                                }
-                            }
-                        }
-                        continuing {
-                            let _e99 = k_1;
-                            k_1 = (_e99 + 1i);
-                        }
-                    }
-                }
-                continuing {
-                    let _e82 = i_1;
-                    i_1 = (_e82 + 1i);
-                }
-            }
-        }
-        continuing {
-            let _e63 = j;
-            j = (_e63 + 1i);
-        }
-    }
-    let _e233 = time_1;
-    let _e234 = gabor_impl_phase_gain(kernel, _e233);
-    scale = (((kernel.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e234);
-    let _e237 = scale;
-    let _e238 = sum;
-    let _e241 = scale;
-    let _e242 = sum;
-    let _e245 = scale;
-    let _e246 = sum;
-    return GaborField((_e237 * _e238.value), (_e241 * _e242.slope_x), (_e245 * _e246.slope_y));
-}
-
-// The noise at gabor_place(cell, local).
-fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
-    let _e4 = gabor_place(cell, local);
-    let _e5 = gabor_field(_e4, kernel, seed);
-    return _e5.value.y;
-}
+// f32 gabor_noise_at(vec2i cell, vec2f local, GaborKernel kernel, u32 seed)
+//     The noise at gabor_place(cell, local).
 
 // ====================================================================================================================
 // Private implementation
@@ -404,11 +111,18 @@ fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: 
 //
 // After Tavernier, Neyret, Vergne, Thollot, "Making Gabor Noise Fast and Normalized", Eurographics 2019.
 
+fn gabor_impl_needs_int_float_float_int_vec3_macros(n: i32, r: f32, a: f32, phases: i32, window: vec3<f32>) -> f32 {
+    return (((f32((n + phases)) + r) + a) + window.x);
+}
+fn gabor_impl_check_macros() -> f32 {
+    let _e9 = gabor_impl_needs_int_float_float_int_vec3_macros(1i, 1f, 0.675f, 256i, vec3<f32>(3f, -4.5f, 2.5f));
+    return _e9;
+}
+
 // Mixes a word in two rounds of shift and multiply, with constants from the hash-prospector project. The salt enters
 // between the rounds, so that no salt's sequence is a shifted copy of another's.
 fn gabor_impl_mix(word: u32, salt: u32) -> u32 {
     var word_1: u32;
-
     word_1 = word;
     let _e3 = word_1;
     let _e4 = word_1;
@@ -437,7 +151,6 @@ fn gabor_impl_row_word(row: i32, seed_word: u32) -> u32 {
 // x: only offsets in x below 1/256 of a cell depend on y.
 fn gabor_impl_impulse_word(column: i32, row_word: u32, index: i32) -> u32 {
     var salt_1: u32;
-
     salt_1 = (row_word + (u32(index) * 2246822507u));
     let _e11 = salt_1;
     let _e13 = salt_1;
@@ -458,7 +171,6 @@ fn gabor_impl_impulse(word: u32) -> GaborImpulse {
     var rate: f32;
     var local: f32;
     var local_1: f32;
-
     position_plus_one = vec2<f32>(bitcast<f32>((1065353216u | ((word >> 8u) & 8388607u))), bitcast<f32>((1065353216u | (word & 8388607u))));
     rate = (f32(((word >> 8u) & 7u)) - 4f);
     let _e23 = position_plus_one;
@@ -487,7 +199,6 @@ fn gabor_impl_sine(t: f32) -> f32 {
     var t_1: f32;
     var s: f32;
     var p: f32;
-
     t_1 = t;
     let _e2 = t_1;
     t_1 = (fract(_e2) - 0.5f);
@@ -523,7 +234,6 @@ fn gabor_impl_direction(angle: f32) -> vec2<f32> {
     var local_3: vec2<f32>;
     var axis: vec2<f32>;
     var local_4: vec2<f32>;
-
     quarter = floor(((angle * 0.63661975f) + 0.5f));
     let _e7 = quarter;
     r_1 = (angle - (_e7 * 1.5703125f));
@@ -596,7 +306,6 @@ fn gabor_impl_energy() -> GaborEnergy {
     var c: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
     var e4567_: vec4<f32>;
     var e8_: f32;
-
     let _e19 = c;
     let _e21 = c;
     let _e25 = c;
@@ -638,7 +347,6 @@ fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
     var l2_: f32;
     var l3_: f32;
     var l: vec4<f32>;
-
     a_1 = (12.566371f * k);
     let _e5 = a_1;
     let _e6 = a_1;
@@ -735,7 +443,6 @@ fn gabor_impl_relative_energy(k: f32, energy: GaborEnergy) -> f32 {
 fn gabor_impl_window(x: f32) -> vec2<f32> {
     var c_1: vec3<f32> = vec3<f32>(3f, -4.5f, 2.5f);
     var u: f32;
-
     u = max((1f - (x * x)), 0f);
     let _e13 = u;
     let _e14 = u;
@@ -757,7 +464,6 @@ fn gabor_impl_window(x: f32) -> vec2<f32> {
 fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
     var within: i32;
     var local_5: i32;
-
     if (period == 0i) {
         return cell;
     }
@@ -776,17 +482,16 @@ fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
 // J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
-fn gabor_impl_phase_gain(kernel: GaborKernel, time: f32) -> f32 {
+fn gabor_impl_phase_gain(kernel: GaborKernel, moment: f32) -> f32 {
     var sines: vec4<f32>;
     var u_1: f32;
-
-    if (true || (time == 0f)) {
+    if (true || (moment == 0f)) {
         return 1f;
     }
-    let _e9 = gabor_impl_sine(time);
-    let _e12 = gabor_impl_sine((2f * time));
-    let _e15 = gabor_impl_sine((3f * time));
-    let _e18 = gabor_impl_sine((4f * time));
+    let _e9 = gabor_impl_sine(moment);
+    let _e12 = gabor_impl_sine((2f * moment));
+    let _e15 = gabor_impl_sine((3f * moment));
+    let _e18 = gabor_impl_sine((4f * moment));
     sines = vec4<f32>(_e9, _e12, _e15, _e18);
     let _e22 = sines;
     let _e23 = sines;
@@ -794,3 +499,324 @@ fn gabor_impl_phase_gain(kernel: GaborKernel, time: f32) -> f32 {
     let _e28 = u_1;
     return inverseSqrt((1f + ((_e28 * (1f - kernel.variance_factor)) / kernel.variance_factor)));
 }
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
+    return GaborPlace(cell, local, vec2(1f), vec2(0i), 0f);
+}
+
+// There are N R^2 impulses per unit area, so by Campbell's theorem
+//     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
+// With two phases, sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, with a = 4 pi F omega.
+fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
+    var local_7: f32;
+    var wave: vec2<f32>;
+    var energy_1: GaborEnergy;
+    var density: f32 = 1f;
+    var power: f32 = 0.7278125f;
+    var amplitude: f32;
+    var x_1: f32;
+    var y_1: f32;
+    var variance_factor: f32;
+    if (abs(frequency) > 0.000001f) {
+        local_7 = abs(frequency);
+    } else {
+        local_7 = 0.000001f;
+    }
+    let _e8 = local_7;
+    let _e11 = gabor_impl_direction(orientation);
+    wave = (min(_e8, 1000000f) * _e11);
+    let _e14 = gabor_impl_energy();
+    energy_1 = _e14;
+    let _e32 = density;
+    let _e34 = power;
+    let _e36 = energy_1;
+    let _e39 = energy_1;
+    amplitude = inverseSqrt(((((0.5f * _e32) * _e34) * _e36.sum) * _e39.sum));
+    if true {
+        let _e47 = wave;
+        let _e48 = amplitude;
+        return GaborKernel(_e47, _e48, 1f);
+    }
+    let _e51 = wave;
+    let _e53 = energy_1;
+    let _e54 = gabor_impl_relative_energy(_e51.x, _e53);
+    x_1 = _e54;
+    let _e56 = wave;
+    let _e58 = energy_1;
+    let _e59 = gabor_impl_relative_energy(_e56.y, _e58);
+    y_1 = _e59;
+    let _e61 = x_1;
+    let _e62 = y_1;
+    let _e64 = x_1;
+    let _e65 = y_1;
+    variance_factor = ((_e61 + _e62) - (_e64 * _e65));
+    let _e69 = wave;
+    let _e70 = amplitude;
+    let _e71 = variance_factor;
+    let _e74 = variance_factor;
+    return GaborKernel(_e69, (_e70 * inverseSqrt(_e71)), _e74);
+}
+
+fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
+    var visited: i32 = 3i;
+    var whole: vec2<f32>;
+    var local_8: vec2<f32>;
+    var first: vec2<f32>;
+    var cell_2: vec2<i32>;
+    var cell_side: vec2<f32>;
+    var moment_1: f32;
+    var seed_word_1: u32;
+    var sum: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var j: i32 = 0i;
+    var row_word_1: u32;
+    var i_1: i32;
+    var column_1: i32;
+    var k_1: i32;
+    var word_3: u32;
+    var impulse: GaborImpulse;
+    var d: vec2<f32>;
+    var turns: f32;
+    var x_2: vec2<f32>;
+    var y_2: vec2<f32>;
+    var wave_1: vec2<f32>;
+    var turned: vec2<f32>;
+    var scale: f32;
+    whole = floor(place.local);
+    let _e15 = whole;
+    local_8 = clamp((place.local - _e15), vec2(0f), vec2(1f));
+    let _e23 = local_8;
+    first = floor((_e23 - place.radius));
+    let _e29 = whole;
+    let _e30 = first;
+    cell_2 = (place.cell + vec2<i32>((_e29 + _e30)));
+    let _e35 = first;
+    first = (_e35 - vec2(1f));
+    cell_side = (vec2(1f) / place.radius);
+    moment_1 = fract(place.moment);
+    let _e47 = gabor_impl_seed_word(seed);
+    seed_word_1 = _e47;
+    loop {
+        let _e59 = j;
+        let _e60 = visited;
+        if !((_e59 < _e60)) {
+            break;
+        }
+        {
+            let _e66 = cell_2;
+            let _e68 = j;
+            let _e72 = gabor_impl_wrap((_e66.y + _e68), place.period.y);
+            let _e73 = seed_word_1;
+            let _e74 = gabor_impl_row_word(_e72, _e73);
+            row_word_1 = _e74;
+            i_1 = 0i;
+            loop {
+                let _e78 = i_1;
+                let _e79 = visited;
+                if !((_e78 < _e79)) {
+                    break;
+                }
+                {
+                    let _e85 = cell_2;
+                    let _e87 = i_1;
+                    let _e91 = gabor_impl_wrap((_e85.x + _e87), place.period.x);
+                    column_1 = _e91;
+                    k_1 = 0i;
+                    loop {
+                        let _e95 = k_1;
+                        if !((_e95 < 1i)) {
+                            break;
+                        }
+                        {
+                            let _e102 = column_1;
+                            let _e103 = row_word_1;
+                            let _e104 = k_1;
+                            let _e105 = gabor_impl_impulse_word(_e102, _e103, _e104);
+                            word_3 = _e105;
+                            let _e107 = word_3;
+                            let _e108 = gabor_impl_impulse(_e107);
+                            impulse = _e108;
+                            let _e110 = local_8;
+                            let _e111 = impulse;
+                            let _e113 = first;
+                            let _e114 = i_1;
+                            let _e116 = j;
+                            let _e122 = cell_side;
+                            d = ((_e110 - (_e111.position_plus_one + (_e113 + vec2<f32>(f32(_e114), f32(_e116))))) * _e122);
+                            let _e125 = d;
+                            let _e128 = d;
+                            if (max(abs(_e125.x), abs(_e128.y)) < 1f) {
+                                {
+                                    let _e135 = d;
+                                    let _e137 = impulse;
+                                    let _e140 = impulse;
+                                    let _e142 = moment_1;
+                                    turns = ((dot(kernel.wave, _e135) + _e137.phase) + (_e140.phase_rate * _e142));
+                                    let _e146 = d;
+                                    let _e148 = gabor_impl_window(_e146.x);
+                                    x_2 = _e148;
+                                    let _e150 = d;
+                                    let _e152 = gabor_impl_window(_e150.y);
+                                    y_2 = _e152;
+                                    let _e154 = impulse;
+                                    let _e156 = turns;
+                                    let _e159 = gabor_impl_sine((_e156 + 0.25f));
+                                    let _e160 = turns;
+                                    let _e161 = gabor_impl_sine(_e160);
+                                    wave_1 = (_e154.magnitude * vec2<f32>(_e159, _e161));
+                                    let _e166 = x_2;
+                                    let _e169 = y_2;
+                                    let _e172 = wave_1;
+                                    let _e175 = wave_1;
+                                    turned = (((6.2831855f * _e166.x) * _e169.x) * vec2<f32>(-(_e172.y), _e175.x));
+                                    let _e181 = sum;
+                                    let _e183 = x_2;
+                                    let _e185 = y_2;
+                                    let _e188 = wave_1;
+                                    sum.value = (_e181.value + ((_e183.x * _e185.x) * _e188));
+                                    let _e192 = sum;
+                                    let _e194 = x_2;
+                                    let _e196 = y_2;
+                                    let _e199 = wave_1;
+                                    let _e203 = turned;
+                                    sum.slope_x = (_e192.slope_x + (((_e194.y * _e196.x) * _e199) + (kernel.wave.x * _e203)));
+                                    let _e208 = sum;
+                                    let _e210 = y_2;
+                                    let _e212 = x_2;
+                                    let _e215 = wave_1;
+                                    let _e219 = turned;
+                                    sum.slope_y = (_e208.slope_y + (((_e210.y * _e212.x) * _e215) + (kernel.wave.y * _e219)));
+                                }
+                            }
+                        }
+                        continuing {
+                            let _e99 = k_1;
+                            k_1 = (_e99 + 1i);
+                        }
+                    }
+                }
+                continuing {
+                    let _e82 = i_1;
+                    i_1 = (_e82 + 1i);
+                }
+            }
+        }
+        continuing {
+            let _e63 = j;
+            j = (_e63 + 1i);
+        }
+    }
+    let _e233 = moment_1;
+    let _e234 = gabor_impl_phase_gain(kernel, _e233);
+    scale = (((kernel.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e234);
+    let _e237 = scale;
+    let _e238 = sum;
+    let _e241 = scale;
+    let _e242 = sum;
+    let _e245 = scale;
+    let _e246 = sum;
+    return GaborField((_e237 * _e238.value), (_e241 * _e242.slope_x), (_e245 * _e246.slope_y));
+}
+
+fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
+    let _e4 = gabor_place(cell, local);
+    let _e5 = gabor_field(_e4, kernel, seed);
+    return _e5.value.y;
+}
+
+fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    let _e8 = gabor_kernel(frequency, orientation);
+    let _e9 = gabor_noise_at(vec2(0i), (p * 1f), _e8, seed);
+    return _e9;
+}
+
+fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
+    var field: GaborField;
+    let _e8 = gabor_place(vec2(0i), (p * 1f));
+    let _e9 = gabor_kernel(frequency, orientation);
+    let _e10 = gabor_field(_e8, _e9, seed);
+    field = _e10;
+    let _e12 = field;
+    let _e15 = field;
+    let _e18 = field;
+    return vec3<f32>(_e12.value.y, _e15.slope_x.y, _e18.slope_y.y);
+}
+
+fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
+    let _e8 = gabor_place(vec2(0i), (p * 1f));
+    let _e9 = gabor_kernel(frequency, orientation);
+    let _e10 = gabor_field(_e8, _e9, seed);
+    return _e10.value;
+}
+
+fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
+    var intensity: f32;
+    var local_10: f32;
+    var phase: f32;
+    var local_11: f32;
+    intensity = length(value);
+    let _e3 = intensity;
+    if (_e3 > 0f) {
+        local_10 = (atan2(value.y, value.x) * 0.15915494f);
+    } else {
+        local_10 = 0f;
+    }
+    let _e13 = local_10;
+    phase = _e13;
+    let _e15 = phase;
+    if (_e15 < 0f) {
+        let _e18 = phase;
+        local_11 = min((_e18 + 1f), 0.99999994f);
+    } else {
+        let _e23 = phase;
+        local_11 = _e23;
+    }
+    let _e25 = local_11;
+    let _e26 = intensity;
+    return vec2<f32>(_e25, _e26);
+}
+
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var period_2: vec2<f32>;
+    var cells: vec2<f32>;
+    var radius: vec2<f32>;
+    var within_1: vec2<f32>;
+    var place_1: GaborPlace;
+    period_2 = period;
+    let _e6 = period_2;
+    period_2 = max(_e6, vec2(2f));
+    let _e10 = period_2;
+    cells = floor((_e10 * 1f));
+    let _e15 = cells;
+    let _e16 = period_2;
+    radius = (_e15 / _e16);
+    let _e19 = period_2;
+    let _e22 = period_2;
+    within_1 = (p - (floor((p / _e19)) * _e22));
+    let _e28 = within_1;
+    let _e29 = radius;
+    let _e31 = radius;
+    let _e32 = cells;
+    place_1 = GaborPlace(vec2(0i), (_e28 * _e29), _e31, vec2<i32>(_e32), 0f);
+    let _e37 = place_1;
+    let _e38 = gabor_kernel(frequency, orientation);
+    let _e39 = gabor_field(_e37, _e38, seed);
+    return _e39.value.y;
+}
+
+fn gabor_noise_animated(p: vec2<f32>, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_2: GaborPlace;
+    let _e9 = gabor_place(vec2(0i), (p * 1f));
+    place_2 = _e9;
+    place_2.moment = moment;
+    let _e12 = place_2;
+    let _e13 = gabor_kernel(frequency, orientation);
+    let _e14 = gabor_field(_e12, _e13, seed);
+    return _e14.value.y;
+}
+
+fn gabor_unorm(noise: f32) -> f32 {
+    return clamp((0.5f + (0.25f * noise)), 0f, 1f);
+}
+

@@ -1,6 +1,8 @@
-// gabor_spectrum.hlsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes: for HLSL, shader model 5.0 and up.
+// Generated from gabor_spectrum.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hlsl.
+// gabor_spectrum.hlsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
+//
+// Paste or include this file after gabor_noise.hlsl.
 //
 //     float n = gabor_noise_isotropic(p, 2.0, 7u);   // waves in all directions: mean 0, variance 1
 //
@@ -129,7 +131,7 @@ GaborPlace gabor_impl_stretched(GaborPlace place, float2 radius) {
     int2 cell = int2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     float2 unit = 1.0 / (place.radius * radius);
     GaborPlace stretched = gabor_place_tiled(((float2)(cell) + place.local) * unit, (float2)(place.period) * unit);
-    stretched.time = place.time;
+    stretched.moment = place.moment;
     return stretched;
 }
 
@@ -237,17 +239,28 @@ struct GaborStar {
     float2 v;
 };
 
+GaborStar GaborStar_of(float2 first, float2 second, float2 third, float2 u, float2 v)
+{
+    GaborStar made;
+    made.first = first;
+    made.second = second;
+    made.third = third;
+    made.u = u;
+    made.v = v;
+    return made;
+}
+
 // `d`: offset of the point from the node, in periods of the waves.
-GaborStar gabor_impl_star(uint4 words, float2 d, float time) {
+GaborStar gabor_impl_star(uint4 words, float2 d, float moment) {
     GaborStar star;
     star.u = gabor_impl_half_turn(3.8805107e-11 * float(int(words.w))); // up to a twelfth of a turn either way
     star.v = 0.5 * star.u + 0.8660254 * float2(-star.u.y, star.u.x);
     star.first = gabor_impl_wave(dot(star.u, d));
     star.second = gabor_impl_wave(dot(star.v, d));
     star.third = gabor_impl_product(star.second, float2(star.first.x, -star.first.y));
-    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, time), star.first);
-    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, time), star.second);
-    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, time), star.third);
+    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, moment), star.first);
+    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, moment), star.second);
+    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, moment), star.third);
     return star;
 }
 
@@ -274,7 +287,7 @@ GaborField gabor_field_isotropic(GaborPlace place, float frequency, uint seed) {
         uint4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
             float2 d = frequency / place.radius * float2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.time);
+            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
             float2 h = float2(x.node[i].x, y.node[j].x);
             float3 window = float3(h.x * h.y, stretch * float2(x.node[i].z, y.node[j].z) * h.yx);
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -297,12 +310,17 @@ float gabor_noise_isotropic(float2 p, float frequency, uint seed) {
 // turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
 // between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
 // the integral of one period.
-float3 gabor_impl_ends(float2 stripes) {
-    float2 phasor = gabor_phasor(stripes);
-    float y = max(1.0 - phasor.y, 0.0);
+float3 gabor_impl_ends_at(float phase, float span) {
+    float y = max(1.0 - span, 0.0);
     float width = sqrt(y) * (0.7796968 + y * (0.13925488 + y * (0.1322011 * y - 0.05362376)));
     width = clamp(width, 0.001, 1.0);
-    return float3(phasor.x - 0.5 * width, phasor.x + 0.5 * width, 1.0 / width);
+    phase -= floor(phase);
+    return float3(phase - 0.5 * width, phase + 0.5 * width, 1.0 / width);
+}
+
+float3 gabor_impl_ends(float2 stripes) {
+    float2 phasor = gabor_phasor(stripes);
+    return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 
 float gabor_profile_sine(float2 stripes) {

@@ -1,7 +1,9 @@
 // clang-format off
-// gabor_spectrum.hpp: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes: for C++ on the CPU.
+// Generated from gabor_spectrum.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// Generated from shaders/gabor_spectrum.glsl by tools/translate: change that file, not this one. Paste or include it after gabor_noise.hpp.
+// gabor_spectrum.hpp: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
+//
+// Paste or include this file after gabor_noise.hpp.
 //
 //     float n = gabor_noise_isotropic(p, 2.0, 7u);   // waves in all directions: mean 0, variance 1
 //
@@ -16,6 +18,8 @@
 // Arguments and fields are those of gabor_noise.hpp.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
 
 #ifndef GABOR_NOISE_HPP
 #error Include gabor_noise.hpp before gabor_spectrum.hpp
@@ -70,7 +74,7 @@ struct GaborLobe {
 
 // A power spectrum: the first `count` lobes, at most GABOR_LOBES.
 struct GaborLobes {
-    GaborLobe lobe[GABOR_LOBES];
+    GaborLobe lobe[GABOR_LOBES] = {};
     int count;
 };
 
@@ -120,7 +124,7 @@ GABOR_INLINE GaborPlace gabor_impl_stretched(GaborPlace place, gabor_vec2 radius
     gabor_ivec2 cell = gabor_ivec2(gabor_impl_wrap(place.cell.x, place.period.x), gabor_impl_wrap(place.cell.y, place.period.y));
     gabor_vec2 unit = 1.0f / (place.radius * radius);
     GaborPlace stretched = gabor_place_tiled((gabor_vec2(cell) + place.local) * unit, gabor_vec2(place.period) * unit);
-    stretched.time = place.time;
+    stretched.moment = place.moment;
     return stretched;
 }
 
@@ -229,16 +233,16 @@ struct GaborStar {
 };
 
 // `d`: offset of the point from the node, in periods of the waves.
-GABOR_INLINE GaborStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float time) {
+GABOR_INLINE GaborStar gabor_impl_star(gabor_uvec4 words, gabor_vec2 d, float moment) {
     GaborStar star;
     star.u = gabor_impl_half_turn(3.8805107e-11f * float(int(words.w))); // up to a twelfth of a turn either way
     star.v = 0.5f * star.u + 0.8660254f * gabor_vec2(-star.u.y, star.u.x);
     star.first = gabor_impl_wave(gabor_cpp_dot(star.u, d));
     star.second = gabor_impl_wave(gabor_cpp_dot(star.v, d));
     star.third = gabor_impl_product(star.second, gabor_vec2(star.first.x, -star.first.y));
-    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, time), star.first);
-    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, time), star.second);
-    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, time), star.third);
+    star.first = gabor_impl_product(gabor_impl_amplitude_at(words.x, moment), star.first);
+    star.second = gabor_impl_product(gabor_impl_amplitude_at(words.y, moment), star.second);
+    star.third = gabor_impl_product(gabor_impl_amplitude_at(words.z, moment), star.third);
     return star;
 }
 
@@ -265,7 +269,7 @@ GABOR_INLINE GaborField gabor_field_isotropic(GaborPlace place, float frequency,
         gabor_uvec4 row = gabor_impl_row(y.word[j]);
         for (int i = 0; i < GABOR_TAPS; ++i) {
             gabor_vec2 d = frequency / place.radius * gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1));
-            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.time);
+            GaborStar star = gabor_impl_star(x.word[i] * row, d, place.moment);
             gabor_vec2 h = gabor_vec2(x.node[i].x, y.node[j].x);
             gabor_vec3 window = gabor_vec3(h.x * h.y, stretch * gabor_vec2(x.node[i].z, y.node[j].z) * h.yx());
             gabor_impl_add_wave(sum, window, star.first, frequency * star.u);
@@ -288,12 +292,17 @@ GABOR_INLINE float gabor_noise_isotropic(gabor_vec2 p, float frequency, std::uin
 // turns has the length sin(pi width) / (pi width); the polynomial inverts this within 0.0025. The mean of a profile
 // between the ends is the change of its integral from one end to the other, divided by the width. Each whole turn adds
 // the integral of one period.
-GABOR_INLINE gabor_vec3 gabor_impl_ends(gabor_vec2 stripes) {
-    gabor_vec2 phasor = gabor_phasor(stripes);
-    float y = gabor_cpp_max(1.0f - phasor.y, 0.0f);
+GABOR_INLINE gabor_vec3 gabor_impl_ends_at(float phase, float span) {
+    float y = gabor_cpp_max(1.0f - span, 0.0f);
     float width = gabor_cpp_sqrt(y) * (0.7796968f + y * (0.13925488f + y * (0.1322011f * y - 0.05362376f)));
     width = gabor_cpp_clamp(width, 0.001f, 1.0f);
-    return gabor_vec3(phasor.x - 0.5f * width, phasor.x + 0.5f * width, 1.0f / width);
+    phase -= gabor_cpp_floor(phase);
+    return gabor_vec3(phase - 0.5f * width, phase + 0.5f * width, 1.0f / width);
+}
+
+GABOR_INLINE gabor_vec3 gabor_impl_ends(gabor_vec2 stripes) {
+    gabor_vec2 phasor = gabor_phasor(stripes);
+    return gabor_impl_ends_at(phasor.x, phasor.y);
 }
 
 GABOR_INLINE float gabor_profile_sine(gabor_vec2 stripes) {

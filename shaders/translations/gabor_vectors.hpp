@@ -94,19 +94,6 @@ using gabor_ivec4 = gabor_vector<int, 4>;
 using gabor_uvec2 = gabor_vector<std::uint32_t, 2>;
 using gabor_uvec3 = gabor_vector<std::uint32_t, 3>;
 using gabor_uvec4 = gabor_vector<std::uint32_t, 4>;
-using gabor_bvec2 = gabor_vector<bool, 2>;
-using gabor_bvec3 = gabor_vector<bool, 3>;
-using gabor_bvec4 = gabor_vector<bool, 4>;
-
-// Sets two or three components of a vector, and returns them.
-template <typename T>
-GABOR_INLINE gabor_vector<T, 2> gabor_cpp_assign(T& x, T& y, gabor_vector<T, 2> v) {
-    return {x = v.x, y = v.y};
-}
-template <typename T>
-GABOR_INLINE gabor_vector<T, 3> gabor_cpp_assign(T& x, T& y, T& z, gabor_vector<T, 3> v) {
-    return {x = v.x, y = v.y, z = v.z};
-}
 
 // Returns a function's results for each component of its arguments.
 template <typename F, typename... T>
@@ -123,14 +110,11 @@ GABOR_INLINE auto gabor_cpp_each(F f, gabor_vector<T, 4>... v) -> gabor_vector<d
 }
 
 // Defines an operator of vectors, of numbers and vectors, and its assignment.
-#define GABOR_IMPL_COMPARISON(op)                                                                            \
-    template <typename T, int N>                                                                             \
-    GABOR_INLINE auto operator op(gabor_vector<T, N> a, gabor_vector<T, N> b)                                \
-        ->gabor_vector<decltype(a.x op b.x), N> {                                                            \
-        return gabor_cpp_each([](T x, T y) { return x op y; }, a, b);                                        \
-    }
 #define GABOR_IMPL_OPERATOR(op)                                                                              \
-    GABOR_IMPL_COMPARISON(op)                                                                                \
+    template <typename T, int N>                                                                             \
+    GABOR_INLINE gabor_vector<T, N> operator op(gabor_vector<T, N> a, gabor_vector<T, N> b) {                \
+        return gabor_cpp_each([](T x, T y) { return x op y; }, a, b);                                        \
+    }                                                                                                        \
     template <typename T, int N>                                                                             \
     GABOR_INLINE gabor_vector<T, N> operator op(gabor_vector<T, N> a, T b) {                                 \
         return a op gabor_vector<T, N>(b);                                                                   \
@@ -153,12 +137,6 @@ GABOR_IMPL_OPERATOR(|)
 GABOR_IMPL_OPERATOR(^)
 GABOR_IMPL_OPERATOR(<<)
 GABOR_IMPL_OPERATOR(>>)
-GABOR_IMPL_COMPARISON(<)
-GABOR_IMPL_COMPARISON(<=)
-GABOR_IMPL_COMPARISON(>)
-GABOR_IMPL_COMPARISON(>=)
-GABOR_IMPL_COMPARISON(==)
-GABOR_IMPL_COMPARISON(!=)
 #define GABOR_IMPL_UNARY(op)                                                                                 \
     template <typename T, int N>                                                                             \
     GABOR_INLINE gabor_vector<T, N> operator op(gabor_vector<T, N> v) {                                      \
@@ -166,20 +144,6 @@ GABOR_IMPL_COMPARISON(!=)
     }
 GABOR_IMPL_UNARY(-)
 GABOR_IMPL_UNARY(~)
-
-GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 2> v) {
-    return v.x || v.y;
-}
-GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 3> v) {
-    return v.x || v.y || v.z;
-}
-GABOR_INLINE bool gabor_cpp_any(gabor_vector<bool, 4> v) {
-    return v.x || v.y || v.z || v.w;
-}
-template <int N>
-GABOR_INLINE bool gabor_cpp_all(gabor_vector<bool, N> v) {
-    return !gabor_cpp_any(v == gabor_vector<bool, N>(false));
-}
 
 // Returns condition ? a : b without a branch, which would prevent vectorization.
 GABOR_INLINE float gabor_cpp_choose(bool condition, float a, float b) {
@@ -199,9 +163,9 @@ GABOR_INLINE T gabor_cpp_choose(bool condition, T a, T b) {
 // Replaces std::floor, which is a function call on processors without an instruction for it. All floats
 // beyond 2^23 are integers.
 GABOR_INLINE float gabor_cpp_floor(float x) {
-    const float near = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
-    const float whole = float(int(near));
-    return gabor_cpp_choose(near == x, whole - gabor_cpp_choose(whole > near, 1.0f, 0.0f), x);
+    const float bounded = gabor_cpp_choose(std::fabs(x) < 8388608.0f, x, 0.0f);
+    const float whole = float(int(bounded));
+    return gabor_cpp_choose(bounded == x, whole - gabor_cpp_choose(whole > bounded, 1.0f, 0.0f), x);
 }
 GABOR_INLINE float gabor_cpp_ceil(float x) {
     return -gabor_cpp_floor(-x);

@@ -7,16 +7,8 @@ import subprocess
 HERE = pathlib.Path(__file__).resolve().parent
 
 
-def assigned(match):
-    """Returns the assignment of a vector's components as a call."""
-    vector, names, value = match.groups()
-    return f"gabor_cpp_assign({', '.join(f'{vector}.{name}' for name in names)}, {value});"
-
-
 def as_cpp(text):
     """Turns swizzles into calls, since C++ has none."""
-    text = re.sub(r"([\w.\[\]+]+)\.([xyzw]{2,4}) ([-+*/])= ([^;]*);", r"\1.\2 = \1.\2 \3 (\4);", text)
-    text = re.sub(r"([\w.\[\]]+)\.([xyzw]{2,3}) = ([^;]*);", assigned, text)
     return re.sub(r"\.([xyzw]{2,4})\b", r".\1()", text)
 
 

@@ -1,6 +1,6 @@
-"""Draws the scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp VALUES.raw DROP_IN [NAME=VALUE].
-GABOR_SCENES is the folder with the compiled programs, and GABOR_DXC the DirectX shader compiler's library, for dxc, unity and
-unreal."""
+"""Draws the scene in one dialect: run.py glsl|hlsl|dxc|unity|unreal|metal|cpp|mingw VALUES.raw DROP_IN
+[NAME=VALUE]. GABOR_SCENES is the folder with the compiled programs, and GABOR_DXC the DirectX shader compiler's library, for
+dxc, unity and unreal. mingw compiles C++ with CXX after windows.h, and GABOR_WINE runs it."""
 
 import os
 import pathlib
@@ -25,8 +25,7 @@ UNITY = {  # the same functions as in reference.FUNCTIONS
     "gradient": "noise + dot(gradient, float2(1.0, 2.0)) / 32.0",
     "stripes": "dot(stripes, float3(0.25, 0.5, 0.75))",
 }
-CPP = "i < 65536 ? gabor_noise(p, 4.0f, 0.7854f, 7u)" \
-      " : gabor_noise_at(gabor_ivec2(1000000000, -1000000000), p, gabor_kernel(4.0f, 0.7854f), 7u)"
+CPP = "gabor_noise(p, 4.0f, 0.7854f, 7u)"
 
 
 def drawn(shader):
@@ -51,17 +50,18 @@ def with_node(scene):
 
 
 driver, functions = "CPU", {}
-if dialect == "cpp":
-    picture = in_cpp(values.parent, drop_in(name, macros, "hpp"), [CPP], "-std=c++11", "-O1", "-I", SHADERS / "translations")
+if dialect in ("cpp", "mingw"):
+    before, options = ("#include <windows.h>\n", ["-static"]) if dialect == "mingw" else ("", [])
+    picture = in_cpp(values.parent, before + drop_in(name, macros, "hpp"), [CPP], "-std=c++11", "-O1", *options, "-I",
+                     SHADERS / "translations")
 elif dialect == "metal":
     picture = in_cpp(values.parent, metal.as_cpp(drop_in(name, macros, "metal")), [CPP], "-O1", *metal.options(os.environ["CXX"]))
 elif dialect == "unity":
     scene, functions = with_node("scene_unity.hlsl"), {"functions": list(UNITY)}
     drivers, pictures = zip(*(drawn(f"#define VALUE ({value})\n{scene}") for value in UNITY.values()))
     driver, picture = drivers[0], b"".join(bytes(each[:65536]) for each in pictures)
-elif dialect == "unreal":  # its node has no gabor_noise_at
+elif dialect == "unreal":
     driver, picture = drawn(with_node("scene_unreal.hlsl"))
-    picture = picture[:65536]
 elif dialect == "glsl":
     driver, picture = drawn(compute_shader(name, macros))
 else:
@@ -75,5 +75,6 @@ engine, version, language = {
     "unity": ("Unity's functions", "-", "HLSL by DXC"),
     "unreal": ("Unreal's Custom node", "-", "HLSL by DXC"),
     "cpp": ("none: a C++ compiler", "-", "C++ 11"),
+    "mingw": ("Wine", "-", "C++ 11 by MinGW, after windows.h"),
 }[dialect]
 report(path, picture, engine, version, language, driver, **functions)

@@ -129,7 +129,7 @@ INCLUDES
 
 
 ES = bands("out vec4 value;\nvoid main()", "gl_FragCoord", "value = vec4(noise);")
-GODOT_SHADER = "shader_type canvas_item;\nrender_mode unshaded, blend_disabled;\n" + bands(
+GODOT_SHADER = "shader_type canvas_item;\nrender_mode unshaded, blend_disabled;\nuniform float frequency;\nuniform float sharpness;\n" + bands(
     "void fragment()", "FRAGCOORD", """uint bits = floatBitsToUint(noise);
     COLOR = vec4(uvec4(bits, bits >> 8u, bits >> 16u, bits >> 24u) & uvec4(255u)) / 255.0;""").replace("0f", "0").replace("5f", "5")
 WARNINGS = "-Wall", "-Wextra", "-Werror"

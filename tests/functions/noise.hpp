@@ -112,7 +112,7 @@ auto place_of(Functions& n, const noise::Place<N>& place) {
     result.radius = narrow(radius);
     for (std::size_t axis = 0; axis < N; ++axis)
         result.period[static_cast<int>(axis)] = period[axis];
-    result.time = static_cast<float>(time);
+    result.moment = static_cast<float>(time);
     return result;
 }
 

@@ -161,7 +161,7 @@ void see_place(Largest& largest, const auto& place, const auto& expected, const 
         largest.see(place.radius[a], expected.radius[axis], 1e-6 * expected.radius[axis], where);
         largest.see(apart, period ? std::round(apart / period) * period : 0, 1e-5, where);
     }
-    largest.see(place.time, 0, 1e-9, where);
+    largest.see(place.moment, 0, 1e-9, where);
 }
 
 } // namespace

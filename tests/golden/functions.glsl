@@ -237,15 +237,15 @@ void see_all(int i) {
     GaborPlace place = gabor_place(s.cell, s.local);
     place.radius *= 0.9f;
     place.period = ivec2(7, 12);
-    place.time = s.time;
+    place.moment = s.time;
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
 #elif !defined GOLDEN_EROSION && !defined GOLDEN_MATERIALS
     GaborPlace place = gabor_place(s.cell, s.local);
     place.radius *= 0.9f;
     place.period = ivec2(7, 12);
-    place.time = i % 2 == 0 ? s.time : 0.0f;
+    place.moment = i % 2 == 0 ? s.time : 0.0f;
     GaborPlace tile = gabor_place_tiled(i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p, s.period);
-    tile.time = s.time;
+    tile.moment = s.time;
     vec2 wave = gabor_wave_vector(s.frequency, s.orientation);
 #endif
 #if defined GOLDEN_NOISE
@@ -317,7 +317,7 @@ void see_all(int i) {
     GaborPlace3d here = gabor_place_3d_at(s.q), solid = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));
     solid.radius *= vec3(0.9f, 1.1f, 1.0f);
     solid.period = ivec3(7, 0, 12);
-    solid.time = place.time;
+    solid.moment = place.moment;
     GaborPlace3d block = gabor_place_3d_tiled(s.q, s.period_3d);
     vec3 wave_3d = s.frequency * gabor_impl_unit(s.direction);
     vec3 dx = s.dx_3d, dy = s.dy_3d;

@@ -66,10 +66,11 @@ class Install(unittest.TestCase):
             self.configure("-DWANTED_VERSION=99.0")
 
     def test_targets_serve_an_installed_and_a_fetched_copy(self):
-        """Builds a project with the code in shaders/nodes/cpp/README.md, once with find_package and once with FetchContent."""
+        """Builds a project with the code in shaders/nodes/cpp/README.md, once with find_package and once with FetchContent,
+        which installs nothing."""
         main = "#include \"gabor_noise.hpp\"\nint main() { return gabor_noise({0.3f, 0.7f}, 4.0f, 0.0f, 7u) == 0.0f; }\n"
         ways = {"found": "find_package(gabor-noise CONFIG REQUIRED)",
-                "fetched": f"include(FetchContent)\nset(GABOR_BUILD_HOST OFF)\n"
+                "fetched": "include(FetchContent)\n"
                            f"FetchContent_Declare(gabor_noise SOURCE_DIR [[{pathlib.Path(__file__).parents[2]}]])\n"
                            "FetchContent_MakeAvailable(gabor_noise)"}
         for way, lines in ways.items():
@@ -83,6 +84,8 @@ class Install(unittest.TestCase):
                 run(CMAKE, "-S", folder, "-B", folder / "b", "-G", os.environ["GENERATOR"], f"-DCMAKE_PREFIX_PATH={self.prefix}")
                 run(CMAKE, "--build", folder / "b")
                 run(folder / "b" / "user")
+                run(CMAKE, "--install", folder / "b", "--prefix", folder / "prefix")
+                self.assertFalse((folder / "prefix").exists())
 
     def test_a_consumer_renders_what_the_program_does(self):
         listed = subprocess.run([self.prefix / "bin/gabor", "recipes", "--json"], capture_output=True, check=True)

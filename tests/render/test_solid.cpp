@@ -137,7 +137,7 @@ GaborField3d field_at(const Request& request, const Seen& seen) {
     const auto frequency = static_cast<float>(lobe.frequency);
     GaborPlace3d place = gabor_place_3d(gabor_ivec3(0, 0, 0), narrow(scaled(1.5, seen.p)));
     place.animated = request.time != 0;
-    place.time = static_cast<float>(request.time);
+    place.moment = static_cast<float>(request.time);
     place.filtered = request.filter;
     place.dx = narrow(seen.dx);
     place.dy = narrow(seen.dy);

@@ -44,9 +44,9 @@ BAD_MACROS = {
         ("GABOR_IMPULSES", "2.0", "'preprocessor evaluation' : bad expression"),
         ("GABOR_PHASES", "3", "GABOR_PHASES must be a power of two *, from 2 to 256"),
         ("GABOR_PHASES", "512", "GABOR_PHASES must be a power of two *, from 2 to 256"),
-        ("GABOR_RADIUS", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
-        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
-        ("GABOR_WINDOW", "1.0", "gabor_impl_macros_must_be_int_float_float_int_vec3"),
+        ("GABOR_RADIUS", "1", "gabor_impl_needs_int_float_float_int_vec3_macros"),
+        ("GABOR_WEIGHT_FLOOR", "1", "gabor_impl_needs_int_float_float_int_vec3_macros"),
+        ("GABOR_WINDOW", "1.0", "gabor_impl_needs_int_float_float_int_vec3_macros"),
     ],
     "gabor_noise": [
         ("GABOR_TAPS", "1", "GABOR_TAPS must be 2 *, 3 or 4"),
@@ -141,18 +141,26 @@ class Dialects(unittest.TestCase):
         for name in {*DROP_INS} - {"gabor_noise", "gabor_sparse"}:
             with self.subTest(name), self.assertRaisesRegex(AssertionError, r"Include gabor_noise . glsl \S*.*before"):
                 self.compile(f"#version {version}\n{before}{(SHADERS / f'{name}.glsl').read_text()}", stage, options)
+        with self.assertRaisesRegex(AssertionError, "Define GABOR_DIRECTION"):
+            self.compile(f"#version {version}\n{before}{SOURCES['gabor_direction']}", stage, options)
+
+    def test_an_old_version_is_named(self):
+        for name in ("gabor_sparse", "gabor_noise"):
+            for version in ("100", "120", "150"):
+                with self.subTest(name, version=version), self.assertRaisesRegex(AssertionError, "needs GLSL 330 or GLSL ES 300"):
+                    self.compile(f"#version {version}\n{SOURCES[name]}", "frag", [])
 
     def test_bundles_compile(self):
-        subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "translate", "--bundles", "-o", self.folder], check=True)
+        subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "package", "bundles", "--stage", self.folder], check=True)
         bundles = sorted(self.folder.glob("gabor_bundle_*.glsl"))
-        self.assertEqual(len(bundles), 12)
+        self.assertEqual(len(bundles), 14)
         for bundle in bundles:
             for version in ("450", "300 es"):
                 with self.subTest(bundle.name, version=version):
                     text = bundle.read_text()
                     self.assertIn("SPDX-License-Identifier: MIT", text)
                     output = "layout(location = 0) out" if version == "450" else "out"
-                    self.compile(f"#version {version}\n{text}\n{output} vec4 c;\n"
+                    self.compile(f"#version {version}\n#define GABOR_DIRECTION(p) (p)\n{text}\n{output} vec4 c;\n"
                                  "void main() { c = vec4(gabor_noise(gl_FragCoord.xy, 4.0, 0.7854, 7u)); }\n", "frag", [])
 
     def test_including_two_base_drop_ins_is_an_error(self):
@@ -205,7 +213,7 @@ class Names(unittest.TestCase):
                              {"if", "ifdef", "ifndef", "elif", "else", "define", "error", "endif"})
 
     def test_it_states_its_precision(self):
-        guard = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n"
+        guard = "#elif defined(GL_ES)\nprecision highp float;\nprecision highp int;\n#endif\n"
         for name in ("gabor_noise", "gabor_sparse"):  # all other files are included after one of these
             with self.subTest(name):
                 text = (SHADERS / f"{name}.glsl").read_text()
@@ -232,6 +240,9 @@ class Names(unittest.TestCase):
                 self.assertGreater(len(defined), 2)
                 self.assertEqual(sorted(re.sub(r"\s*\n//\s*", " ", text) for text in documented),
                                  sorted(re.sub(r"\s+", " ", text) for text in defined))
+
+    def test_no_comment_includes_a_file(self):
+        self.assertNotIn("#include", self.text)  # moderngl reads comments, too
 
     def test_its_messages_have_no_quotes(self):
         # wgpu's GLSL parser, naga, accepts only words and numbers.

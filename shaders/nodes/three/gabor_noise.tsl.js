@@ -2,26 +2,22 @@
 //
 //     material.colorNode = vec3(gabor_unorm(gabor_noise(uv().mul(8), 4, 0.7854, uint(7))));
 //
-// Arguments are nodes or numbers; gabor_noise.tsl.d.ts has their types and units. tools/translate copies the functions
-// between the marks from the GLSL.
+// Arguments are nodes or numbers; gabor_noise.tsl.d.ts has their types and units.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 import { Fn, abs, clamp, cross, dFdx, dFdy, dot, exp, float, floor, int, ivec2, length, max, min, normalView, normalize,
          positionView, select, sign, uint, vec2, vec3, vec4 } from "three/tsl";
 
-// ---- From gabor_noise.glsl ----
-
 const ROWS = 0x5bd1e995;
 const SLICES = 0x27d4eb2f;
 const SCALE2D = 6.0884665e-28;
 const SCALE3D = 5.7402612e-28;
 
-const gabor_impl_mix = (word_, salt) => {
-    let word = word_.toVar();
-    word = word.bitXor(word.shiftRight(uint(16))).mul(uint(0x21f0aaad)).add(salt).toVar();
-    word = word.bitXor(word.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
-    return word.bitXor(word.shiftRight(uint(15)));
+const gabor_impl_mix = (word, salt) => {
+    const once = word.bitXor(word.shiftRight(uint(16))).mul(uint(0x21f0aaad)).add(salt).toVar();
+    const twice = once.bitXor(once.shiftRight(uint(15))).mul(uint(0xd35a2d97)).toVar();
+    return twice.bitXor(twice.shiftRight(uint(15)));
 };
 
 const gabor_impl_lobe_seed = (seed, index) => {
@@ -33,14 +29,13 @@ const gabor_impl_salt = (seed) => {
 };
 
 const gabor_impl_line_word = (index, salt) => {
-    let word = uint(index).mul(uint(0x9e3779b1)).add(salt).toVar();
-    word = word.mul(word.bitXor(word.shiftRight(uint(15)))).toVar();
-    return word.shiftRight(uint(8)).bitOr(uint(0x800001));
+    const word = uint(index).mul(uint(0x9e3779b1)).add(salt).toVar();
+    return word.mul(word.bitXor(word.shiftRight(uint(15)))).shiftRight(uint(8)).bitOr(uint(0x800001));
 };
 
 const gabor_impl_amplitude = (word) => {
     const u = vec2(float(int(word)), float(int(word.shiftLeft(uint(12))))).toVar();
-    return u.sub(float(0.89289313).mul(clamp(u, -2011925800.0, 2011925800.0))).mul(u.mul(u).add(7.3973916e+18));
+    return u.sub(float(0.89289313).mul(clamp(u, -2.0119258e9, 2.0119258e9))).mul(u.mul(u).add(7.3973916e18));
 };
 
 const gabor_impl_product = (a, b) => {
@@ -53,14 +48,11 @@ const gabor_impl_half_turn = (t) => {
     return vec2(float(1.0).sub(float(19.739171).mul(s)).add(r.mul(float(64.934591).sub(float(85.240337).mul(s)).add(float(56.24243).mul(r)))), t.mul(float(6.2831852).sub(float(41.341655).mul(s)).add(r.mul(float(81.601004).sub(float(76.549782).mul(s)).add(float(39.536707).mul(r))))));
 };
 
-const gabor_impl_wave = (t_) => {
-    let t = t_.toVar();
-    t = t.sub(floor(t.add(0.5))).toVar();
-    const turn = gabor_impl_half_turn(float(0.25).sub(abs(t))).toVar();
-    return vec2(turn.y, select(t.lessThan(0.0), turn.x.negate(), turn.x));
+const gabor_impl_wave = (t) => {
+    const within = t.sub(floor(t.add(0.5))).toVar();
+    const turn = gabor_impl_half_turn(float(0.25).sub(abs(within))).toVar();
+    return vec2(turn.y, select(within.lessThan(0.0), turn.x.negate(), turn.x));
 };
-
-// ---- End ----
 
 const RADIUS = 1.5;                  // nodes per kernel radius
 const TURN = 6.2831853;
@@ -130,16 +122,21 @@ const function_of = (name, body, ...inputs) => {
     return (...given) => made(...inputs.map((input, index) => types[input.split(" ")[0]](given[index])));
 };
 
-const wave_field = function_of("gabor_wave_field", ([p, wave, seed]) => field_of(plane(p, wave, seed)),
-                               "vec2 p", "vec2 wave", "uint seed");
+// A function for each kind of place: with a period or without, still or with a time.
+const made = {};
+const plane_field = ({ p, period, time }, wave, seed) => {
+    const name = `gabor_field${period ? "_tiled" : ""}${time === undefined ? "" : "_animated"}`;
+    made[name] ??= function_of(name, ([p, wave, seed, ...others]) => {
+        const side = period && others[0], moment = time === undefined ? undefined : others.at(-1);
+        if (!side)
+            return field_of(plane(p, wave, seed, moment));
+        const nodes = max(floor(clamp(side, 1 / 1024, 1e9).mul(RADIUS).add(0.5)), vec2(3)).toVar();
+        return field_of(plane(p, wave, seed, moment, nodes.div(side).toVar(), ivec2(nodes).toVar()));
+    }, "vec2 p", "vec2 wave", "uint seed", ...period ? ["vec2 period"] : [], ...time === undefined ? [] : ["float time"]);
+    return made[name](p, wave, seed, ...period ? [period] : [], ...time === undefined ? [] : [time]);
+};
 const quadrature_field = function_of("gabor_quadrature_field", ([p, wave, seed]) => quadrature_of(plane(p, wave, seed)),
                                      "vec2 p", "vec2 wave", "uint seed");
-const animated_field = function_of("gabor_animated_field", ([p, time, wave, seed]) => field_of(plane(p, wave, seed, time)),
-                                   "vec2 p", "float time", "vec2 wave", "uint seed");
-const tiled_field = function_of("gabor_tiled_field", ([p, period, wave, seed]) => {
-    const nodes = max(floor(clamp(period, 1 / 1024, 1e9).mul(RADIUS).add(0.5)), vec2(3)).toVar();
-    return field_of(plane(p, wave, seed, undefined, nodes.div(period).toVar(), ivec2(nodes).toVar()));
-}, "vec2 p", "vec2 period", "vec2 wave", "uint seed");
 
 const solid_field = function_of("gabor_solid_field", ([p, wave, seed]) => {
     const place = p.mul(RADIUS).toVar();
@@ -156,42 +153,56 @@ const solid_field = function_of("gabor_solid_field", ([p, wave, seed]) => {
 
 // ---- Public functions ----------------------------------------------------------------------------------------------
 
-export const gabor_wave = (frequency, orientation) =>
+export const gabor_wave_vector = (frequency, orientation) =>
     gabor_impl_wave(float(orientation).mul(0.15915494)).mul(min(abs(float(frequency)), 1e6));
 
-export const gabor_field = (p, frequency, orientation, seed) => wave_field(p, gabor_wave(frequency, orientation), seed);
-export const gabor_field_wave = (p, wave, seed) => wave_field(p, wave, seed);
-export const gabor_field_tiled = (p, period, frequency, orientation, seed) =>
-    tiled_field(p, period, gabor_wave(frequency, orientation), seed);
-export const gabor_field_animated = (p, time, frequency, orientation, seed) =>
-    animated_field(p, time, gabor_wave(frequency, orientation), seed);
-export const gabor_field_3d = (p, frequency, direction, seed) =>
-    solid_field(p, normalize(vec3(direction)).mul(min(abs(float(frequency)), 1e6)), seed);
+export const gabor_place_at = p => ({ p });
+export const gabor_place_tiled = (p, period) => ({ p, period });
+export const gabor_place_3d_at = p => ({ p });
 
-export const gabor_noise = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).x;
-export const gabor_noise_complex = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).yx;
-export const gabor_noise_gradient = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).xzw;
+export const gabor_field = (place, wave, seed) => {
+    const value = plane_field(place, wave, seed).toVar();
+    return { noise: value.x, quadrature: value.y, gradient: value.zw };
+};
+export const gabor_field_3d = (place, wave, seed) => {
+    const value = solid_field(place.p, wave, seed).toVar();
+    return { noise: value.x, gradient: value.yzw };
+};
+
+export const gabor_noise = (p, frequency, orientation, seed) =>
+    gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed).noise;
+export const gabor_noise_complex = (p, frequency, orientation, seed) => {
+    const field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
+    return vec2(field.quadrature, field.noise);
+};
+export const gabor_noise_gradient = (p, frequency, orientation, seed) => {
+    const field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
+    return vec3(field.noise, field.gradient);
+};
 export const gabor_noise_tiled = (p, period, frequency, orientation, seed) =>
-    gabor_field_tiled(p, period, frequency, orientation, seed).x;
+    gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
 export const gabor_noise_animated = (p, time, frequency, orientation, seed) =>
-    gabor_field_animated(p, time, frequency, orientation, seed).x;
-export const gabor_noise_3d = (p, frequency, direction, seed) => gabor_field_3d(p, frequency, direction, seed).x;
+    gabor_field({ p, time }, gabor_wave_vector(frequency, orientation), seed).noise;
+export const gabor_noise_3d = (p, frequency, direction, seed) =>
+    gabor_field_3d(gabor_place_3d_at(p), normalize(vec3(direction)).mul(min(abs(float(frequency)), 1e6)), seed).noise;
 
 export const gabor_lobe_seed = (seed, index) => gabor_impl_lobe_seed(uint(seed), int(index));
 
-export const gabor_stripes = (p, wave, sharpness, seed) => {
-    const value = gabor_field_wave(p, wave, seed).yx.toVar();
+export const gabor_stripes_of = (field, sharpness) => {
+    const value = vec2(field.quadrature, field.noise).toVar();
     const intensity = length(value).toVar();
     return vec3(value.mul(min(float(sharpness), float(1).div(max(intensity, 1e-10)))), intensity);
 };
+export const gabor_stripes = (p, wave, sharpness, seed) =>
+    gabor_stripes_of(gabor_field(gabor_place_at(p), wave, seed), sharpness);
 
 export const gabor_unorm = noise => clamp(float(noise).mul(0.25).add(0.5), 0, 1);
 
-export const gabor_normal = (slope, p, height) => {
+export const gabor_normal = (gradient, p, height) => {
     const x = dFdx(positionView), y = dFdy(positionView);
     const first = cross(y, normalView), second = cross(normalView, x);
     const area = dot(x, first).toVar();
-    const steep = first.mul(dot(slope, dFdx(p))).add(second.mul(dot(slope, dFdy(p)))).mul(height).mul(sign(area));
+    const steep = first.mul(dot(gradient, dFdx(p))).add(second.mul(dot(gradient, dFdy(p)))).mul(height).mul(sign(area));
     return normalize(normalView.mul(abs(area)).sub(steep));
 };
 

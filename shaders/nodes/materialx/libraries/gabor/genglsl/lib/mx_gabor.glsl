@@ -13,9 +13,9 @@
 
 uint mx_gabor_mix(uint word, uint salt)
 {
-    word = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
-    word = (word ^ (word >> 15u)) * 0xd35a2d97u;
-    return word ^ (word >> 15u);
+    uint once = (word ^ (word >> 16u)) * 0x21f0aaadu + salt;
+    uint twice = (once ^ (once >> 15u)) * 0xd35a2d97u;
+    return twice ^ (twice >> 15u);
 }
 
 uint mx_gabor_lobe_seed(uint seed, int index)
@@ -31,8 +31,7 @@ uint mx_gabor_salt(uint seed)
 uint mx_gabor_line_word(int index, uint salt)
 {
     uint word = uint(index) * 0x9e3779b1u + salt;
-    word = word * (word ^ (word >> 15u));
-    return (word >> 8u) | 0x800001u;
+    return ((word * (word ^ (word >> 15u))) >> 8u) | 0x800001u;
 }
 
 vec2 mx_gabor_amplitude(uint word)
@@ -55,9 +54,9 @@ vec2 mx_gabor_half_turn(float t)
 
 vec2 mx_gabor_wave(float t)
 {
-    t -= floor(t + 0.5);
-    vec2 turn = mx_gabor_half_turn(0.25 - abs(t));
-    return vec2(turn.y, t < 0.0 ? -turn.x : turn.x);
+    float within = t - floor(t + 0.5);
+    vec2 turn = mx_gabor_half_turn(0.25 - abs(within));
+    return vec2(turn.y, within < 0.0 ? -turn.x : turn.x);
 }
 
 // ---- End ----
@@ -159,7 +158,7 @@ vec4 mx_gabor_slice(uint slice, uint below, uint level, uint above, uint before,
     return mx_gabor_sums(a, b, c, weights, turn_y);
 }
 
-// Noise in space and its gradient, in the units of mx_gabor_field2d.
+// Noise in 3D and its gradient, in the units of mx_gabor_field2d.
 vec4 mx_gabor_field3d(vec3 p, vec3 wave, int seed)
 {
     float x = 1.5 * p.x;
