@@ -47,7 +47,7 @@ CALLS = {  # each call, and its column in the matrix of docs/engines.md
     "gabor_field_surface_isotropic(gabor_place_3d_at(q), vec3(0.6, 0.0, 0.8), 2.0, 7u).noise": "surface",
     "4.0 * gabor_zebra(p, 7u).colour.y": "materials",
     "60.0 * gabor_sand_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 7u).height": "materials",
-    "8.0 * gabor_wood_at(gabor_pixel_tiled(gabor_pixel(p), vec2(5.0, 7.5)), gabor_wood_default(), 7u).colour.y": "materials",
+    "8.0 * gabor_wood_at(p, vec2(5.0, 7.5), gabor_wood_default(), 7u).colour.y": "materials",
     "2.0 * gabor_terrain(p, 7u).slope.x + 2.0 * gabor_terrain_tiled(p, vec2(5.0, 7.5), 7u).height": "erosion",
     "20.0 * gabor_eroded_filtered(p, vec2(0.02, 0.01), vec2(0.0, 0.03), gabor_terrain(p, 7u), gabor_erosion(), 7u).height": "erosion",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",

@@ -211,7 +211,7 @@ float kept(GaborTerrain t) {
 
 #if defined GOLDEN_MATERIALS
 float kept(GaborMaterial m) {
-    return kept(m.colour) + 10.0f * m.height + 0.3f * m.roughness + 0.2f * m.metalness;
+    return kept(m.colour) + 10.0f * m.height + 0.3f * gabor_roughness(m) + 0.2f * m.metalness + 0.1f * kept(m.slope) + kept(m.lost);
 }
 #endif
 
@@ -377,22 +377,21 @@ void see_all(int i) {
 #endif
 #if defined GOLDEN_MATERIALS
     vec2 p = i % 4 == 3 ? 0.01f * s.p : s.p; // no farther than 200 units
-    GaborPixel tile = gabor_pixel_tiled(gabor_pixel(p), vec2(4.0f, 7.5f));
-    GaborPixel filtered_tile = gabor_pixel_tiled(gabor_pixel_filtered(p, 0.3f * s.dx, 0.3f * s.dy), vec2(4.0f, 7.5f));
-#define MATERIAL(sharp, filtered, parameters, at)                                                                         \
-    SEE(kept(sharp(p, s.seed))) SEE(kept(filtered(p, 0.3f * s.dx, 0.3f * s.dy, s.seed)))                                  \
-    SEE(kept(at(tile, parameters(), s.seed))) SEE(kept(at(filtered_tile, parameters(), s.seed)))
-    MATERIAL(gabor_wood, gabor_wood_filtered, gabor_wood_default, gabor_wood_at)
-    MATERIAL(gabor_fabric, gabor_fabric_filtered, gabor_fabric_default, gabor_fabric_at)
-    MATERIAL(gabor_leather, gabor_leather_filtered, gabor_leather_default, gabor_leather_at)
-    MATERIAL(gabor_marble, gabor_marble_filtered, gabor_marble_default, gabor_marble_at)
-    MATERIAL(gabor_sand, gabor_sand_filtered, gabor_sand_default, gabor_sand_at)
-    MATERIAL(gabor_ripples, gabor_ripples_filtered, gabor_ripples_default, gabor_ripples_at)
-    MATERIAL(gabor_brushed_metal, gabor_brushed_metal_filtered, gabor_brushed_metal_default, gabor_brushed_metal_at)
-    MATERIAL(gabor_scratches, gabor_scratches_filtered, gabor_scratches_default, gabor_scratches_at)
-    MATERIAL(gabor_zebra, gabor_zebra_filtered, gabor_zebra_default, gabor_zebra_at)
-    MATERIAL(gabor_bark, gabor_bark_filtered, gabor_bark_default, gabor_bark_at)
-    MATERIAL(gabor_carbon_fibre, gabor_carbon_fibre_filtered, gabor_carbon_fibre_default, gabor_carbon_fibre_at)
-    MATERIAL(gabor_strata, gabor_strata_filtered, gabor_strata_default, gabor_strata_at)
+    vec2 dx = 0.3f * s.dx, dy = 0.3f * s.dy, period = vec2(4.0f, 7.5f);
+#define MATERIAL(sharp, filtered, parameters, at, filtered_at)                                                            \
+    SEE(kept(sharp(p, s.seed))) SEE(kept(filtered(p, dx, dy, s.seed))) SEE(kept(at(p, period, parameters(), s.seed)))     \
+    SEE(kept(filtered_at(p, dx, dy, period, parameters(), s.seed)))
+    MATERIAL(gabor_wood, gabor_wood_filtered, gabor_wood_default, gabor_wood_at, gabor_wood_filtered_at)
+    MATERIAL(gabor_fabric, gabor_fabric_filtered, gabor_fabric_default, gabor_fabric_at, gabor_fabric_filtered_at)
+    MATERIAL(gabor_leather, gabor_leather_filtered, gabor_leather_default, gabor_leather_at, gabor_leather_filtered_at)
+    MATERIAL(gabor_marble, gabor_marble_filtered, gabor_marble_default, gabor_marble_at, gabor_marble_filtered_at)
+    MATERIAL(gabor_sand, gabor_sand_filtered, gabor_sand_default, gabor_sand_at, gabor_sand_filtered_at)
+    MATERIAL(gabor_ripples, gabor_ripples_filtered, gabor_ripples_default, gabor_ripples_at, gabor_ripples_filtered_at)
+    MATERIAL(gabor_brushed_metal, gabor_brushed_metal_filtered, gabor_brushed_metal_default, gabor_brushed_metal_at, gabor_brushed_metal_filtered_at)
+    MATERIAL(gabor_scratches, gabor_scratches_filtered, gabor_scratches_default, gabor_scratches_at, gabor_scratches_filtered_at)
+    MATERIAL(gabor_zebra, gabor_zebra_filtered, gabor_zebra_default, gabor_zebra_at, gabor_zebra_filtered_at)
+    MATERIAL(gabor_bark, gabor_bark_filtered, gabor_bark_default, gabor_bark_at, gabor_bark_filtered_at)
+    MATERIAL(gabor_carbon_fibre, gabor_carbon_fibre_filtered, gabor_carbon_fibre_default, gabor_carbon_fibre_at, gabor_carbon_fibre_filtered_at)
+    MATERIAL(gabor_strata, gabor_strata_filtered, gabor_strata_default, gabor_strata_at, gabor_strata_filtered_at)
 #endif
 }
