@@ -8,6 +8,7 @@
 #include "passes/material_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_spectrum.glsl"
+#include "gabor_filter.glsl"
 #include "gabor_materials.glsl"
 
 layout(constant_id = filter_id) const bool filtered = false;

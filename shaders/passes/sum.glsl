@@ -7,8 +7,12 @@ struct Noise {
     float removed;
 };
 
-Noise noise_of(GaborField field, float removed) {
-    return Noise(field.value, vec3(field.slope_x.y, field.slope_y.y, 0.0), removed);
+Noise noise_of(GaborField field) {
+#ifdef GABOR_SPARSE_GLSL
+    return Noise(field.value, vec3(field.slope_x.y, field.slope_y.y, 0.0), 0.0);
+#else
+    return Noise(vec2(field.quadrature, field.noise), vec3(field.gradient, 0.0), field.removed);
+#endif
 }
 
 #ifdef GABOR_NOISE_3D_GLSL
