@@ -86,17 +86,15 @@ void main() {
             return;
         }
         coverage = seen.coverage;
-        point = point_of_body(unit * seen.p, unit * seen.dx, unit * seen.dy, seen.normal,
-                              eye_distance * axes.toward_eye - seen.p, axes);
-    } else if (view == view_horizon) {
-        vec2 below = pixel_at + 0.5 - vec2(center.x, sky);
-        if (below.y <= 0.0) {
-            write_background(at, sky_colour(-below.y / sky));
+        point = point_of_body(unit * seen.p, unit * seen.dx, unit * seen.dy, seen.normal, unit, axes);
+    } else {
+        float rows = view == view_horizon ? sky : 0.0;
+        float below = pixel_at.y + 0.5 - rows;
+        if (below <= 0.0) {
+            write_background(at, sky_colour(-below / rows));
             return;
         }
-        point = point_below_horizon(below, corner, pixel, size.x);
-    } else {
-        point = point_from_above(pixel_at + 0.5, center, corner, pixel);
+        point = point_of_pixel(pixel_at + 0.5, center, corner, pixel, rows, size.x);
     }
     write_sample(at, sample_at(point, body, axes), coverage);
 }

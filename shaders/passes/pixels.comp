@@ -78,7 +78,7 @@ void add_wave_at(inout Values sum, int index, ivec2 pixel_at, Footprint here) {
     else
 #endif
         field = gabor_field(place, along, wave.seed);
-    add_wave(sum, noise_of(field), wave.amplitude, vec3(wave.radius, 1.0), wave.weights);
+    add_wave(sum, noise_of(field, wave.radius), wave.amplitude, wave.weights);
 }
 
 Values values_at(ivec2 pixel_at, Footprint here) {

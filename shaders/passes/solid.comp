@@ -64,7 +64,7 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
             field = filtered_wave(wave, isotropic, place, dx / wave.radius, dy / wave.radius, normal);
         else
             field = plain_wave(wave, isotropic, place, normal);
-        add_wave(sum, noise_of(field), wave.amplitude, vec3(wave.radius), wave.weights);
+        add_wave(sum, noise_of(field, wave.radius), wave.amplitude, wave.weights);
     }
     return sum;
 }
