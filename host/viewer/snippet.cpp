@@ -216,10 +216,9 @@ std::string slope_of(const View& view) {
     const double relief = 0.5 * view.display.contrast / view.display.deviation;
     if (view.output == Output::lit)
         return glsl("{} * seen.slope", relief);
-    const bool space = view.in_space();
-    const auto left = space ? "body(p - dFdx(p), normal)" : "view(pixel - vec2(1.0, 0.0))";
-    const auto above =
-        space ? "body(p + dFdy(p) * sign(dot(dFdy(p), axes.up)), normal)" : "view(pixel - vec2(0.0, 1.0))";
+    const auto left = view.in_space() ? "body(p - dFdx(p), normal)" : "view(pixel - vec2(1.0, 0.0))";
+    const auto above = view.in_space() ? "body(p + dFdy(p) * sign(dot(dFdy(p), axes.up)), normal)"
+                                       : "view(pixel - vec2(0.0, 1.0))";
     return glsl("{} * vec3({} - vec2({}, {}), 0.0)", 2 * relief / view.display.spacing, stripes(view, "seen"),
                 stripes(view, glsl("noise_of_{}", left)), stripes(view, glsl("noise_of_{}", above)));
 }
@@ -249,8 +248,7 @@ std::string of_colours(const View& view) {
                       colour, normal, slope_of(view), pixel_of(view), view.extent.width, view.extent.height,
                       view.display.lamp, view.shows_body());
     return shaders({"colours.glsl"}) + (lit ? lighting(view) + shaders({"surface.glsl"}) : "") +
-           glsl("\n// The colour that the viewer showed there.\n{}    Noise seen = noise_of_{}    return "
-                "{};\n}}\n",
+           glsl("\n// The colour that the viewer showed.\n{}    Noise seen = noise_of_{}    return {};\n}}\n",
                 head(view, "vec3 colour"), seen, colour);
 }
 
@@ -289,9 +287,10 @@ std::string material_snippet(const View& view) {
     const auto push = view.push<passes::MaterialPush>();
     const bool lit = view.look == Look::lit;
     const std::string sky = lit ? glsl("srgb(sky_colour(-at.y / {}))", push.sky) : "vec3(0.0)";
-    const std::string point = glsl(view.in_space() ? "point_of_body(p, dFdx(p), dFdy(p), normal, {5}, axes)"
-                                                   : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
-                                   push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
+    const std::string point =
+        glsl(view.in_space() ? "point_of_body(p / {5}, dFdx(p) / {5}, dFdy(p) / {5}, normal, {5}, axes)"
+                             : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
+             push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
     return includes({"noise", "spectrum", "filter", "materials"}) + material_function(view) + lighting(view) +
            shaders({"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"}) +
            glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"

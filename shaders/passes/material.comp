@@ -86,7 +86,7 @@ void main() {
             return;
         }
         coverage = seen.coverage;
-        point = point_of_body(unit * seen.p, unit * seen.dx, unit * seen.dy, seen.normal, unit, axes);
+        point = point_of_body(seen.p, seen.dx, seen.dy, seen.normal, unit, axes);
     } else {
         float rows = view == view_horizon ? sky : 0.0;
         float below = pixel_at.y + 0.5 - rows;

@@ -83,10 +83,10 @@ SurfacePoint point_of_pixel(vec2 pixel_at, vec2 center, vec2 corner, float pixel
     return point_of_plane(footprint_from_above(corner + pixel * pixel_at, pixel), eye_above(place), place);
 }
 
-// `unit`: the radius of the sphere.
+// p, dx and dy are in radii of the sphere, which is `unit` units of the material.
 SurfacePoint point_of_body(vec3 p, vec3 dx, vec3 dy, vec3 normal, float unit, Axes axes) {
-    vec3 to_eye = unit * eye_distance * axes.toward_eye - p;
-    return SurfacePoint(p, dx, dy, normal, normalize(in_picture(to_eye, axes)), vec2(0.0));
+    vec3 eye = normalize(in_picture(eye_distance * axes.toward_eye - p, axes));
+    return SurfacePoint(unit * p, unit * dx, unit * dy, normal, eye, vec2(0.0));
 }
 
 // A piece of the surface as it is seen, along the axes of the picture.
