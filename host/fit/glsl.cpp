@@ -151,8 +151,7 @@ void {name}_sum(inout vec3 z, inout vec3 removed, vec2 p, vec4 d, bool filtered)
 vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy) {{
     vec3 z = vec3(0.0), removed = z;
     {name}_sum(z, removed, p, vec4(dx, dy), true);
-    vec3 k = 1.0 - min(removed, vec3(1.0));
-    vec3 left = k * ({s1} + k * ({s2} + k * ({s3} + k * ({s4} + k * {s5}))));
+    vec3 k = 1.0 - min(removed, vec3(1.0)), left = k * ({s1} + k * ({s2} + k * ({s3} + k * ({s4} + k * {s5}))));
     return vec4({name}_colour(z, removed), 1.0 - min(dot(left, vec3(1.0)), 1.0));
 }}
 #endif
