@@ -8,6 +8,7 @@
 #include "passes/material_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_spectrum.glsl"
+#include "gabor_filter.glsl"
 #include "gabor_materials.glsl"
 
 layout(constant_id = filter_id) const bool filtered = false;
@@ -85,17 +86,15 @@ void main() {
             return;
         }
         coverage = seen.coverage;
-        point = point_of_body(unit * seen.p, unit * seen.dx, unit * seen.dy, seen.normal,
-                              eye_distance * axes.toward_eye - seen.p, axes);
-    } else if (view == view_horizon) {
-        vec2 below = pixel_at + 0.5 - vec2(center.x, sky);
-        if (below.y <= 0.0) {
-            write_background(at, sky_colour(-below.y / sky));
+        point = point_of_body(seen.p, seen.dx, seen.dy, seen.normal, unit, axes);
+    } else {
+        float rows = view == view_horizon ? sky : 0.0;
+        float below = pixel_at.y + 0.5 - rows;
+        if (below <= 0.0) {
+            write_background(at, sky_colour(-below / rows));
             return;
         }
-        point = point_below_horizon(below, corner, pixel, size.x);
-    } else {
-        point = point_from_above(pixel_at + 0.5, center, corner, pixel);
+        point = point_of_pixel(pixel_at + 0.5, center, corner, pixel, rows, size.x);
     }
     write_sample(at, sample_at(point, body, axes), coverage);
 }

@@ -70,22 +70,23 @@ SurfacePoint point_of_plane(Footprint here, vec3 eye, vec2 place) {
     return SurfacePoint(vec3(here.p, 0.0), vec3(here.dx, 0.0), vec3(here.dy, 0.0), vec3(0.0, 0.0, 1.0), eye, place);
 }
 
-// `center`: the pixel in the middle of the picture. `corner`: p at the picture's corner.
-SurfacePoint point_from_above(vec2 pixel_at, vec2 center, vec2 corner, float pixel) {
+// The point of the plane that a pixel shows, from above or, if `sky` rows are above the horizon, in perspective. The parameters are
+// those of passes/material_interface.h.
+SurfacePoint point_of_pixel(vec2 pixel_at, vec2 center, vec2 corner, float pixel, float sky, float focal_length) {
+    if (sky > 0.0) {
+        vec2 at = pixel_at - vec2(center.x, sky);
+        Footprint here = footprint_below_horizon(at, pixel, focal_length);
+        here.p += corner;
+        return point_of_plane(here, eye_above_horizon(at, focal_length), vec2(0.0));
+    }
     vec2 place = (pixel_at - center) / (2.0 * max(center.x, center.y));
     return point_of_plane(footprint_from_above(corner + pixel * pixel_at, pixel), eye_above(place), place);
 }
 
-// The parameters are as for footprint_below_horizon; the camera is above p = `corner`.
-SurfacePoint point_below_horizon(vec2 at, vec2 corner, float height, float focal_length) {
-    Footprint here = footprint_below_horizon(at, height, focal_length);
-    here.p += corner;
-    return point_of_plane(here, eye_above_horizon(at, focal_length), vec2(0.0));
-}
-
-// `to_eye`: the vector from p to the eye, of any length.
-SurfacePoint point_of_body(vec3 p, vec3 dx, vec3 dy, vec3 normal, vec3 to_eye, Axes axes) {
-    return SurfacePoint(p, dx, dy, normal, normalize(in_picture(to_eye, axes)), vec2(0.0));
+// p, dx and dy are in radii of the sphere, which is `unit` units of the material.
+SurfacePoint point_of_body(vec3 p, vec3 dx, vec3 dy, vec3 normal, float unit, Axes axes) {
+    vec3 eye = normalize(in_picture(eye_distance * axes.toward_eye - p, axes));
+    return SurfacePoint(unit * p, unit * dx, unit * dy, normal, eye, vec2(0.0));
 }
 
 // A piece of the surface as it is seen, along the axes of the picture.

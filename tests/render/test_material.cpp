@@ -5,6 +5,8 @@
 
 #include "gabor_spectrum.hpp"
 
+#include "gabor_filter.hpp"
+
 #include "gabor_materials.hpp"
 
 #include "golden/file.hpp"
