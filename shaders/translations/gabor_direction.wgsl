@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 0d4c622285d0f683.
+// naga 30.0.1 made it from GLSL with the digest 551466d84a4a3091.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -121,7 +121,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
     var i: i32;
     var amplitude_2: vec2<f32>;
     var d_1: vec2<f32>;
-    var local_13: f32;
+    var local_12: f32;
     var scale: f32;
     waves_1 = waves;
     let _e4 = gabor_impl_salt(seed);
@@ -186,11 +186,11 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
         }
     }
     if false {
-        local_13 = 1f;
+        local_12 = 1f;
     } else {
-        local_13 = 1.125f;
+        local_12 = 1.125f;
     }
-    let _e148 = local_13;
+    let _e148 = local_12;
     scale = (1f / (1459955300000000000000000000f * _e148));
     let _e152 = scale;
     let _e153 = sum_5;

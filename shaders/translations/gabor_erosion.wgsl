@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 1baeeef6da1f73c3.
+// naga 30.0.1 made it from GLSL with the digest f82b56cc19375ec7.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -315,14 +315,14 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
 
 // A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
 fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
-    var local_13: f32;
+    var local_12: f32;
     var s_3: f32;
     if (t < rounding) {
-        local_13 = (((0.5f * t) * t) / rounding);
+        local_12 = (((0.5f * t) * t) / rounding);
     } else {
-        local_13 = (t - (0.5f * rounding));
+        local_12 = (t - (0.5f * rounding));
     }
-    let _e12 = local_13;
+    let _e12 = local_12;
     s_3 = (1f - min(_e12, 1f));
     let _e18 = s_3;
     let _e19 = s_3;
@@ -351,7 +351,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var kept_1: f32;
     var z_1: vec2<f32>;
     var place_9: GaborPlace;
-    var local_14: f32;
+    var local_13: f32;
     var side: f32;
     terrain = base;
     gully = GaborTerrain(base.ridge, vec2(0f), base.ridge);
@@ -429,11 +429,11 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
             terrain.slope = (_e165.slope + (_e167 * _e168.slope));
             let _e172 = z_1;
             if (_e172.y < 0f) {
-                local_14 = -6.2831855f;
+                local_13 = -6.2831855f;
             } else {
-                local_14 = 6.2831855f;
+                local_13 = 6.2831855f;
             }
-            let _e180 = local_14;
+            let _e180 = local_13;
             let _e181 = kept_1;
             side = (((_e180 * _e181) * erosion.branching) * erosion.gully_weight);
             let _e188 = steer;

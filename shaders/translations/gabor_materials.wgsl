@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest ae51316ca3fa1723.
+// naga 30.0.1 made it from GLSL with the digest 4375d23480d22930.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //
@@ -370,12 +370,12 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
     var period_10: vec2<f32> = vec2(0f);
     var whole: vec2<f32>;
     var size: vec2<f32>;
+    var local_31: f32;
     var local_32: f32;
-    var local_33: f32;
     var signs: vec2<f32>;
+    var local_33: vec2<f32>;
     var local_34: vec2<f32>;
     var local_35: vec2<f32>;
-    var local_36: vec2<f32>;
     var other: vec2<f32>;
     let _e4 = gabor_impl_wave((0.15915494f * angle));
     turn_10 = _e4;
@@ -392,18 +392,18 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
             size = abs(_e33);
             let _e36 = whole;
             if (_e36.x < 0f) {
+                local_31 = -1f;
+            } else {
+                local_31 = 1f;
+            }
+            let _e44 = local_31;
+            let _e45 = whole;
+            if (_e45.y < 0f) {
                 local_32 = -1f;
             } else {
                 local_32 = 1f;
             }
-            let _e44 = local_32;
-            let _e45 = whole;
-            if (_e45.y < 0f) {
-                local_33 = -1f;
-            } else {
-                local_33 = 1f;
-            }
-            let _e53 = local_33;
+            let _e53 = local_32;
             signs = vec2<f32>(_e44, _e53);
             let _e56 = size;
             let _e58 = size;
@@ -423,26 +423,26 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
                 let _e88 = size;
                 if (_e86.x > _e88.y) {
                     let _e91 = signs;
-                    local_34 = _e91;
+                    local_33 = _e91;
                 } else {
                     let _e92 = signs;
-                    local_34 = -(_e92);
+                    local_33 = -(_e92);
                 }
-                let _e95 = local_34;
-                local_36 = _e95;
+                let _e95 = local_33;
+                local_35 = _e95;
             } else {
                 let _e96 = size;
                 if (_e96.x == 1f) {
                     let _e101 = whole;
-                    local_35 = vec2<f32>(0f, _e101.x);
+                    local_34 = vec2<f32>(0f, _e101.x);
                 } else {
                     let _e104 = whole;
-                    local_35 = vec2<f32>(-(_e104.y), 0f);
+                    local_34 = vec2<f32>(-(_e104.y), 0f);
                 }
-                let _e110 = local_35;
-                local_36 = _e110;
+                let _e110 = local_34;
+                local_35 = _e110;
             }
-            let _e112 = local_36;
+            let _e112 = local_35;
             other = _e112;
             let _e115 = whole;
             period_10.x = length((_e115 * pixel.period));
@@ -654,23 +654,23 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     var level_fibre: vec3<f32>;
     var at: vec2<f32>;
     var thread: vec2<f32>;
-    var within_2: vec2<f32>;
-    var local_37: f32;
+    var within_1: vec2<f32>;
+    var local_36: f32;
     var parity: f32;
     var thick: vec2<f32>;
     var inside_1: vec2<f32>;
     var crest: vec2<f32>;
     var first_3: bool;
     var top: f32;
-    var local_38: vec3<f32>;
+    var local_37: vec3<f32>;
     var tone_1: vec3<f32>;
-    var local_39: vec3<f32>;
+    var local_38: vec3<f32>;
     var fibre_1: vec3<f32>;
     var steps_1: vec2<f32>;
     var kept_2: f32;
     var uneven: f32;
     var light: f32;
-    var local_40: f32;
+    var local_39: f32;
     var share: f32;
     var colour_2: vec3<f32>;
     var height_2: f32;
@@ -712,28 +712,28 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     thread = floor(_e74);
     let _e77 = at;
     let _e78 = thread;
-    within_2 = ((_e77 - _e78) - vec2(0.5f));
+    within_1 = ((_e77 - _e78) - vec2(0.5f));
     let _e85 = thread;
     let _e87 = thread;
     if (fract((0.5f * (_e85.x + _e87.y))) > 0.25f) {
-        local_37 = -1f;
+        local_36 = -1f;
     } else {
-        local_37 = 1f;
+        local_36 = 1f;
     }
-    let _e98 = local_37;
+    let _e98 = local_36;
     parity = _e98;
     let _e104 = upright;
     let _e106 = level;
     thick = (vec2(1f) + ((0.16f * fabric.unevenness) * vec2<f32>(_e104.y, _e106.y)));
-    let _e115 = within_2;
-    let _e117 = within_2;
+    let _e115 = within_1;
+    let _e117 = within_1;
     let _e119 = thick;
     let _e120 = thick;
     inside_1 = (vec2(1f) - (((4.2f * _e115) * _e117) / (_e119 * _e120)));
     let _e126 = thick;
     let _e127 = inside_1;
     let _e137 = parity;
-    let _e140 = within_2;
+    let _e140 = within_1;
     let _e153 = inside_1;
     crest = ((((_e126 * sqrt(max(_e127, vec2(0f)))) - vec2(1f)) + (((0.55f * _e137) * cos((3.1415927f * _e140.yx))) * vec2<f32>(1f, -1f))) - (vec2(1f) - step(vec2(0f), _e153)));
     let _e160 = crest;
@@ -745,22 +745,22 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     let _e175 = first_3;
     if _e175 {
         let _e176 = upright;
-        local_38 = _e176;
+        local_37 = _e176;
     } else {
         let _e177 = level;
-        local_38 = _e177;
+        local_37 = _e177;
     }
-    let _e179 = local_38;
+    let _e179 = local_37;
     tone_1 = _e179;
     let _e181 = first_3;
     if _e181 {
         let _e182 = upright_fibre;
-        local_39 = _e182;
+        local_38 = _e182;
     } else {
         let _e183 = level_fibre;
-        local_39 = _e183;
+        local_38 = _e183;
     }
-    let _e185 = local_39;
+    let _e185 = local_38;
     fibre_1 = _e185;
     let _e187 = count_2;
     let _e188 = count_2;
@@ -780,11 +780,11 @@ fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMa
     light = mix((0.8572f + (_e218 * (0.005f + (0.0083f * _e221)))), smoothstep(-1.3f, 0.5f, _e229), _e231);
     let _e235 = first_3;
     if _e235 {
-        local_40 = 1f;
+        local_39 = 1f;
     } else {
-        local_40 = 0f;
+        local_39 = 0f;
     }
-    let _e239 = local_40;
+    let _e239 = local_39;
     let _e240 = kept_2;
     share = mix(0.5f, _e239, _e240);
     let _e245 = share;
@@ -1466,14 +1466,14 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     var upright_1: vec3<f32>;
     var level_1: vec3<f32>;
     var tow: vec2<f32>;
-    var within_3: vec2<f32>;
+    var within_2: vec2<f32>;
     var turn_13: f32;
     var first_4: bool;
-    var local_41: vec3<f32>;
+    var local_40: vec3<f32>;
     var fibre_2: vec3<f32>;
-    var local_42: vec2<f32>;
+    var local_41: vec2<f32>;
     var along_across: vec2<f32>;
-    var local_43: f32;
+    var local_42: f32;
     var along_1: f32;
     var across_1: f32;
     var steps_2: vec2<f32>;
@@ -1502,7 +1502,7 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     let _e41 = count_3;
     let _e42 = cloth_1;
     let _e45 = tow;
-    within_3 = ((_e41 * _e42.p) - _e45);
+    within_2 = ((_e41 * _e42.p) - _e45);
     let _e50 = tow;
     let _e52 = tow;
     turn_13 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
@@ -1511,31 +1511,31 @@ fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32)
     let _e67 = first_4;
     if _e67 {
         let _e68 = upright_1;
-        local_41 = _e68;
+        local_40 = _e68;
     } else {
         let _e69 = level_1;
-        local_41 = _e69;
+        local_40 = _e69;
     }
-    let _e71 = local_41;
+    let _e71 = local_40;
     fibre_2 = _e71;
     let _e73 = first_4;
     if _e73 {
-        let _e74 = within_3;
-        local_42 = _e74.yx;
+        let _e74 = within_2;
+        local_41 = _e74.yx;
     } else {
-        let _e76 = within_3;
-        local_42 = _e76;
+        let _e76 = within_2;
+        local_41 = _e76;
     }
-    let _e78 = local_42;
+    let _e78 = local_41;
     along_across = _e78;
     let _e81 = along_across;
     let _e84 = turn_13;
     if (fract(((0.5f * _e84) + 0.25f)) < 0.5f) {
-        local_43 = 0f;
+        local_42 = 0f;
     } else {
-        local_43 = 1f;
+        local_42 = 1f;
     }
-    let _e94 = local_43;
+    let _e94 = local_42;
     along_1 = (0.5f * (_e81.x + _e94));
     let _e99 = along_across;
     across_1 = ((2f * _e99.y) - 1f);

@@ -267,9 +267,11 @@ inline void gabor_impl_windows(float x, thread float4& value, thread float4& slo
 
 // Wraps an index into a period.
 inline int gabor_impl_wrap(int index, int period) {
-    if (period == 0) return index;
-    int within = index - index / period * period;
-    return within < 0 ? within + period : within;
+    if (period != 0) {
+        index -= index / max(period, 1) * period; // FXC refuses a division by 0, even one that never runs
+        if (index < 0) index += period;
+    }
+    return index;
 }
 
 // The next index, wrapped into a period without a division.

@@ -1,5 +1,5 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c7958d39de03c772.
+// naga 30.0.1 made it from GLSL with the digest c87406ed8c76b459.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
@@ -298,33 +298,33 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
 
 // Wraps an index into a period.
 fn gabor_impl_wrap(index: i32, period: i32) -> i32 {
-    var within_1: i32;
-    var local_1: i32;
-    if (period == 0i) {
-        return index;
+    var index_3: i32;
+    index_3 = index;
+    if (period != 0i) {
+        {
+            let _e5 = index_3;
+            let _e6 = index_3;
+            index_3 = (_e5 - ((_e6 / max(period, 1i)) * period));
+            let _e12 = index_3;
+            if (_e12 < 0i) {
+                let _e15 = index_3;
+                index_3 = (_e15 + period);
+            }
+        }
     }
-    within_1 = (index - ((index / period) * period));
-    let _e8 = within_1;
-    if (_e8 < 0i) {
-        let _e11 = within_1;
-        local_1 = (_e11 + period);
-    } else {
-        let _e13 = within_1;
-        local_1 = _e13;
-    }
-    let _e15 = local_1;
-    return _e15;
+    let _e17 = index_3;
+    return _e17;
 }
 
 // The next index, wrapped into a period without a division.
 fn gabor_impl_next_node(index: i32, period: i32) -> i32 {
-    var local_2: i32;
+    var local_1: i32;
     if ((period == 0i) || ((index + 1i) < period)) {
-        local_2 = (index + 1i);
+        local_1 = (index + 1i);
     } else {
-        local_2 = 0i;
+        local_1 = 0i;
     }
-    let _e12 = local_2;
+    let _e12 = local_1;
     return _e12;
 }
 
@@ -340,7 +340,7 @@ struct GaborAxis {
 fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, radius: f32) -> GaborAxis {
     var axis: GaborAxis;
     var zero: f32;
-    var index_4: i32;
+    var index_5: i32;
     var value_1: vec4<f32>;
     var slope_1: vec4<f32>;
     var turn_1: vec2<f32>;
@@ -352,23 +352,23 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     axis.turns = (wave / radius);
     let _e34 = zero;
     let _e39 = gabor_impl_wrap(((cell + i32(_e34)) - 1i), period);
-    index_4 = _e39;
-    let _e44 = index_4;
+    index_5 = _e39;
+    let _e44 = index_5;
     let _e45 = gabor_impl_line_word(_e44, salt);
     axis.word[0i] = _e45;
-    let _e46 = index_4;
+    let _e46 = index_5;
     let _e47 = gabor_impl_next_node(_e46, period);
-    index_4 = _e47;
-    let _e51 = index_4;
+    index_5 = _e47;
+    let _e51 = index_5;
     let _e52 = gabor_impl_line_word(_e51, salt);
     axis.word[1i] = _e52;
-    let _e53 = index_4;
+    let _e53 = index_5;
     let _e54 = gabor_impl_next_node(_e53, period);
-    index_4 = _e54;
-    let _e58 = index_4;
+    index_5 = _e54;
+    let _e58 = index_5;
     let _e59 = gabor_impl_line_word(_e58, salt);
     axis.word[2i] = _e59;
-    let _e63 = index_4;
+    let _e63 = index_5;
     let _e64 = gabor_impl_next_node(_e63, period);
     let _e65 = gabor_impl_line_word(_e64, salt);
     axis.word[3i] = _e65;
@@ -493,17 +493,17 @@ fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, moment: f32, sum: 
 // K^2 / 2 E|A|^2 times the sums of squared windows along x and y. A wave's derivative is the wave times 2 pi i F.
 fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec2<f32>, stretch: vec2<f32>) -> GaborField {
     var turn_4: vec2<f32>;
-    var local_4: f32;
+    var local_3: f32;
     var value_2: vec2<f32>;
     var turned: vec2<f32>;
     turn_4 = turn;
     let _e6 = turn_4;
     if false {
-        local_4 = 1f;
+        local_3 = 1f;
     } else {
-        local_4 = 1.125f;
+        local_3 = 1.125f;
     }
-    let _e18 = local_4;
+    let _e18 = local_3;
     turn_4 = (_e6 * (1f / (1459955300000000000000000000f * _e18)));
     let _e23 = turn_4;
     let _e24 = gabor_impl_product(sum.xy, _e23);
@@ -568,42 +568,42 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
     var nodes: vec2<f32>;
     var place_1: GaborPlace;
+    var local_5: f32;
     var local_6: f32;
-    var local_7: f32;
+    var local_7: i32;
     var local_8: i32;
-    var local_9: i32;
     nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
     let _e20 = gabor_place(vec2(0i), vec2(0f));
     place_1 = _e20;
     if (period.x > 0f) {
         let _e26 = nodes;
-        local_6 = (_e26.x / period.x);
+        local_5 = (_e26.x / period.x);
+    } else {
+        local_5 = 1.5f;
+    }
+    let _e35 = local_5;
+    if (period.y > 0f) {
+        let _e39 = nodes;
+        local_6 = (_e39.y / period.y);
     } else {
         local_6 = 1.5f;
     }
-    let _e35 = local_6;
-    if (period.y > 0f) {
-        let _e39 = nodes;
-        local_7 = (_e39.y / period.y);
-    } else {
-        local_7 = 1.5f;
-    }
-    let _e48 = local_7;
+    let _e48 = local_6;
     place_1.radius = vec2<f32>(_e35, _e48);
     if (period.x > 0f) {
         let _e54 = nodes;
-        local_8 = i32(_e54.x);
+        local_7 = i32(_e54.x);
+    } else {
+        local_7 = 0i;
+    }
+    let _e59 = local_7;
+    if (period.y > 0f) {
+        let _e63 = nodes;
+        local_8 = i32(_e63.y);
     } else {
         local_8 = 0i;
     }
-    let _e59 = local_8;
-    if (period.y > 0f) {
-        let _e63 = nodes;
-        local_9 = i32(_e63.y);
-    } else {
-        local_9 = 0i;
-    }
-    let _e68 = local_9;
+    let _e68 = local_8;
     place_1.period = vec2<i32>(_e59, _e68);
     let _e71 = place_1;
     place_1.local = (p * _e71.radius);
@@ -667,27 +667,27 @@ fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -
 
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_11: f32;
+    var local_10: f32;
     var phase: f32;
-    var local_12: f32;
+    var local_11: f32;
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_11 = (atan2(value.y, value.x) * 0.15915494f);
+        local_10 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_11 = 0f;
+        local_10 = 0f;
     }
-    let _e13 = local_11;
+    let _e13 = local_10;
     phase = _e13;
     let _e15 = phase;
     if (_e15 < 0f) {
         let _e18 = phase;
-        local_12 = min((_e18 + 1f), 0.99999994f);
+        local_11 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase;
-        local_12 = _e23;
+        local_11 = _e23;
     }
-    let _e25 = local_12;
+    let _e25 = local_11;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }

@@ -1,5 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest bf4e1dd5936024c3.
+// naga 30.0.1 made it from GLSL with the digest 63cc63d36e5e0ae2.
 //
 // gabor_noise_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point.
@@ -186,8 +186,8 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     var x_15: GaborAxis;
     var y_11: GaborAxis;
     var z_4: GaborAxis;
+    var local_32: f32;
     var local_33: f32;
-    var local_34: f32;
     var turn_10: vec2<f32>;
     var blurred_4: vec3<f32>;
     var sum_16: vec4<f32> = vec4(0f);
@@ -199,17 +199,17 @@ fn gabor_impl_sum_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, s
     let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
     z_4 = _e45;
     if false {
+        local_32 = 1f;
+    } else {
+        local_32 = 1.125f;
+    }
+    let _e56 = local_32;
+    if false {
         local_33 = 1f;
     } else {
         local_33 = 1.125f;
     }
-    let _e56 = local_33;
-    if false {
-        local_34 = 1f;
-    } else {
-        local_34 = 1.125f;
-    }
-    let _e68 = local_34;
+    let _e68 = local_33;
     let _e71 = x_15;
     let _e73 = x_15;
     let _e76 = y_11;
@@ -479,15 +479,15 @@ fn gabor_impl_add_share_3d(sum: ptr<function, GaborField3d>, term: GaborField3d,
 fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var normal_1: vec3<f32>;
     var direction_3: vec3<f32>;
-    var local_35: vec3<f32>;
+    var local_34: vec3<f32>;
     var other: vec3<f32>;
     var flat_length: f32;
     var sum_20: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_36: i32;
+    var local_35: i32;
     var i_7: i32;
-    var local_37: i32;
-    var local_38: vec3<f32>;
-    var local_39: f32;
+    var local_36: i32;
+    var local_37: vec3<f32>;
+    var local_38: f32;
     normal_1 = normal;
     direction_3 = direction;
     let _e7 = normal_1;
@@ -499,11 +499,11 @@ fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, d
     let _e11 = direction_3;
     let _e12 = direction_3;
     if (abs(_e12.z) < 0.7f) {
-        local_35 = vec3<f32>(0f, 0f, 1f);
+        local_34 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_35 = vec3<f32>(1f, 0f, 0f);
+        local_34 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e26 = local_35;
+    let _e26 = local_34;
     other = cross(_e11, _e26);
     let _e29 = direction_3;
     let _e30 = direction_3;
@@ -520,45 +520,45 @@ fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, d
     flat_length = dot(_e43, _e44);
     let _e56 = flat_length;
     if (_e56 > 0.0625f) {
-        local_36 = 0i;
+        local_35 = 0i;
     } else {
-        local_36 = 1i;
+        local_35 = 1i;
     }
-    let _e62 = local_36;
+    let _e62 = local_35;
     i_7 = _e62;
     loop {
         let _e64 = i_7;
         let _e65 = flat_length;
         if (_e65 < 0.25f) {
-            local_37 = 2i;
+            local_36 = 2i;
         } else {
-            local_37 = 1i;
+            local_36 = 1i;
         }
-        let _e71 = local_37;
+        let _e71 = local_36;
         if !((_e64 < _e71)) {
             break;
         }
         let _e78 = i_7;
         if (_e78 == 0i) {
             let _e81 = direction_3;
-            local_38 = _e81;
+            local_37 = _e81;
         } else {
             let _e82 = other;
-            local_38 = _e82;
+            local_37 = _e82;
         }
-        let _e84 = local_38;
+        let _e84 = local_37;
         let _e85 = i_7;
         let _e86 = gabor_lobe_seed(seed, _e85);
         let _e87 = gabor_field_3d(place, frequency, _e84, _e86);
         let _e88 = i_7;
         if (_e88 == 0i) {
             let _e93 = flat_length;
-            local_39 = smoothstep(0.0625f, 0.25f, _e93);
+            local_38 = smoothstep(0.0625f, 0.25f, _e93);
         } else {
             let _e99 = flat_length;
-            local_39 = smoothstep(-0.25f, -0.0625f, -(_e99));
+            local_38 = smoothstep(-0.25f, -0.0625f, -(_e99));
         }
-        let _e103 = local_39;
+        let _e103 = local_38;
         gabor_impl_add_share_3d((&sum_20), _e87, _e103);
         continuing {
             let _e74 = i_7;
@@ -869,16 +869,16 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
     var sum_23: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var i_8: i32 = 0i;
     var j_6: i32;
+    var local_40: vec4<f32>;
     var local_41: vec4<f32>;
-    var local_42: vec4<f32>;
     var y_j: vec4<f32>;
+    var local_42: vec4<f32>;
     var local_43: vec4<f32>;
-    var local_44: vec4<f32>;
     var z_k: vec4<f32>;
+    var local_44: u32;
     var local_45: u32;
     var local_46: u32;
     var local_47: u32;
-    var local_48: u32;
     var word_7: u32;
     var row_8: vec4<u32>;
     s_8 = pixel.diagonal;
@@ -902,73 +902,73 @@ fn gabor_impl_sum_isotropic(place: GaborPlace3d, pixel: GaborMatrix, scale: vec3
             let _e63 = j_6;
             if (_e63 == 0i) {
                 let _e69 = y_14.node[0];
-                local_42 = _e69;
+                local_41 = _e69;
             } else {
                 let _e70 = j_6;
                 if (_e70 == 1i) {
                     let _e76 = y_14.node[1];
-                    local_41 = _e76;
+                    local_40 = _e76;
                 } else {
                     let _e80 = y_14.node[2];
-                    local_41 = _e80;
+                    local_40 = _e80;
                 }
-                let _e82 = local_41;
-                local_42 = _e82;
+                let _e82 = local_40;
+                local_41 = _e82;
             }
-            let _e84 = local_42;
+            let _e84 = local_41;
             y_j = _e84;
             let _e86 = i_8;
             if (_e86 < 3i) {
                 let _e92 = z_7.node[0];
-                local_44 = _e92;
+                local_43 = _e92;
             } else {
                 let _e93 = i_8;
                 if (_e93 < 6i) {
                     let _e99 = z_7.node[1];
-                    local_43 = _e99;
+                    local_42 = _e99;
                 } else {
                     let _e103 = z_7.node[2];
-                    local_43 = _e103;
+                    local_42 = _e103;
                 }
-                let _e105 = local_43;
-                local_44 = _e105;
+                let _e105 = local_42;
+                local_43 = _e105;
             }
-            let _e107 = local_44;
+            let _e107 = local_43;
             z_k = _e107;
             let _e109 = j_6;
             if (_e109 == 0i) {
                 let _e115 = y_14.word[0];
-                local_46 = _e115;
+                local_45 = _e115;
             } else {
                 let _e116 = j_6;
                 if (_e116 == 1i) {
                     let _e122 = y_14.word[1];
-                    local_45 = _e122;
+                    local_44 = _e122;
                 } else {
                     let _e126 = y_14.word[2];
-                    local_45 = _e126;
+                    local_44 = _e126;
                 }
-                let _e128 = local_45;
-                local_46 = _e128;
+                let _e128 = local_44;
+                local_45 = _e128;
             }
-            let _e130 = local_46;
+            let _e130 = local_45;
             let _e131 = i_8;
             if (_e131 < 3i) {
                 let _e137 = z_7.word[0];
-                local_48 = _e137;
+                local_47 = _e137;
             } else {
                 let _e138 = i_8;
                 if (_e138 < 6i) {
                     let _e144 = z_7.word[1];
-                    local_47 = _e144;
+                    local_46 = _e144;
                 } else {
                     let _e148 = z_7.word[2];
-                    local_47 = _e148;
+                    local_46 = _e148;
                 }
-                let _e150 = local_47;
-                local_48 = _e150;
+                let _e150 = local_46;
+                local_47 = _e150;
             }
-            let _e152 = local_48;
+            let _e152 = local_47;
             word_7 = (_e130 * _e152);
             let _e155 = word_7;
             let _e156 = gabor_impl_row(_e155);
@@ -1077,9 +1077,9 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
 fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTangents, seed: u32) -> GaborField3d {
     var frequency_31: f32;
     var stretch_6: vec3<f32>;
+    var local_48: f32;
     var local_49: f32;
     var local_50: f32;
-    var local_51: f32;
     var amplitude_6: f32;
     var transmitted_2: f32 = 1f;
     var pixel_14: GaborMatrix = GaborMatrix(vec3(0f), vec3(0f));
@@ -1091,23 +1091,23 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     let _e13 = frequency_31;
     frequency_31 = min(abs(_e13), 1000000f);
     if tangents.only {
-        local_49 = 2f;
+        local_48 = 2f;
     } else {
-        local_49 = 3f;
+        local_48 = 3f;
     }
-    let _e21 = local_49;
+    let _e21 = local_48;
+    if false {
+        local_49 = 1f;
+    } else {
+        local_49 = 1.125f;
+    }
+    let _e31 = local_49;
     if false {
         local_50 = 1f;
     } else {
         local_50 = 1.125f;
     }
-    let _e31 = local_50;
-    if false {
-        local_51 = 1f;
-    } else {
-        local_51 = 1.125f;
-    }
-    let _e44 = local_51;
+    let _e44 = local_50;
     amplitude_6 = (inverseSqrt((_e21 * _e31)) / (1459955300000000000000000000f * _e44));
     if place.filtered {
         {
@@ -1166,13 +1166,13 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequen
     var normal_3: vec3<f32>;
     var aside: f32;
     var sum_26: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_52: i32;
+    var local_51: i32;
     var i_9: i32;
-    var local_53: i32;
-    var local_54: vec3<f32>;
+    var local_52: i32;
+    var local_53: vec3<f32>;
     var along_1: vec3<f32>;
     var term_1: GaborField3d;
-    var local_55: f32;
+    var local_54: f32;
     normal_3 = normal;
     let _e5 = normal_3;
     let _e6 = gabor_impl_unit(_e5);
@@ -1182,32 +1182,32 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequen
     aside = dot(_e7.xy, _e9.xy);
     let _e22 = aside;
     if (_e22 > 0.25f) {
-        local_52 = 0i;
+        local_51 = 0i;
     } else {
-        local_52 = 1i;
+        local_51 = 1i;
     }
-    let _e28 = local_52;
+    let _e28 = local_51;
     i_9 = _e28;
     loop {
         let _e30 = i_9;
         let _e31 = aside;
         if (_e31 < 0.5f) {
-            local_53 = 2i;
+            local_52 = 2i;
         } else {
-            local_53 = 1i;
+            local_52 = 1i;
         }
-        let _e37 = local_53;
+        let _e37 = local_52;
         if !((_e30 < _e37)) {
             break;
         }
         {
             let _e43 = i_9;
             if (_e43 == 0i) {
-                local_54 = vec3<f32>(0f, 0f, 1f);
+                local_53 = vec3<f32>(0f, 0f, 1f);
             } else {
-                local_54 = vec3<f32>(1f, 0f, 0f);
+                local_53 = vec3<f32>(1f, 0f, 0f);
             }
-            let _e55 = local_54;
+            let _e55 = local_53;
             let _e56 = normal_3;
             let _e58 = gabor_impl_unit(cross(_e55, _e56));
             along_1 = _e58;
@@ -1222,12 +1222,12 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequen
             let _e72 = i_9;
             if (_e72 == 0i) {
                 let _e77 = aside;
-                local_55 = smoothstep(0.25f, 0.5f, _e77);
+                local_54 = smoothstep(0.25f, 0.5f, _e77);
             } else {
                 let _e83 = aside;
-                local_55 = smoothstep(-0.5f, -0.25f, -(_e83));
+                local_54 = smoothstep(-0.5f, -0.25f, -(_e83));
             }
-            let _e87 = local_55;
+            let _e87 = local_54;
             gabor_impl_add_share_3d((&sum_26), _e71, _e87);
         }
         continuing {

@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 826966c764d7e99d.
+// naga 30.0.1 made it from GLSL with the digest 2ef090bf2d6ff125.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel.
 //
@@ -259,7 +259,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
     var lobe_1: GaborLobe;
     var stretched: GaborPlace;
     var field_3: GaborField;
-    var local_13: f32;
+    var local_12: f32;
     var scale: f32;
     lobes_1 = lobes;
     loop {
@@ -303,11 +303,11 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
     let _e68 = power;
     if (_e68 > 0f) {
         let _e71 = power;
-        local_13 = inverseSqrt(_e71);
+        local_12 = inverseSqrt(_e71);
     } else {
-        local_13 = 0f;
+        local_12 = 0f;
     }
-    let _e75 = local_13;
+    let _e75 = local_12;
     scale = _e75;
     let _e77 = scale;
     let _e78 = sum_5;
@@ -334,13 +334,13 @@ fn gabor_impl_takeover(x: f32) -> f32 {
 
 // The number of lobes for `c`; while one set fades into the next, the total of both.
 fn gabor_impl_pieces(c: f32) -> i32 {
-    var local_14: i32;
+    var local_13: i32;
     if (fract(c) > 0.8f) {
-        local_14 = ((2i * i32(c)) + 1i);
+        local_13 = ((2i * i32(c)) + 1i);
     } else {
-        local_14 = i32(c);
+        local_13 = i32(c);
     }
-    let _e11 = local_14;
+    let _e11 = local_13;
     return _e11;
 }
 
@@ -676,10 +676,10 @@ struct GaborFilteredAxis {
 // axis. `m` is r M in the plane and D in space.
 fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborFilteredAxis {
     var b_2: GaborFilteredAxis;
-    var local_16: i32;
-    var local_17: f32;
+    var local_15: i32;
+    var local_16: f32;
     var zero_1: f32;
-    var local_18: f32;
+    var local_17: f32;
     var g: f32;
     var unit_1: f32;
     var fall: f32;
@@ -701,29 +701,29 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
     let _e18 = b_2;
     if (_e18.reach > 2f) {
-        local_16 = 5i;
+        local_15 = 5i;
     } else {
-        local_16 = 4i;
+        local_15 = 4i;
     }
-    let _e25 = local_16;
+    let _e25 = local_15;
     b_2.count = _e25;
     let _e26 = b_2;
     if (_e26.count == 5i) {
-        local_17 = 0.5f;
+        local_16 = 0.5f;
     } else {
-        local_17 = 1f;
+        local_16 = 1f;
     }
-    let _e33 = local_17;
+    let _e33 = local_16;
     zero_1 = (floor((local + _e33)) - 2f);
     let _e40 = b_2;
     if (_e40.count == 5i) {
         let _e44 = zero_1;
-        local_18 = clamp((local - _e44), 1.5f, 2.5f);
+        local_17 = clamp((local - _e44), 1.5f, 2.5f);
     } else {
         let _e49 = zero_1;
-        local_18 = clamp((local - _e49), 1f, 2f);
+        local_17 = clamp((local - _e49), 1f, 2f);
     }
-    let _e55 = local_18;
+    let _e55 = local_17;
     b_2.offset = _e55;
     let _e57 = zero_1;
     b_2.first = (cell + i32(_e57));
@@ -1012,7 +1012,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var along: GaborFilteredAxis;
     var columns_3: GaborColumns;
     var line_3: GaborFilteredLine;
-    var local_19: i32;
+    var local_18: i32;
     var rows_1: i32;
     var value_7: vec2<f32> = vec2(0f);
     var next_x: vec2<f32> = vec2(0f);
@@ -1024,7 +1024,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var before: vec2<f32>;
     var x_5: vec2<f32>;
     var y_4: vec2<f32>;
-    var local_20: f32;
+    var local_19: f32;
     var scale_1: f32;
     m_1 = (s.xy + vec2(0.13069098f));
     deviation_1 = sqrt(s.xy);
@@ -1082,11 +1082,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     line_3 = _e150;
     if wanted {
         let _e152 = along;
-        local_19 = _e152.count;
+        local_18 = _e152.count;
     } else {
-        local_19 = 0i;
+        local_18 = 0i;
     }
-    let _e156 = local_19;
+    let _e156 = local_18;
     rows_1 = _e156;
     loop {
         {
@@ -1160,11 +1160,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e268 = lambda;
     let _e272 = exponent_1;
     if false {
-        local_20 = 1f;
+        local_19 = 1f;
     } else {
-        local_20 = 1.125f;
+        local_19 = 1.125f;
     }
-    let _e286 = local_20;
+    let _e286 = local_19;
     scale_1 = ((sqrt((1f - (_e267 * _e268))) * exp(-(_e272))) / (1459955300000000000000000000f * _e286));
     let _e290 = scale_1;
     let _e291 = value_7;
@@ -1322,9 +1322,9 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var first: GaborFilteredLine;
     var slice_2: GaborFilteredLine;
     var none: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
-    var local_22: i32;
+    var local_21: i32;
     var rows_2: i32;
-    var local_23: i32;
+    var local_22: i32;
     var slices: i32;
     var value_8: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
@@ -1341,9 +1341,9 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     var imaginary_2: vec3<f32>;
     var quarter_1: vec3<f32>;
     var exponent_2: f32;
-    var local_24: f32;
+    var local_23: f32;
     var scale_2: f32;
-    var local_25: f32;
+    var local_24: f32;
     m_4 = GaborMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
     let _e19 = m_4;
     let _e22 = gabor_impl_adjugate(_e19, (&determinant_1));
@@ -1403,19 +1403,19 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     slice_2 = _e165;
     if wanted {
         let _e173 = y_5;
-        local_22 = _e173.count;
+        local_21 = _e173.count;
     } else {
-        local_22 = 0i;
+        local_21 = 0i;
     }
-    let _e177 = local_22;
+    let _e177 = local_21;
     rows_2 = _e177;
     if wanted {
         let _e179 = z_2;
-        local_23 = _e179.count;
+        local_22 = _e179.count;
     } else {
-        local_23 = 0i;
+        local_22 = 0i;
     }
-    let _e183 = local_23;
+    let _e183 = local_22;
     slices = _e183;
     loop {
         {
@@ -1558,20 +1558,20 @@ fn gabor_impl_filtered_space(cell: vec3<i32>, local: vec3<f32>, period: vec3<i32
     exponent_2 = (19.739208f * (dot((wave + _e370), _e372) + dot(_e374, (_e375 * _e376))));
     let _e383 = determinant_1;
     if false {
-        local_24 = 1f;
+        local_23 = 1f;
     } else {
-        local_24 = 1.125f;
+        local_23 = 1.125f;
     }
-    let _e394 = local_24;
+    let _e394 = local_23;
     let _e397 = exponent_2;
     scale_2 = (sqrt(((8f / _e383) / _e394)) * exp(-(_e397)));
     let _e402 = scale_2;
     if false {
-        local_25 = 1f;
+        local_24 = 1f;
     } else {
-        local_25 = 1.125f;
+        local_24 = 1.125f;
     }
-    let _e413 = local_25;
+    let _e413 = local_24;
     scale_2 = (_e402 / (1459955300000000000000000000f * _e413));
     let _e416 = scale_2;
     let _e417 = value_8;
@@ -1897,15 +1897,15 @@ fn gabor_impl_scaled_field(field: GaborField, scale: f32) -> GaborField {
 
 fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborField {
     var none_1: GaborFilter = GaborFilter(false, vec3(0f), vec2(1f));
-    var local_26: f32;
+    var local_25: f32;
     let _e10 = none_1;
     let _e11 = gabor_impl_sum_isotropic_2d(place, frequency, _e10, seed);
     if false {
-        local_26 = 1f;
+        local_25 = 1f;
     } else {
-        local_26 = 1.125f;
+        local_25 = 1.125f;
     }
-    let _e23 = local_26;
+    let _e23 = local_25;
     let _e26 = gabor_impl_scaled_field(_e11, (0.57735026f / (1459955300000000000000000000f * _e23)));
     return _e26;
 }
@@ -1939,7 +1939,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: 
     var kept: f32;
     var s_6: vec3<f32>;
     var pixel_3: GaborFilter;
-    var local_27: f32;
+    var local_26: f32;
     let _e6 = gabor_impl_transmitted_isotropic_2d(frequency, footprint.covariance);
     kept = _e6;
     let _e9 = kept;
@@ -1965,11 +1965,11 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, frequency: f32, footprint: 
     let _e60 = pixel_3;
     let _e61 = gabor_impl_sum_isotropic_2d(place, frequency, _e60, seed);
     if false {
-        local_27 = 1f;
+        local_26 = 1f;
     } else {
-        local_27 = 1.125f;
+        local_26 = 1.125f;
     }
-    let _e73 = local_27;
+    let _e73 = local_26;
     let _e76 = kept;
     let _e77 = s_6;
     let _e78 = gabor_impl_transmitted_isotropic_2d(frequency, _e77);
@@ -2087,7 +2087,7 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var larger: f32;
     var side: f32;
     var smaller_1: f32;
-    var local_28: f32;
+    var local_27: f32;
     dx_1 = dx;
     dy_1 = dy;
     let _e4 = dx_1;
@@ -2141,11 +2141,11 @@ fn gabor_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e105 > 0f) {
                 let _e110 = smaller_1;
                 let _e113 = apart_1;
-                local_28 = ((0.5f * (0.25f - _e110)) / _e113);
+                local_27 = ((0.5f * (0.25f - _e110)) / _e113);
             } else {
-                local_28 = 0f;
+                local_27 = 0f;
             }
-            let _e117 = local_28;
+            let _e117 = local_27;
             axis_2 = (_e104 * _e117);
             let _e122 = smaller_1;
             let _e125 = axis_2;
@@ -2198,7 +2198,7 @@ fn gabor_noise_isotropic_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, fr
 fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequency: f32, orientation: f32, seed: u32, removed: ptr<function, f32>) -> vec4<f32> {
     var four: vec4<f32>;
     var i_5: i32 = 0i;
-    var local_29: u32;
+    var local_28: u32;
     var noise_2: vec4<f32>;
     loop {
         let _e10 = i_5;
@@ -2208,13 +2208,13 @@ fn gabor_noise_four_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, frequen
         {
             let _e17 = i_5;
             if (_e17 == 0i) {
-                local_29 = seed;
+                local_28 = seed;
             } else {
                 let _e20 = i_5;
                 let _e22 = gabor_lobe_seed(seed, -(_e20));
-                local_29 = _e22;
+                local_28 = _e22;
             }
-            let _e24 = local_29;
+            let _e24 = local_28;
             let _e25 = gabor_noise_filtered_gradient(p, dx, dy, frequency, orientation, _e24);
             noise_2 = _e25;
             let _e27 = i_5;
@@ -2242,7 +2242,7 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
     var removed_6: f32;
     var field_12: GaborField;
     var noise_3: vec3<f32>;
-    var local_30: vec4<f32>;
+    var local_29: vec4<f32>;
     lobes_9 = lobes;
     loop {
         let _e13 = i_6;
@@ -2295,11 +2295,11 @@ fn gabor_noise_lobes_filtered_gradient(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32
         let _e98 = power_3;
         let _e100 = vec3(inverseSqrt(_e98));
         let _e102 = power_3;
-        local_30 = (_e97 * vec4<f32>(_e100.x, _e100.y, _e100.z, (1f / _e102)));
+        local_29 = (_e97 * vec4<f32>(_e100.x, _e100.y, _e100.z, (1f / _e102)));
     } else {
-        local_30 = vec4(0f);
+        local_29 = vec4(0f);
     }
-    let _e112 = local_30;
+    let _e112 = local_29;
     return _e112;
 }
 
@@ -2380,7 +2380,7 @@ fn gabor_profile_sine(phase: f32, width: f32) -> f32 {
 fn gabor_impl_triangle_integral(x: f32) -> f32 {
     var turns: f32;
     var t_3: f32;
-    var local_31: f32;
+    var local_30: f32;
     turns = floor(x);
     let _e3 = turns;
     t_3 = (x - _e3);
@@ -2389,14 +2389,14 @@ fn gabor_impl_triangle_integral(x: f32) -> f32 {
     if (_e9 < 0.5f) {
         let _e12 = t_3;
         let _e13 = t_3;
-        local_31 = (_e12 * _e13);
+        local_30 = (_e12 * _e13);
     } else {
         let _e16 = t_3;
         let _e18 = t_3;
         let _e19 = t_3;
-        local_31 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
+        local_30 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
     }
-    let _e25 = local_31;
+    let _e25 = local_30;
     return ((0.5f * _e7) + _e25);
 }
 
