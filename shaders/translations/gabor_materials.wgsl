@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 4375d23480d22930.
+// naga 30.0.1 made it from GLSL with the digest 893292f6840a0cad.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //

@@ -1,5 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 63cc63d36e5e0ae2.
+// naga 30.0.1 made it from GLSL with the digest 2443d13bc3b47ae5.
 //
 // gabor_noise_3d.wgsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
 // a normal distribution at every point.

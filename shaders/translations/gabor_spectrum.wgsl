@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 2ef090bf2d6ff125.
+// naga 30.0.1 made it from GLSL with the digest f4456d6b7bff64ad.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, or averaged over a pixel.
 //
