@@ -85,9 +85,12 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
         return nullptr;
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    return {instance, vk::DebugUtilsMessengerCreateInfoEXT(
-                          {}, Severity::eError | Severity::eWarning,
-                          Type::eGeneral | Type::eValidation | Type::ePerformance, report)};
+    vk::DebugUtilsMessengerCreateInfoEXT info;
+    info.setMessageSeverity(Severity::eError | Severity::eWarning)
+        .setMessageType(Type::eGeneral | Type::eValidation | Type::ePerformance);
+    VkDebugUtilsMessengerCreateInfoEXT& plain = info; // vk::'s type of the callback changed in Vulkan-Hpp 1.4
+    plain.pfnUserCallback = report;
+    return {instance, info};
 }
 
 // ---- The device ----
