@@ -227,8 +227,8 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
     ImGui::GetIO().ConfigInputTrickleEventQueue = false; // take_press delays presses
 #endif
     set_style(density_ * scale);
-    glfwSetCursorPosCallback(window.handle(),
-                             note_pointer); // Dear ImGui's callback, if it has one, calls this
+    // Dear ImGui's callback, if it has one, calls this.
+    glfwSetCursorPosCallback(window.handle(), note_pointer);
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
     glfwSetKeyCallback(window.handle(), note_key);
     glfwSetMouseButtonCallback(window.handle(), note_button);
@@ -310,7 +310,8 @@ void Gui::take_press() {
     constexpr float double_click = 0.3f; // seconds between the presses, however long a frame takes
     ImGuiIO& io = ImGui::GetIO();
     io.MouseDoubleClickTime = double_click;
-    if (ImGui::IsMousePosValid(&io.MousePosPrev)) { // the last frame may have moved it to a press
+    const auto is = [&](int attribute) { return glfwGetWindowAttrib(window_, attribute) == GLFW_TRUE; };
+    if (is(GLFW_FOCUSED) || is(GLFW_HOVERED)) { // the last frame may have moved the pointer to a press
         double x = 0, y = 0;
         glfwGetCursorPos(window_, &x, &y);
         set_pointer({static_cast<float>(x), static_cast<float>(y)});
