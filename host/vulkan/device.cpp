@@ -23,9 +23,12 @@ std::atomic<int> messages = 0;
 
 VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
-    const std::string_view id = data->pMessageIdName ? data->pMessageIdName : "";
-    if (id.find("specialuse-extension") != id.npos) // Vulkan recommends this messenger only for debugging
-        return VK_FALSE;
+    const auto says = [&](std::string_view words) {
+        return std::string_view(data->pMessage).find(words) != std::string_view::npos;
+    };
+    if (says("Attempting to enable") &&
+        (says(VK_EXT_DEBUG_UTILS_EXTENSION_NAME) || says(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME)))
+        return VK_FALSE; // newer layers advise against the extensions that turn them on
     ++messages;
     fmt::print(stderr, "validation: {}\n", data->pMessage);
     return VK_FALSE;
