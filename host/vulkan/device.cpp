@@ -57,7 +57,7 @@ void ask_for_messages(vk::DebugUtilsMessengerCreateInfoEXT& info) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
     info.setMessageSeverity(Severity::eError | Severity::eWarning)
-        .setMessageType(Type::eGeneral | Type::eValidation | Type::ePerformance);
+        .setMessageType(Type::eValidation | Type::ePerformance);
     VkDebugUtilsMessengerCreateInfoEXT& plain = info; // vk::'s type of the callback changed in Vulkan-Hpp 1.4
     plain.pfnUserCallback = report;
 }
@@ -84,8 +84,7 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
                           {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
         chain.get<vk::InstanceCreateInfo>().setPEnabledLayerNames(layers);
         chain.get<vk::ValidationFeaturesEXT>().setEnabledValidationFeatures(features);
-        ask_for_messages(
-            chain.get<vk::DebugUtilsMessengerCreateInfoEXT>()); // for messages about the instance itself
+        ask_for_messages(chain.get<vk::DebugUtilsMessengerCreateInfoEXT>()); // about the instance itself
     } else {
         chain.unlink<vk::ValidationFeaturesEXT>();
         chain.unlink<vk::DebugUtilsMessengerCreateInfoEXT>();
@@ -105,6 +104,7 @@ vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instan
         return nullptr;
     vk::DebugUtilsMessengerCreateInfoEXT info;
     ask_for_messages(info);
+    info.messageType |= vk::DebugUtilsMessageTypeFlagBitsEXT::eGeneral;
     return {instance, info};
 }
 
