@@ -298,10 +298,11 @@ vec2 gabor_impl_window(float x) {
 
 // Wraps a cell's coordinate into a period.
 int gabor_impl_wrap(int cell, int period) {
-    if (period == 0)
-        return cell;
-    int within = cell - cell / period * period;
-    return within < 0 ? within + period : within;
+    if (period != 0) {
+        cell -= cell / max(period, 1) * period; // FXC refuses a division by 0, even one that never runs
+        if (cell < 0) cell += period;
+    }
+    return cell;
 }
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)

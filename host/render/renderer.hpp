@@ -3,6 +3,7 @@
 #include "render/plan.hpp"
 #include "vulkan/pass.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>

@@ -305,7 +305,6 @@ bool App::frame(const FrameHook& hook) {
     gui_.begin();
     if (hook && !hook(*this))
         return false;
-    ImGui::NewFrame();
     const ImGuiIO& io = ImGui::GetIO();
     if (session_.playing && !render::has_material(session_.document().request)) {
         double& time = session_.document().request.time;

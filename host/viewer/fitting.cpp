@@ -88,7 +88,7 @@ void Fitter::poll() {
     }
     if (std::exchange(busy_, false) && wanted_.path == begun_.path) {
         photograph_ = read_;
-        fitted_ = std::exchange(result_, {});
+        fitted_ = std::exchange(result_, std::nullopt);
         error_ = work_.error();
         if (work_.was_cancelled())
             begun_ = {}; // start again if the same number of lobes is chosen later

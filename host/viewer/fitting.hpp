@@ -53,7 +53,7 @@ class Fitter {
     /// The last photograph that was read.
     const std::shared_ptr<const Photograph>& photograph() const { return photograph_; }
     /// The noise fitted since the last call, if any.
-    std::optional<FittedPreset> take() { return std::exchange(fitted_, {}); }
+    std::optional<FittedPreset> take() { return std::exchange(fitted_, std::nullopt); }
     /// Why fitting has failed since the last call; empty if it has not.
     std::string take_error() { return std::exchange(error_, {}); }
 

@@ -38,10 +38,12 @@ struct Press {
 std::deque<Press> presses;
 ImVec2 pointer;
 
-void note_key(GLFWwindow*, int key, int, int action, int modifiers) {
+void note_key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
     const bool is_modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
-    if (action == GLFW_PRESS && key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown) && !is_modifier)
+    if (action == GLFW_PRESS && key >= 0 && !is_modifier)
         presses.push_back({key, -1, true, modifiers, pointer, glfwGetTime()});
+    else
+        ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
 }
 
 void note_button(GLFWwindow*, int button, int action, int modifiers) {
@@ -50,8 +52,45 @@ void note_button(GLFWwindow*, int button, int action, int modifiers) {
 }
 
 void note_pointer(GLFWwindow*, double x, double y) {
-    pointer = {static_cast<float>(x), static_cast<float>(y)};
+    pointer = {static_cast<float>(std::floor(x)), static_cast<float>(std::floor(y))};
 }
+
+// Since version 1.87, Dear ImGui takes events; before, programs wrote its state.
+#if IMGUI_VERSION_NUM < 18700
+void set_pointer(ImVec2 at) {
+    ImGui::GetIO().MousePos = at;
+}
+
+void set_button(int button, bool down) {
+    ImGui::GetIO().MouseDown[button] = down;
+}
+
+void set_modifiers(bool ctrl, bool shift) {
+    ImGui::GetIO().KeyCtrl = ctrl;
+    ImGui::GetIO().KeyShift = shift;
+}
+
+bool was_down(int key) {
+    return ImGui::GetIO().KeysDownDuration[key] >= 0;
+}
+#else
+void set_pointer(ImVec2 at) {
+    ImGui::GetIO().AddMousePosEvent(at.x, at.y);
+}
+
+void set_button(int button, bool down) {
+    ImGui::GetIO().AddMouseButtonEvent(button, down);
+}
+
+void set_modifiers(bool ctrl, bool shift) {
+    ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, ctrl);
+    ImGui::GetIO().AddKeyEvent(ImGuiMod_Shift, shift);
+}
+
+bool was_down(int key) {
+    return ImGui::IsKeyDown(static_cast<ImGuiKey>(key));
+}
+#endif
 
 void check_result(VkResult result) {
     if (result < 0)
@@ -184,11 +223,15 @@ Gui::Gui(const vulkan::Device& device, const Window& window, vk::RenderPass pass
     : device_(device), window_(window.handle()), pass_(pass), density_(window.density()), scale_(scale) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr; // settings.hpp keeps the viewer's settings
+#if IMGUI_VERSION_NUM >= 18700
+    ImGui::GetIO().ConfigInputTrickleEventQueue = false; // take_press delays presses
+#endif
     set_style(density_ * scale);
-    glfwSetKeyCallback(window.handle(), note_key); // Dear ImGui's callbacks call these
-    glfwSetMouseButtonCallback(window.handle(), note_button);
+    // Dear ImGui's callback, if it has one, calls this.
     glfwSetCursorPosCallback(window.handle(), note_pointer);
     ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+    glfwSetKeyCallback(window.handle(), note_key);
+    glfwSetMouseButtonCallback(window.handle(), note_button);
     const vulkan::Device::State& state = device.state();
     info_.Instance = *state.instance;
     info_.PhysicalDevice = *state.physical;
@@ -214,8 +257,12 @@ void Gui::load_fonts() {
     descriptors_ = make_descriptors(device_);
     info_.DescriptorPool = *descriptors_;
     ImGui_ImplVulkan_Init(&info_, pass_);
+#if IMGUI_VERSION_NUM < 19000
     Commands(device_).run(ImGui_ImplVulkan_CreateFontsTexture);
     ImGui_ImplVulkan_DestroyFontUploadObjects();
+#else
+    ImGui_ImplVulkan_CreateFontsTexture();
+#endif
 }
 
 Gui::~Gui() {
@@ -249,8 +296,9 @@ void Gui::begin() {
     ImGui_ImplVulkan_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     take_press();
-    std::ranges::copy(buttons_, ImGui::GetIO().MouseDown);
-    last_pointer_ = ImGui::GetIO().MousePos;
+    for (std::size_t i = 0; i < buttons_.size(); ++i)
+        set_button(static_cast<int>(i), buttons_[i]);
+    ImGui::NewFrame();
 }
 
 bool Gui::has_input() const {
@@ -262,31 +310,40 @@ void Gui::take_press() {
     constexpr float double_click = 0.3f; // seconds between the presses, however long a frame takes
     ImGuiIO& io = ImGui::GetIO();
     io.MouseDoubleClickTime = double_click;
-    io.KeysDown[std::exchange(released_, 0)] = false;
-    const auto held = [&](int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; };
-    io.KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-    io.KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    for (const Press& later : presses)
-        if (later.key >= 0)
-            io.KeysDown[later.key] = false;
+    const auto is = [&](int attribute) { return glfwGetWindowAttrib(window_, attribute) == GLFW_TRUE; };
+    if (is(GLFW_FOCUSED) || is(GLFW_HOVERED)) { // the last frame may have moved the pointer to a press
+        double x = 0, y = 0;
+        glfwGetCursorPos(window_, &x, &y);
+        set_pointer({static_cast<float>(x), static_cast<float>(y)});
+    }
+    const auto down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
+    const auto tell = [&](int key, int action) {
+        ImGui_ImplGlfw_KeyCallback(window_, key, glfwGetKeyScancode(key), action, 0);
+    };
+    if (released_)
+        tell(std::exchange(released_, 0), GLFW_RELEASE);
+    set_modifiers(down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL),
+                  down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT));
     if (presses.empty())
         return;
     const Press next = presses.front();
     const bool is_key = next.key >= 0;
-    if (!is_key)
-        io.MousePos = next.at;
-    if (is_key ? io.KeysDownDuration[next.key] >= 0
-               : next.at.x != last_pointer_.x || next.at.y != last_pointer_.y)
-        return; // this frame releases the key or moves the pointer; the press follows
-    presses.pop_front();
-    io.KeyCtrl = (next.modifiers & GLFW_MOD_CONTROL) != 0;
-    io.KeyShift = (next.modifiers & GLFW_MOD_SHIFT) != 0;
-    if (is_key) {
-        io.KeysDown[next.key] = true;
-        if (glfwGetKey(window_, next.key) != GLFW_PRESS)
-            released_ = next.key;
-        return;
+    if (is_key && was_down(next.key))
+        return tell(next.key, GLFW_RELEASE); // the press follows in the next frame
+    if (!is_key) {
+        set_pointer(next.at);
+        if (next.at.x != io.MousePosPrev.x || next.at.y != io.MousePosPrev.y)
+            return; // as above
     }
+    presses.pop_front();
+    if (is_key) {
+        tell(next.key, GLFW_PRESS);
+        if (!down(next.key))
+            released_ = next.key;
+    }
+    set_modifiers((next.modifiers & GLFW_MOD_CONTROL) != 0, (next.modifiers & GLFW_MOD_SHIFT) != 0);
+    if (is_key)
+        return;
     const auto button = static_cast<std::size_t>(next.button);
     buttons_.at(button) = next.down;
     if (!next.down)

@@ -50,7 +50,6 @@ class Gui {
     int released_ = 0;             ///< key to release in the next frame; 0 for none
     std::array<bool, IM_ARRAYSIZE(ImGuiIO::MouseDown)> buttons_{}; ///< buttons that are held down
     std::array<double, IM_ARRAYSIZE(ImGuiIO::MouseDown)> pressed_at_{};
-    ImVec2 last_pointer_{};
 };
 
 } // namespace gabor::viewer

@@ -99,10 +99,6 @@ void next_choice(Session& session, std::string_view name) {
     notify(session, fmt::format("No other {} keeps the material and the paint", name));
 }
 
-bool pressed(int key) {
-    return ImGui::IsKeyPressed(key, false);
-}
-
 constexpr int ctrl = 1 << 16; // added to the keys of shortcuts with Ctrl
 
 struct Shortcut {
@@ -164,14 +160,14 @@ void held_keys(Session& session) {
                 document.output = static_cast<Output>(i);
         }
     const double step = 40.0 * double{pixels_per_unit()};
-    const auto held = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1.0 : 0.0; };
+    const auto held = [](int key) { return pressed(key, true) ? 1.0 : 0.0; };
     const double x = held(GLFW_KEY_RIGHT) - held(GLFW_KEY_LEFT);
     const double y = held(GLFW_KEY_DOWN) - held(GLFW_KEY_UP);
     if (x != 0 || y != 0)
         drag(session, -step * x, -step * y);
-    if (ImGui::IsKeyPressed(GLFW_KEY_EQUAL) || ImGui::IsKeyPressed(GLFW_KEY_KP_ADD))
+    if (pressed(GLFW_KEY_EQUAL, true) || pressed(GLFW_KEY_KP_ADD, true))
         zoom(session, wheel_step, 0, 0);
-    if (ImGui::IsKeyPressed(GLFW_KEY_MINUS) || ImGui::IsKeyPressed(GLFW_KEY_KP_SUBTRACT))
+    if (pressed(GLFW_KEY_MINUS, true) || pressed(GLFW_KEY_KP_SUBTRACT, true))
         zoom(session, 1 / wheel_step, 0, 0);
 }
 

@@ -8,6 +8,7 @@
 
 #include "viewer/display_interface.h"
 
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
 
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <ranges>
 #include <utility>
 
 namespace gabor::viewer {
@@ -552,9 +554,13 @@ bool number_slider(const char* label, double& value, const render::Range& range,
     return moved;
 }
 
+bool pressed(int key, bool repeat) {
+    return ImGui::IsKeyPressed(static_cast<ImGuiKey>(key), repeat);
+}
+
 bool key_went_down() {
-    return std::ranges::find(ImGui::GetIO().KeysDownDuration, 0.0f) !=
-           std::end(ImGui::GetIO().KeysDownDuration);
+    return std::ranges::any_of(std::views::iota(GLFW_KEY_SPACE, GLFW_KEY_LAST + 1),
+                               [](int key) { return pressed(key); });
 }
 
 void tooltip(std::string_view text, std::optional<float> top, bool aside) {

@@ -62,7 +62,9 @@ void label(ImDrawList& draw, ImVec2 at, const std::string& text, ImU32 colour, f
 /// Explains the last item once the pointer rests on it. The text is beside the pointer, or at `top` if that
 /// is given, or left of the window if `aside`.
 void tooltip(std::string_view text, std::optional<float> top = {}, bool aside = false);
-/// Whether a key was pressed in this frame.
+/// Whether a key, given by GLFW's number, was pressed in this frame, or repeats because it is held.
+bool pressed(int key, bool repeat = false);
+/// Whether any key was pressed in this frame.
 bool key_went_down();
 
 /// Small pictures of the presets that come with the program, as one picture of square cells, row by row in

@@ -2,6 +2,7 @@
 
 #include "noise/spectrum.hpp"
 
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -269,7 +270,7 @@ void spectrum_panel(Session& session) {
             "bright, and the lobes. Drag a lobe to move it, double-click to add one, press Delete to "
             "remove one.",
             corner.y + side);
-    if (!ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete), false))
+    if (!ImGui::GetIO().WantTextInput && pressed(GLFW_KEY_DELETE))
         changed |= remove_lobe(session, lobes);
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();

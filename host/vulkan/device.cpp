@@ -23,6 +23,12 @@ std::atomic<int> messages = 0;
 
 VKAPI_ATTR VkBool32 VKAPI_CALL report(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+    const auto says = [&](std::string_view words) {
+        return std::string_view(data->pMessage).find(words) != std::string_view::npos;
+    };
+    if (says("Attempting to enable") &&
+        (says(VK_EXT_DEBUG_UTILS_EXTENSION_NAME) || says(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME)))
+        return VK_FALSE; // newer layers advise against the extensions that turn them on
     ++messages;
     fmt::print(stderr, "validation: {}\n", data->pMessage);
     return VK_FALSE;
@@ -47,10 +53,21 @@ vk::raii::Context load_vulkan() {
     }
 }
 
+void ask_for_messages(vk::DebugUtilsMessengerCreateInfoEXT& info) {
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    info.setMessageSeverity(Severity::eError | Severity::eWarning)
+        .setMessageType(Type::eValidation | Type::ePerformance);
+    VkDebugUtilsMessengerCreateInfoEXT& plain = info; // vk::'s type of the callback changed in Vulkan-Hpp 1.4
+    plain.pfnUserCallback = report;
+}
+
 // Loads the validation layers if GABOR_VALIDATION requests them. Throws RequestError if there is no driver.
 vk::raii::Instance make_instance(const vk::raii::Context& context, const Presentation& presentation) {
     const vk::ApplicationInfo application("gabor", 1, nullptr, 0, VK_API_VERSION_1_1);
-    vk::StructureChain<vk::InstanceCreateInfo, vk::ValidationFeaturesEXT> chain;
+    vk::StructureChain<vk::InstanceCreateInfo, vk::ValidationFeaturesEXT,
+                       vk::DebugUtilsMessengerCreateInfoEXT>
+        chain;
     chain.get<vk::InstanceCreateInfo>().pApplicationInfo = &application;
     const std::array layers{"VK_LAYER_KHRONOS_validation"};
     std::vector<const char*> extensions = presentation.instance_extensions;
@@ -67,8 +84,10 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
                           {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
         chain.get<vk::InstanceCreateInfo>().setPEnabledLayerNames(layers);
         chain.get<vk::ValidationFeaturesEXT>().setEnabledValidationFeatures(features);
+        ask_for_messages(chain.get<vk::DebugUtilsMessengerCreateInfoEXT>()); // about the instance itself
     } else {
         chain.unlink<vk::ValidationFeaturesEXT>();
+        chain.unlink<vk::DebugUtilsMessengerCreateInfoEXT>();
     }
     chain.get<vk::InstanceCreateInfo>().setPEnabledExtensionNames(extensions);
     try {
@@ -83,11 +102,10 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, const Present
 vk::raii::DebugUtilsMessengerEXT make_messenger(const vk::raii::Instance& instance) {
     if (!validating())
         return nullptr;
-    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    return {instance, vk::DebugUtilsMessengerCreateInfoEXT(
-                          {}, Severity::eError | Severity::eWarning,
-                          Type::eGeneral | Type::eValidation | Type::ePerformance, report)};
+    vk::DebugUtilsMessengerCreateInfoEXT info;
+    ask_for_messages(info);
+    info.messageType |= vk::DebugUtilsMessageTypeFlagBitsEXT::eGeneral;
+    return {instance, info};
 }
 
 // ---- The device ----

@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 78a1d01ed8458651.
+// naga 30.0.1 made it from GLSL with the digest 945768084260942c.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -119,7 +119,7 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
     var amplitude_3: vec2<f32>;
     var d_1: vec2<f32>;
     var field_4: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var local_12: f32;
+    var local_11: f32;
     waves_1 = waves;
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
@@ -184,11 +184,11 @@ fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborFi
     }
     let _e147 = sum_6;
     if false {
-        local_12 = 1f;
+        local_11 = 1f;
     } else {
-        local_12 = 1.125f;
+        local_11 = 1.125f;
     }
-    let _e159 = local_12;
+    let _e159 = local_11;
     gabor_impl_add_field((&field_4), _e147, (1f / (1459955300000000000000000000f * _e159)), vec2(1f));
     let _e165 = field_4;
     return _e165;

@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 049b879a4d510b7b.
+// naga 30.0.1 made it from GLSL with the digest a438e0b593a1575c.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -322,14 +322,14 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
 
 // A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
 fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
-    var local_12: f32;
+    var local_11: f32;
     var s_3: f32;
     if (t < rounding) {
-        local_12 = (((0.5f * t) * t) / rounding);
+        local_11 = (((0.5f * t) * t) / rounding);
     } else {
-        local_12 = (t - (0.5f * rounding));
+        local_11 = (t - (0.5f * rounding));
     }
-    let _e12 = local_12;
+    let _e12 = local_11;
     s_3 = (1f - min(_e12, 1f));
     let _e18 = s_3;
     let _e19 = s_3;
@@ -359,7 +359,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var z_1: vec2<f32>;
     var place_5: GaborPlace;
     var field_4: GaborField;
-    var local_13: f32;
+    var local_12: f32;
     var side_1: f32;
     terrain = base;
     gully = GaborTerrain(base.ridge, vec2(0f), base.ridge);
@@ -440,11 +440,11 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
             terrain.slope = (_e169.slope + (_e171 * _e172.slope));
             let _e176 = z_1;
             if (_e176.y < 0f) {
-                local_13 = -6.2831855f;
+                local_12 = -6.2831855f;
             } else {
-                local_13 = 6.2831855f;
+                local_12 = 6.2831855f;
             }
-            let _e184 = local_13;
+            let _e184 = local_12;
             let _e185 = kept_1;
             side_1 = (((_e184 * _e185) * erosion.branching) * erosion.gully_weight);
             let _e192 = steer;

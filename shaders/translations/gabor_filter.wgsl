@@ -1,5 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 22aaa4cc3fb8c4d4.
+// naga 30.0.1 made it from GLSL with the digest bf989750c35e7d5b.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
@@ -113,7 +113,7 @@ fn gabor_impl_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
     var larger: f32;
     var side_1: f32;
     var smaller: f32;
-    var local_16: f32;
+    var local_15: f32;
     dx_1 = dx;
     dy_1 = dy;
     let _e4 = dx_1;
@@ -167,11 +167,11 @@ fn gabor_impl_footprint(dx: vec2<f32>, dy: vec2<f32>) -> GaborFootprint {
             if (_e105 > 0f) {
                 let _e110 = smaller;
                 let _e113 = apart;
-                local_16 = ((0.5f * (0.25f - _e110)) / _e113);
+                local_15 = ((0.5f * (0.25f - _e110)) / _e113);
             } else {
-                local_16 = 0f;
+                local_15 = 0f;
             }
-            let _e117 = local_16;
+            let _e117 = local_15;
             axis_1 = (_e104 * _e117);
             let _e122 = smaller;
             let _e125 = axis_1;
@@ -385,10 +385,10 @@ struct GaborFilteredAxis {
 // axis. `m` is r M in the plane and D in space.
 fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborFilteredAxis {
     var b_2: GaborFilteredAxis;
-    var local_18: i32;
-    var local_19: f32;
+    var local_17: i32;
+    var local_18: f32;
     var zero_1: f32;
-    var local_20: f32;
+    var local_19: f32;
     var g: f32;
     var unit_1: f32;
     var fall: f32;
@@ -410,29 +410,29 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     b_2.reach = clamp((0.35f + (5f * deviation)), 2f, 2.5f);
     let _e18 = b_2;
     if (_e18.reach > 2f) {
-        local_18 = 5i;
+        local_17 = 5i;
     } else {
-        local_18 = 4i;
+        local_17 = 4i;
     }
-    let _e25 = local_18;
+    let _e25 = local_17;
     b_2.count = _e25;
     let _e26 = b_2;
     if (_e26.count == 5i) {
-        local_19 = 0.5f;
+        local_18 = 0.5f;
     } else {
-        local_19 = 1f;
+        local_18 = 1f;
     }
-    let _e33 = local_19;
+    let _e33 = local_18;
     zero_1 = (floor((local + _e33)) - 2f);
     let _e40 = b_2;
     if (_e40.count == 5i) {
         let _e44 = zero_1;
-        local_20 = clamp((local - _e44), 1.5f, 2.5f);
+        local_19 = clamp((local - _e44), 1.5f, 2.5f);
     } else {
         let _e49 = zero_1;
-        local_20 = clamp((local - _e49), 1f, 2f);
+        local_19 = clamp((local - _e49), 1f, 2f);
     }
-    let _e55 = local_20;
+    let _e55 = local_19;
     b_2.offset = _e55;
     let _e57 = zero_1;
     b_2.first = (cell + i32(_e57));
@@ -740,7 +740,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var along: GaborFilteredAxis;
     var columns_4: GaborColumns;
     var line_4: GaborFilteredLine;
-    var local_21: i32;
+    var local_20: i32;
     var rows_2: i32;
     var value_9: vec2<f32> = vec2(0f);
     var next_x: vec2<f32> = vec2(0f);
@@ -756,7 +756,7 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     var before: vec2<f32>;
     var x_10: vec2<f32>;
     var y_6: vec2<f32>;
-    var local_22: f32;
+    var local_21: f32;
     var scale: f32;
     m_1 = (s.xy + vec2(0.13069098f));
     deviation_1 = sqrt(s.xy);
@@ -814,11 +814,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     line_4 = _e150;
     if wanted {
         let _e152 = along;
-        local_21 = _e152.count;
+        local_20 = _e152.count;
     } else {
-        local_21 = 0i;
+        local_20 = 0i;
     }
-    let _e156 = local_21;
+    let _e156 = local_20;
     rows_2 = _e156;
     loop {
         {
@@ -916,11 +916,11 @@ fn gabor_impl_filtered_wide(place: GaborPlace, wave: vec2<f32>, s: vec3<f32>, wa
     let _e309 = lambda;
     let _e313 = exponent_1;
     if false {
-        local_22 = 1f;
+        local_21 = 1f;
     } else {
-        local_22 = 1.125f;
+        local_21 = 1.125f;
     }
-    let _e327 = local_22;
+    let _e327 = local_21;
     scale = ((sqrt((1f - (_e308 * _e309))) * exp(-(_e313))) / (1459955300000000000000000000f * _e327));
     let _e331 = scale;
     let _e332 = value_9;
@@ -1036,7 +1036,7 @@ fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, l
     var lobe_2: GaborLobe;
     var unit_2: vec2<f32>;
     var field_8: GaborField;
-    var local_23: f32;
+    var local_22: f32;
     lobes_5 = lobes;
     let _e15 = lobes_5;
     let _e16 = gabor_impl_lobes_power(_e15);
@@ -1068,11 +1068,11 @@ fn gabor_field_lobes_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, l
             if (_e56 > 0f) {
                 let _e59 = lobe_2;
                 let _e61 = power_4;
-                local_23 = sqrt((_e59.power / _e61));
+                local_22 = sqrt((_e59.power / _e61));
             } else {
-                local_23 = 0f;
+                local_22 = 0f;
             }
-            let _e66 = local_23;
+            let _e66 = local_22;
             let _e67 = unit_2;
             gabor_impl_add_field((&sum_12), _e55, _e66, _e67);
         }
@@ -1213,7 +1213,7 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     var s_6: vec3<f32>;
     var kept: f32;
     var field_9: GaborField;
-    var local_24: f32;
+    var local_23: f32;
     var amplitude_3: f32;
     var stretch_5: vec2<f32>;
     var unit_4: vec2<f32>;
@@ -1261,11 +1261,11 @@ fn gabor_field_isotropic_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32
     let _e49 = s_6;
     s_6 = (_e35 * (0.04f / max((0.5f * ((_e38.x + _e40.y) + length(vec2<f32>((_e43.x - _e45.y), (2f * _e49.z))))), 0.04f)));
     if false {
-        local_24 = 1f;
+        local_23 = 1f;
     } else {
-        local_24 = 1.125f;
+        local_23 = 1.125f;
     }
-    let _e71 = local_24;
+    let _e71 = local_23;
     let _e74 = kept;
     let _e75 = frequency_16;
     let _e76 = s_6;

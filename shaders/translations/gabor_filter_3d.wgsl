@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 02500dced7903e57.
+// naga 30.0.1 made it from GLSL with the digest f4b34c9558cfbd9a.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
 //
@@ -95,9 +95,9 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var first_3: GaborFilteredLine;
     var slice_3: GaborFilteredLine;
     var none_1: GaborFactors = GaborFactors(vec3(0f), vec3(0f));
-    var local_44: i32;
+    var local_43: i32;
     var rows_3: i32;
-    var local_45: i32;
+    var local_44: i32;
     var slices: i32;
     var value_12: vec2<f32> = vec2(0f);
     var next_x_1: vec2<f32> = vec2(0f);
@@ -117,9 +117,9 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     var imaginary_3: vec3<f32>;
     var quarter_1: vec3<f32>;
     var exponent_2: f32;
-    var local_46: f32;
+    var local_45: f32;
     var scale_3: f32;
-    var local_47: f32;
+    var local_46: f32;
     m_4 = GaborMatrix((s.diagonal + vec3(0.13069098f)), s.mixed);
     let _e13 = m_4;
     let _e16 = gabor_impl_adjugate(_e13, (&determinant_1));
@@ -179,19 +179,19 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     slice_3 = _e168;
     if wanted {
         let _e176 = y_15;
-        local_44 = _e176.count;
+        local_43 = _e176.count;
     } else {
-        local_44 = 0i;
+        local_43 = 0i;
     }
-    let _e180 = local_44;
+    let _e180 = local_43;
     rows_3 = _e180;
     if wanted {
         let _e182 = z_8;
-        local_45 = _e182.count;
+        local_44 = _e182.count;
     } else {
-        local_45 = 0i;
+        local_44 = 0i;
     }
-    let _e186 = local_45;
+    let _e186 = local_44;
     slices = _e186;
     loop {
         {
@@ -340,20 +340,20 @@ fn gabor_impl_filtered_wide_3d(place: GaborPlace3d, wave: vec3<f32>, s: GaborMat
     exponent_2 = (19.739208f * (dot((wave + _e373), _e375) + dot(_e377, (_e378 * _e379))));
     let _e386 = determinant_1;
     if false {
-        local_46 = 1f;
+        local_45 = 1f;
     } else {
-        local_46 = 1.125f;
+        local_45 = 1.125f;
     }
-    let _e397 = local_46;
+    let _e397 = local_45;
     let _e400 = exponent_2;
     scale_3 = (sqrt(((8f / _e386) / _e397)) * exp(-(_e400)));
     let _e405 = scale_3;
     if false {
-        local_47 = 1f;
+        local_46 = 1f;
     } else {
-        local_47 = 1.125f;
+        local_46 = 1.125f;
     }
-    let _e416 = local_47;
+    let _e416 = local_46;
     scale_3 = (_e405 / (1459955300000000000000000000f * _e416));
     let _e419 = scale_3;
     let _e420 = value_12;
@@ -626,32 +626,32 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
 fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var surface_1: GaborSurface;
     var sum_29: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_48: i32;
+    var local_47: i32;
     var i_13: i32;
-    var local_49: i32;
-    var local_50: vec3<f32>;
+    var local_48: i32;
+    var local_49: vec3<f32>;
     var wave_27: vec3<f32>;
-    var local_51: f32;
+    var local_50: f32;
     var power_7: f32;
     let _e7 = gabor_impl_surface(normal, direction);
     surface_1 = _e7;
     let _e18 = surface_1;
     if (_e18.second < 1f) {
-        local_48 = 0i;
+        local_47 = 0i;
     } else {
-        local_48 = 1i;
+        local_47 = 1i;
     }
-    let _e25 = local_48;
+    let _e25 = local_47;
     i_13 = _e25;
     loop {
         let _e27 = i_13;
         let _e28 = surface_1;
         if (_e28.second > 0f) {
-            local_49 = 2i;
+            local_48 = 2i;
         } else {
-            local_49 = 1i;
+            local_48 = 1i;
         }
-        let _e35 = local_49;
+        let _e35 = local_48;
         if !((_e27 < _e35)) {
             break;
         }
@@ -659,22 +659,22 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32
             let _e42 = i_13;
             if (_e42 == 0i) {
                 let _e45 = surface_1;
-                local_50 = _e45.direction;
+                local_49 = _e45.direction;
             } else {
                 let _e47 = surface_1;
-                local_50 = _e47.other;
+                local_49 = _e47.other;
             }
-            let _e50 = local_50;
+            let _e50 = local_49;
             wave_27 = (abs(frequency) * _e50);
             let _e53 = i_13;
             if (_e53 == 0i) {
                 let _e57 = surface_1;
-                local_51 = (1f - _e57.second);
+                local_50 = (1f - _e57.second);
             } else {
                 let _e60 = surface_1;
-                local_51 = _e60.second;
+                local_50 = _e60.second;
             }
-            let _e63 = local_51;
+            let _e63 = local_50;
             let _e64 = gabor_impl_takeover(_e63);
             power_7 = _e64;
             let _e67 = wave_27;
@@ -977,9 +977,9 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     var y_j_1: GaborFilteredNode;
     var z_k_1: GaborFilteredNode;
     var row_11: vec4<u32>;
+    var local_51: f32;
     var local_52: f32;
     var local_53: f32;
-    var local_54: f32;
     frequency_27 = frequency;
     stretch_11 = (place.radius / vec3(1.5f));
     let _e15 = frequency_27;
@@ -1104,23 +1104,23 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     }
     let _e234 = amplitude_7;
     if tangents.only {
-        local_52 = 2f;
+        local_51 = 2f;
     } else {
-        local_52 = 3f;
+        local_51 = 3f;
     }
-    let _e239 = local_52;
+    let _e239 = local_51;
+    if false {
+        local_52 = 1f;
+    } else {
+        local_52 = 1.125f;
+    }
+    let _e249 = local_52;
     if false {
         local_53 = 1f;
     } else {
         local_53 = 1.125f;
     }
-    let _e249 = local_53;
-    if false {
-        local_54 = 1f;
-    } else {
-        local_54 = 1.125f;
-    }
-    let _e262 = local_54;
+    let _e262 = local_53;
     amplitude_7 = (_e234 * (inverseSqrt((_e239 * _e249)) / (1459955300000000000000000000f * _e262)));
     let _e267 = sum_33;
     let _e268 = amplitude_7;
@@ -1140,10 +1140,10 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy
     var normal_9: vec3<f32>;
     var aside_1: f32;
     var sum_34: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_55: i32;
+    var local_54: i32;
     var i_15: i32;
-    var local_56: i32;
-    var local_57: f32;
+    var local_55: i32;
+    var local_56: f32;
     var power_8: f32;
     var field_14: GaborField3d;
     normal_9 = normal;
@@ -1155,21 +1155,21 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy
     aside_1 = dot(_e9.xy, _e11.xy);
     let _e24 = aside_1;
     if (_e24 > 0.25f) {
-        local_55 = 0i;
+        local_54 = 0i;
     } else {
-        local_55 = 1i;
+        local_54 = 1i;
     }
-    let _e30 = local_55;
+    let _e30 = local_54;
     i_15 = _e30;
     loop {
         let _e32 = i_15;
         let _e33 = aside_1;
         if (_e33 < 0.5f) {
-            local_56 = 2i;
+            local_55 = 2i;
         } else {
-            local_56 = 1i;
+            local_55 = 1i;
         }
-        let _e39 = local_56;
+        let _e39 = local_55;
         if !((_e32 < _e39)) {
             break;
         }
@@ -1177,12 +1177,12 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy
             let _e45 = i_15;
             if (_e45 == 0i) {
                 let _e50 = aside_1;
-                local_57 = smoothstep(0.25f, 0.5f, _e50);
+                local_56 = smoothstep(0.25f, 0.5f, _e50);
             } else {
                 let _e55 = aside_1;
-                local_57 = (1f - smoothstep(0.25f, 0.5f, _e55));
+                local_56 = (1f - smoothstep(0.25f, 0.5f, _e55));
             }
-            let _e59 = local_57;
+            let _e59 = local_56;
             let _e60 = gabor_impl_takeover(_e59);
             power_8 = _e60;
             let _e62 = normal_9;

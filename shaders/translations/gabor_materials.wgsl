@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest ede54477fa874d10.
+// naga 30.0.1 made it from GLSL with the digest d0b52cbd9a4e99d6.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //
@@ -237,13 +237,13 @@ struct GaborPixel {
 }
 
 fn gabor_impl_pixel_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>) -> GaborPixel {
-    var local_25: vec2<f32>;
+    var local_24: vec2<f32>;
     if (period.x > 0f) {
-        local_25 = (p - (period * floor((p / period))));
+        local_24 = (p - (period * floor((p / period))));
     } else {
-        local_25 = p;
+        local_24 = p;
     }
-    let _e12 = local_25;
+    let _e12 = local_24;
     return GaborPixel(_e12, dx, dy, period);
 }
 
@@ -338,7 +338,7 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     var slope_y_1: vec4<f32>;
     var value_12: vec2<f32> = vec2(0f);
     var slope_10: vec4<f32> = vec4(0f);
-    var local_26: f32;
+    var local_25: f32;
     var scale_1: f32;
     var stretch_6: vec2<f32>;
     zero_2 = floor((place.local + vec2(0.5f)));
@@ -380,11 +380,11 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     let _e108 = slope_y_1;
     gabor_impl_add_spots((&value_12), (&slope_10), (_e100 * _e101.z), _e104, _e105, _e106.z, _e108.z);
     if false {
-        local_26 = 1f;
+        local_25 = 1f;
     } else {
-        local_26 = 1.125f;
+        local_25 = 1.125f;
     }
-    let _e123 = local_26;
+    let _e123 = local_25;
     scale_1 = (1f / (1459955300000000000000000000f * _e123));
     let _e127 = scale_1;
     stretch_6 = ((_e127 * place.radius) / vec2(1.5f));
@@ -457,12 +457,12 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
     var period_8: vec2<f32> = vec2(0f);
     var whole: vec2<f32>;
     var size: vec2<f32>;
+    var local_26: f32;
     var local_27: f32;
-    var local_28: f32;
     var signs: vec2<f32>;
+    var local_28: vec2<f32>;
     var local_29: vec2<f32>;
     var local_30: vec2<f32>;
-    var local_31: vec2<f32>;
     var other: vec2<f32>;
     let _e4 = gabor_impl_wave((0.15915494f * angle));
     turn_10 = _e4;
@@ -479,18 +479,18 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
             size = abs(_e33);
             let _e36 = whole;
             if (_e36.x < 0f) {
+                local_26 = -1f;
+            } else {
+                local_26 = 1f;
+            }
+            let _e44 = local_26;
+            let _e45 = whole;
+            if (_e45.y < 0f) {
                 local_27 = -1f;
             } else {
                 local_27 = 1f;
             }
-            let _e44 = local_27;
-            let _e45 = whole;
-            if (_e45.y < 0f) {
-                local_28 = -1f;
-            } else {
-                local_28 = 1f;
-            }
-            let _e53 = local_28;
+            let _e53 = local_27;
             signs = vec2<f32>(_e44, _e53);
             let _e56 = size;
             let _e58 = size;
@@ -510,26 +510,26 @@ fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
                 let _e88 = size;
                 if (_e86.x > _e88.y) {
                     let _e91 = signs;
-                    local_29 = _e91;
+                    local_28 = _e91;
                 } else {
                     let _e92 = signs;
-                    local_29 = -(_e92);
+                    local_28 = -(_e92);
                 }
-                let _e95 = local_29;
-                local_31 = _e95;
+                let _e95 = local_28;
+                local_30 = _e95;
             } else {
                 let _e96 = size;
                 if (_e96.x == 1f) {
                     let _e101 = whole;
-                    local_30 = vec2<f32>(0f, _e101.x);
+                    local_29 = vec2<f32>(0f, _e101.x);
                 } else {
                     let _e104 = whole;
-                    local_30 = vec2<f32>(-(_e104.y), 0f);
+                    local_29 = vec2<f32>(-(_e104.y), 0f);
                 }
-                let _e110 = local_30;
-                local_31 = _e110;
+                let _e110 = local_29;
+                local_30 = _e110;
             }
-            let _e112 = local_31;
+            let _e112 = local_30;
             other = _e112;
             let _e115 = whole;
             period_8.x = length((_e115 * at.period));
@@ -865,7 +865,7 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     var next_y_1: vec2<f32> = vec2(0f);
     var edge_x_1: vec2<f32> = vec2(0f);
     var edge_y_1: vec2<f32> = vec2(0f);
-    var local_33: i32;
+    var local_32: i32;
     var rows_4: i32;
     var j_5: i32 = 0i;
     var y_15: GaborSpotsLine;
@@ -875,7 +875,7 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     var before_1: vec2<f32>;
     var x_20: vec2<f32>;
     var y_16: vec2<f32>;
-    var local_34: f32;
+    var local_33: f32;
     var scale_2: f32;
     m_3 = (s.xy + vec2(0.13069098f));
     let _e10 = m_3;
@@ -920,11 +920,11 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     }
     if wanted {
         let _e119 = along_1;
-        local_33 = _e119.count;
+        local_32 = _e119.count;
     } else {
-        local_33 = 0i;
+        local_32 = 0i;
     }
-    let _e123 = local_33;
+    let _e123 = local_32;
     rows_4 = _e123;
     loop {
         {
@@ -1019,11 +1019,11 @@ fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u3
     let _e310 = lambda_1;
     let _e311 = lambda_1;
     if false {
-        local_34 = 1f;
+        local_33 = 1f;
     } else {
-        local_34 = 1.125f;
+        local_33 = 1.125f;
     }
-    let _e325 = local_34;
+    let _e325 = local_33;
     scale_2 = (sqrt((1f - (_e310 * _e311))) / (1459955300000000000000000000f * _e325));
     let _e329 = scale_2;
     let _e330 = value_15;
@@ -1043,7 +1043,7 @@ fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3<f32>, salt: u32) -> GaborF
     var y_17: GaborSpotsAxis;
     var sum_19: vec4<f32> = vec4(0f);
     var along_y_5: vec2<f32> = vec2(0f);
-    var local_35: f32;
+    var local_34: f32;
     var scale_3: f32;
     let _e10 = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
     x_21 = _e10;
@@ -1062,11 +1062,11 @@ fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3<f32>, salt: u32) -> GaborF
     let _e57 = y_17;
     gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e53, _e54.word.z, _e57.last, s.z);
     if false {
-        local_35 = 1f;
+        local_34 = 1f;
     } else {
-        local_35 = 1.125f;
+        local_34 = 1.125f;
     }
-    let _e73 = local_35;
+    let _e73 = local_34;
     scale_3 = (1f / (1459955300000000000000000000f * _e73));
     let _e77 = scale_3;
     let _e78 = sum_19;
@@ -1542,18 +1542,18 @@ fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborWarpe
 
 // Pores, fibres and tone.
 fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborWarped, seed: u32) -> GaborLayer {
-    var local_36: vec2<f32>;
+    var local_35: vec2<f32>;
     if (i == 2i) {
         let _e11 = gabor_impl_spots_layer(2i, board, vec2<f32>(3.5f, 0.35f), seed, 5i);
         return _e11;
     }
     let _e12 = gabor_impl_unwarped(pixel);
     if (i == 0i) {
-        local_36 = vec2<f32>(90f, 4.5f);
+        local_35 = vec2<f32>(90f, 4.5f);
     } else {
-        local_36 = vec2<f32>(150f, 2f);
+        local_35 = vec2<f32>(150f, 2f);
     }
-    let _e22 = local_36;
+    let _e22 = local_35;
     let _e25 = gabor_impl_spots_layer(i, _e12, _e22, seed, (3i + i));
     return _e25;
 }
@@ -1564,7 +1564,7 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     var kept_2: f32;
     var ring: vec3<f32>;
     var pores: vec3<f32>;
-    var within_2: vec3<f32>;
+    var within_1: vec3<f32>;
     var deep: vec3<f32>;
     var early: f32;
     var late: f32;
@@ -1591,9 +1591,9 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e50 = gabor_impl_above(of.a.second, of.a.removed, 1.1f, 0.25f);
     pores = (wood.pores * _e50);
     let _e58 = ring;
-    within_2 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e58));
+    within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e58));
     let _e62 = pores;
-    let _e63 = within_2;
+    let _e63 = within_1;
     let _e64 = gabor_impl_times(_e62, _e63);
     deep = _e64;
     let _e67 = ring;
@@ -1614,7 +1614,7 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e120 = ring;
     let _e123 = deep;
     height_1 = (((0.0006f * _e120) - (0.0024f * _e123)) + (0.0002f * of.b.second));
-    let _e135 = within_2;
+    let _e135 = within_1;
     depth = ((0.0024f * wood.pores) * _e135.x);
     let _e140 = years;
     let _e142 = kept_2;
@@ -1683,28 +1683,28 @@ fn gabor_impl_cloth(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborW
 
 // The thickness and course of threads along y and x, and their fibres.
 fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
+    var local_36: vec2<f32>;
     var local_37: vec2<f32>;
     var local_38: vec2<f32>;
-    var local_39: vec2<f32>;
     var density_5: vec2<f32>;
     if (i == 0i) {
-        local_39 = vec2<f32>((0.7f * count.x), 1.1f);
+        local_38 = vec2<f32>((0.7f * count.x), 1.1f);
     } else {
         if (i == 1i) {
-            local_38 = vec2<f32>(1.1f, (0.7f * count.y));
+            local_37 = vec2<f32>(1.1f, (0.7f * count.y));
         } else {
             if (i == 2i) {
-                local_37 = (vec2<f32>(14f, 2f) * count);
+                local_36 = (vec2<f32>(14f, 2f) * count);
             } else {
-                local_37 = (vec2<f32>(2f, 14f) * count);
+                local_36 = (vec2<f32>(2f, 14f) * count);
             }
-            let _e29 = local_37;
-            local_38 = _e29;
+            let _e29 = local_36;
+            local_37 = _e29;
         }
-        let _e31 = local_38;
-        local_39 = _e31;
+        let _e31 = local_37;
+        local_38 = _e31;
     }
-    let _e33 = local_39;
+    let _e33 = local_38;
     density_5 = _e33;
     let _e35 = density_5;
     let _e38 = gabor_impl_spots_layer(i, cloth, _e35, seed, (1i + i));
@@ -1718,8 +1718,8 @@ fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend
     var side_2: f32;
     var turn_12: f32;
     var slope_15: vec2<f32>;
-    var local_40: f32;
-    var local_41: vec2<f32>;
+    var local_39: f32;
+    var local_40: vec2<f32>;
     square_2 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
     let _e14 = square_2;
     side_2 = sqrt(max(_e14, 0f));
@@ -1729,20 +1729,20 @@ fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend
     let _e38 = side_2;
     let _e39 = square_2;
     if (_e39 < 0f) {
-        local_40 = 2f;
+        local_39 = 2f;
     } else {
-        local_40 = 1f;
+        local_39 = 1f;
     }
-    let _e45 = local_40;
+    let _e45 = local_39;
     let _e49 = turn_12;
     let _e53 = square_2;
     if (_e53 < 0f) {
-        local_41 = vec2(0f);
+        local_40 = vec2(0f);
     } else {
         let _e58 = slope_15;
-        local_41 = _e58;
+        local_40 = _e58;
     }
-    let _e60 = local_41;
+    let _e60 = local_40;
     let _e63 = turn_12;
     let _e68 = (_e60 - (((1.727876f * bend) * sin(_e63)) * along.yz));
     return vec3<f32>(((_e38 - _e45) + ((0.55f * bend) * cos(_e49))), _e68.x, _e68.y);
@@ -1756,23 +1756,23 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var x_27: vec3<f32>;
     var y_19: vec3<f32>;
     var kept_3: f32;
-    var local_42: f32;
+    var local_41: f32;
     var parity: f32;
     var along_y_6: vec3<f32>;
     var along_x_4: vec3<f32>;
     var first_3: bool;
-    var local_43: vec3<f32>;
+    var local_42: vec3<f32>;
     var top: vec3<f32>;
-    var local_44: vec3<f32>;
+    var local_43: vec3<f32>;
     var fibre: vec3<f32>;
-    var local_45: vec3<f32>;
+    var local_44: vec3<f32>;
     var lost_5: vec3<f32>;
+    var local_45: f32;
     var local_46: f32;
     var local_47: f32;
-    var local_48: f32;
     var tones_1: vec2<f32>;
     var light: f32;
-    var local_49: f32;
+    var local_48: f32;
     var colour_3: vec3<f32>;
     var height_2: vec3<f32>;
     var at_9: vec3<f32>;
@@ -1802,11 +1802,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e45 = x_27;
     let _e48 = y_19;
     if (fract((0.5f * (floor(_e45.x) + floor(_e48.x)))) > 0.25f) {
-        local_42 = -1f;
+        local_41 = -1f;
     } else {
-        local_42 = 1f;
+        local_41 = 1f;
     }
-    let _e60 = local_42;
+    let _e60 = local_41;
     parity = _e60;
     let _e63 = x_27;
     let _e65 = x_27;
@@ -1834,28 +1834,28 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e113 = first_3;
     if _e113 {
         let _e114 = along_y_6;
-        local_43 = _e114;
+        local_42 = _e114;
     } else {
         let _e115 = along_x_4;
-        local_43 = _e115;
+        local_42 = _e115;
     }
-    let _e117 = local_43;
+    let _e117 = local_42;
     top = _e117;
     let _e119 = first_3;
     if _e119 {
-        local_44 = of.c.second;
+        local_43 = of.c.second;
     } else {
-        local_44 = of.d.second;
+        local_43 = of.d.second;
     }
-    let _e125 = local_44;
+    let _e125 = local_43;
     fibre = _e125;
     let _e127 = first_3;
     if _e127 {
-        local_45 = of.c.lost;
+        local_44 = of.c.lost;
     } else {
-        local_45 = of.d.lost;
+        local_44 = of.d.lost;
     }
-    let _e133 = local_45;
+    let _e133 = local_44;
     lost_5 = _e133;
     let _e135 = top;
     if (_e135.x < -1.3f) {
@@ -1863,28 +1863,28 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     }
     let _e145 = first_3;
     if _e145 {
-        local_46 = of.a.second.x;
+        local_45 = of.a.second.x;
     } else {
-        local_46 = of.b.second.x;
+        local_45 = of.b.second.x;
     }
-    let _e153 = local_46;
+    let _e153 = local_45;
     let _e154 = first_3;
     if _e154 {
-        local_47 = of.a.removed;
+        local_46 = of.a.removed;
     } else {
-        local_47 = of.b.removed;
+        local_46 = of.b.removed;
     }
-    let _e160 = local_47;
+    let _e160 = local_46;
     let _e162 = uneven;
     let _e164 = gabor_impl_tone(_e153, _e160, (0.09f * _e162));
     let _e165 = fibre;
     let _e167 = first_3;
     if _e167 {
-        local_48 = of.c.removed;
+        local_47 = of.c.removed;
     } else {
-        local_48 = of.d.removed;
+        local_47 = of.d.removed;
     }
-    let _e173 = local_48;
+    let _e173 = local_47;
     let _e175 = gabor_impl_tone(_e165.x, _e173, 0.12f);
     tones_1 = (_e164 + _e175);
     let _e179 = uneven;
@@ -1894,11 +1894,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     light = mix((0.8572f + (_e179 * (0.005f + (0.0083f * _e182)))), smoothstep(-1.3f, 0.5f, _e190.x), _e193);
     let _e199 = first_3;
     if _e199 {
-        local_49 = 1f;
+        local_48 = 1f;
     } else {
-        local_49 = 0f;
+        local_48 = 0f;
     }
-    let _e203 = local_49;
+    let _e203 = local_48;
     let _e204 = kept_3;
     let _e210 = light;
     colour_3 = (mix(fabric.weft, fabric.warp, vec3(mix(0.5f, _e203, _e204))) * mix(0.18f, 1f, _e210));
@@ -2033,13 +2033,13 @@ fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
 
 // The fibres of tows along y and x.
 fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
-    var local_50: vec2<f32>;
+    var local_49: vec2<f32>;
     if (i == 0i) {
-        local_50 = vec2<f32>(20f, 0.6f);
+        local_49 = vec2<f32>(20f, 0.6f);
     } else {
-        local_50 = vec2<f32>(0.6f, 20f);
+        local_49 = vec2<f32>(0.6f, 20f);
     }
-    let _e13 = local_50;
+    let _e13 = local_49;
     let _e17 = gabor_impl_spots_layer(i, cloth, (_e13 * count), seed, (1i + i));
     return _e17;
 }
@@ -2052,20 +2052,20 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     var unit_6: f32;
     var turn_14: f32;
     var first_4: bool;
-    var local_51: vec3<f32>;
+    var local_50: vec3<f32>;
     var fibre_1: vec3<f32>;
-    var local_52: vec3<f32>;
+    var local_51: vec3<f32>;
     var lost_6: vec3<f32>;
-    var local_53: vec3<f32>;
+    var local_52: vec3<f32>;
     var along_3: vec3<f32>;
-    var local_54: vec3<f32>;
+    var local_53: vec3<f32>;
     var across_3: vec3<f32>;
-    var local_55: f32;
+    var local_54: f32;
     var cube: f32;
     var arch: f32;
     var wave_17: vec2<f32>;
     var bulge: vec3<f32>;
-    var local_56: f32;
+    var local_55: f32;
     var colour_4: vec3<f32>;
     let _e6 = gabor_impl_along_x(cloth);
     x_28 = (count.x * _e6);
@@ -2089,48 +2089,48 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     first_4 = (_e52 < 1.5f);
     let _e56 = first_4;
     if _e56 {
-        local_51 = of.a.first;
+        local_50 = of.a.first;
     } else {
-        local_51 = of.b.first;
+        local_50 = of.b.first;
     }
-    let _e62 = local_51;
+    let _e62 = local_50;
     fibre_1 = _e62;
     let _e64 = first_4;
     if _e64 {
-        local_52 = of.a.lost;
+        local_51 = of.a.lost;
     } else {
-        local_52 = of.b.lost;
+        local_51 = of.b.lost;
     }
-    let _e70 = local_52;
+    let _e70 = local_51;
     lost_6 = _e70;
     let _e73 = first_4;
     if _e73 {
         let _e74 = y_20;
-        local_53 = _e74;
+        local_52 = _e74;
     } else {
         let _e75 = x_28;
-        local_53 = _e75;
+        local_52 = _e75;
     }
-    let _e77 = local_53;
+    let _e77 = local_52;
     along_3 = (0.5f * _e77);
     let _e81 = first_4;
     if _e81 {
         let _e82 = x_28;
-        local_54 = _e82;
+        local_53 = _e82;
     } else {
         let _e83 = y_20;
-        local_54 = _e83;
+        local_53 = _e83;
     }
-    let _e85 = local_54;
+    let _e85 = local_53;
     across_3 = (2f * _e85);
     let _e89 = along_3;
     let _e92 = turn_14;
     if (fract(((0.5f * _e92) + 0.25f)) < 0.5f) {
-        local_55 = 0f;
+        local_54 = 0f;
     } else {
-        local_55 = 0.5f;
+        local_54 = 0.5f;
     }
-    let _e102 = local_55;
+    let _e102 = local_54;
     along_3.x = (_e89.x + _e102);
     let _e105 = across_3;
     across_3.x = (_e105.x - 1f);
@@ -2160,11 +2160,11 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     let _e177 = fibre_1;
     let _e179 = first_4;
     if _e179 {
-        local_56 = of.a.removed;
+        local_55 = of.a.removed;
     } else {
-        local_56 = of.b.removed;
+        local_55 = of.b.removed;
     }
-    let _e185 = local_56;
+    let _e185 = local_55;
     let _e187 = gabor_impl_tone(_e177.x, _e185, fibres.contrast);
     let _e188 = gabor_impl_toned((fibres.colour * (0.35f + (0.65f * _e172.x))), _e187);
     colour_4 = _e188;
@@ -2238,7 +2238,7 @@ fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabor
 
 // Three octaves of fine grain, the tone, and the first two waves.
 fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leather: GaborLeather, seed: u32) -> GaborLayer {
-    var local_57: f32;
+    var local_56: f32;
     if (i < 3i) {
         let _e7 = gabor_impl_unwarped(pixel);
         let _e13 = gabor_lobe_seed(seed, 4i);
@@ -2251,11 +2251,11 @@ fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leathe
         return _e22;
     }
     if (i == 4i) {
-        local_57 = 0.2f;
+        local_56 = 0.2f;
     } else {
-        local_57 = 2.2944f;
+        local_56 = 2.2944f;
     }
-    let _e35 = local_57;
+    let _e35 = local_56;
     let _e38 = gabor_impl_waves_layer((i - 2i), skin, vec2((leather.cells / 1.6f)), 1.6f, _e35, seed, (i - 2i));
     return _e38;
 }
@@ -2455,12 +2455,12 @@ fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborW
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: u32) -> GaborLayer {
+    var local_57: vec3<f32>;
     var local_58: vec3<f32>;
     var local_59: vec3<f32>;
-    var local_60: vec3<f32>;
     var vein: vec3<f32>;
+    var local_60: i32;
     var local_61: i32;
-    var local_62: i32;
     if (i < 3i) {
         let _e11 = gabor_lobe_seed(seed, 8i);
         let _e12 = gabor_impl_octave(stone, vec2(1.5f), i, 3i, 0.6f, _e11);
@@ -2472,39 +2472,39 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
         return _e20;
     }
     if (i == 4i) {
-        local_60 = vec3<f32>(1.9f, 0.95f, -0.45f);
+        local_59 = vec3<f32>(1.9f, 0.95f, -0.45f);
     } else {
         if (i == 5i) {
-            local_59 = vec3<f32>(0.95f, 0.85f, 0.65f);
+            local_58 = vec3<f32>(0.95f, 0.85f, 0.65f);
         } else {
             if (i == 6i) {
-                local_58 = vec3<f32>(4.5f, 0.95f, 0.95f);
+                local_57 = vec3<f32>(4.5f, 0.95f, 0.95f);
             } else {
-                local_58 = vec3<f32>(13f, 0.9f, 0.2f);
+                local_57 = vec3<f32>(13f, 0.9f, 0.2f);
             }
-            let _e45 = local_58;
-            local_59 = _e45;
+            let _e45 = local_57;
+            local_58 = _e45;
         }
-        let _e47 = local_59;
-        local_60 = _e47;
+        let _e47 = local_58;
+        local_59 = _e47;
     }
-    let _e49 = local_60;
+    let _e49 = local_59;
     vein = _e49;
     let _e52 = vein;
     let _e55 = vein;
     let _e57 = vein;
     if (i == 4i) {
-        local_62 = 5i;
+        local_61 = 5i;
     } else {
         if (i == 5i) {
-            local_61 = 4i;
+            local_60 = 4i;
         } else {
-            local_61 = i;
+            local_60 = i;
         }
-        let _e66 = local_61;
-        local_62 = _e66;
+        let _e66 = local_60;
+        local_61 = _e66;
     }
-    let _e68 = local_62;
+    let _e68 = local_61;
     let _e69 = gabor_impl_waves_layer(2i, stone, vec2(_e52.x), _e55.y, _e57.z, seed, _e68);
     return _e69;
 }
@@ -2526,72 +2526,72 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborPair) {
-    var local_63: f32;
+    var local_62: f32;
+    var local_63: vec2<f32>;
     var local_64: vec2<f32>;
-    var local_65: vec2<f32>;
     var width_8: vec2<f32>;
+    var local_65: vec2<f32>;
     var local_66: vec2<f32>;
-    var local_67: vec2<f32>;
     var strength: vec2<f32>;
+    var local_67: f32;
     var local_68: f32;
     var local_69: f32;
-    var local_70: f32;
     var open: f32;
     var halo: vec3<f32>;
+    var local_70: f32;
     var local_71: f32;
     var local_72: f32;
-    var local_73: f32;
     var core: vec3<f32>;
     if (i == 4i) {
-        local_65 = vec2<f32>(0.25f, 0.035f);
+        local_64 = vec2<f32>(0.25f, 0.035f);
     } else {
         if (i == 5i) {
-            local_64 = vec2<f32>(0.35f, 0.05f);
+            local_63 = vec2<f32>(0.35f, 0.05f);
         } else {
             if (i == 6i) {
-                local_63 = 0.04f;
+                local_62 = 0.04f;
             } else {
-                local_63 = 0.05f;
+                local_62 = 0.05f;
             }
-            let _e20 = local_63;
-            local_64 = vec2<f32>(1f, _e20);
+            let _e20 = local_62;
+            local_63 = vec2<f32>(1f, _e20);
         }
-        let _e23 = local_64;
-        local_65 = _e23;
+        let _e23 = local_63;
+        local_64 = _e23;
     }
-    let _e25 = local_65;
+    let _e25 = local_64;
     width_8 = _e25;
     if (i == 4i) {
-        local_67 = vec2<f32>(0.6f, 0.6f);
+        local_66 = vec2<f32>(0.6f, 0.6f);
     } else {
         if (i == 5i) {
-            local_66 = vec2<f32>(0.55f, 0.75f);
+            local_65 = vec2<f32>(0.55f, 0.75f);
         } else {
-            local_66 = vec2<f32>(0f, 0.45f);
+            local_65 = vec2<f32>(0f, 0.45f);
         }
-        let _e42 = local_66;
-        local_67 = _e42;
+        let _e42 = local_65;
+        local_66 = _e42;
     }
-    let _e44 = local_67;
+    let _e44 = local_66;
     strength = (marble.veins * _e44);
     if (i == 4i) {
-        local_70 = 0.5f;
+        local_69 = 0.5f;
     } else {
         if (i == 5i) {
-            local_69 = -0.4f;
+            local_68 = -0.4f;
         } else {
             if (i == 6i) {
-                local_68 = 0.8f;
+                local_67 = 0.8f;
             } else {
-                local_68 = 1.1f;
+                local_67 = 1.1f;
             }
-            let _e61 = local_68;
-            local_69 = _e61;
+            let _e61 = local_67;
+            local_68 = _e61;
         }
-        let _e63 = local_69;
-        local_70 = _e63;
+        let _e63 = local_68;
+        local_69 = _e63;
     }
-    let _e65 = local_70;
+    let _e65 = local_69;
     let _e67 = gabor_impl_above(vein.second, vein.removed, _e65, 0.5f);
     open = _e67.x;
     let _e71 = strength;
@@ -2607,23 +2607,23 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
     strength.x = (_e83.x * ((_e85 * _e90.x) - _e93.y));
     halo = mix(marble.stone, marble.vein, vec3(0.65f));
     if (i == 4i) {
-        local_73 = 0.9f;
+        local_72 = 0.9f;
     } else {
         if (i == 5i) {
-            local_72 = 1f;
+            local_71 = 1f;
         } else {
             if (i == 6i) {
-                local_71 = 0.65f;
+                local_70 = 0.65f;
             } else {
-                local_71 = 0.45f;
+                local_70 = 0.45f;
             }
-            let _e116 = local_71;
-            local_72 = _e116;
+            let _e116 = local_70;
+            local_71 = _e116;
         }
-        let _e118 = local_72;
-        local_73 = _e118;
+        let _e118 = local_71;
+        local_72 = _e118;
     }
-    let _e120 = local_73;
+    let _e120 = local_72;
     core = mix(marble.stone, marble.vein, vec3(_e120));
     let _e125 = (*stone);
     let _e127 = strength;
@@ -3414,9 +3414,9 @@ fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborWa
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata: GaborStrata, seed: u32) -> GaborLayer {
+    var local_73: vec2<f32>;
     var local_74: vec2<f32>;
     var local_75: vec2<f32>;
-    var local_76: vec2<f32>;
     var density_8: vec2<f32>;
     if (i < 4i) {
         let _e7 = gabor_impl_unwarped(pixel);
@@ -3425,23 +3425,23 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
         return _e15;
     }
     if (i == 4i) {
-        local_76 = vec2<f32>(0.1f, 0.33333334f);
+        local_75 = vec2<f32>(0.1f, 0.33333334f);
     } else {
         if (i == 5i) {
-            local_75 = vec2<f32>(0.14f, 1f);
+            local_74 = vec2<f32>(0.14f, 1f);
         } else {
             if (i == 6i) {
-                local_74 = vec2<f32>(0.25f, 2.8333333f);
+                local_73 = vec2<f32>(0.25f, 2.8333333f);
             } else {
-                local_74 = vec2<f32>(0.6f, 8.333333f);
+                local_73 = vec2<f32>(0.6f, 8.333333f);
             }
-            let _e35 = local_74;
-            local_75 = _e35;
+            let _e35 = local_73;
+            local_74 = _e35;
         }
-        let _e37 = local_75;
-        local_76 = _e37;
+        let _e37 = local_74;
+        local_75 = _e37;
     }
-    let _e39 = local_76;
+    let _e39 = local_75;
     density_8 = _e39;
     let _e43 = density_8;
     let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));

@@ -1,5 +1,5 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 02c78ae5c286b33c.
+// naga 30.0.1 made it from GLSL with the digest 9a4c6d3aa850c29e.
 //
 // gabor_noise_3d.wgsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
 // distribution at every point.
@@ -188,24 +188,24 @@ fn gabor_impl_field_3d(sum: vec4<f32>, slopes: vec4<f32>, turn: vec2<f32>, wave:
     var sum_9: vec4<f32>;
     var slopes_2: vec4<f32>;
     var turn_7: vec2<f32>;
+    var local_12: f32;
     var local_13: f32;
-    var local_14: f32;
     sum_9 = sum;
     slopes_2 = slopes;
     turn_7 = turn;
     let _e7 = turn_7;
     if false {
+        local_12 = 1f;
+    } else {
+        local_12 = 1.125f;
+    }
+    let _e17 = local_12;
+    if false {
         local_13 = 1f;
     } else {
         local_13 = 1.125f;
     }
-    let _e17 = local_13;
-    if false {
-        local_14 = 1f;
-    } else {
-        local_14 = 1.125f;
-    }
-    let _e29 = local_14;
+    let _e29 = local_13;
     turn_7 = (_e7 * (inverseSqrt(_e17) / (1459955300000000000000000000f * _e29)));
     let _e33 = sum_9;
     let _e35 = turn_7;
@@ -320,7 +320,7 @@ struct GaborSurface {
 fn gabor_impl_surface(normal: vec3<f32>, direction: vec3<f32>) -> GaborSurface {
     var normal_1: vec3<f32>;
     var direction_2: vec3<f32>;
-    var local_15: vec3<f32>;
+    var local_14: vec3<f32>;
     var other: vec3<f32>;
     var second_2: f32;
     normal_1 = normal;
@@ -334,11 +334,11 @@ fn gabor_impl_surface(normal: vec3<f32>, direction: vec3<f32>) -> GaborSurface {
     let _e8 = direction_2;
     let _e9 = direction_2;
     if (abs(_e9.z) < 0.7f) {
-        local_15 = vec3<f32>(0f, 0f, 1f);
+        local_14 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_15 = vec3<f32>(1f, 0f, 0f);
+        local_14 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e23 = local_15;
+    let _e23 = local_14;
     other = cross(_e8, _e23);
     let _e26 = direction_2;
     let _e27 = direction_2;
@@ -364,32 +364,32 @@ fn gabor_impl_surface(normal: vec3<f32>, direction: vec3<f32>) -> GaborSurface {
 fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var surface: GaborSurface;
     var sum_11: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_16: i32;
+    var local_15: i32;
     var i: i32;
-    var local_17: i32;
-    var local_18: vec3<f32>;
+    var local_16: i32;
+    var local_17: vec3<f32>;
     var wave_8: vec3<f32>;
-    var local_19: f32;
+    var local_18: f32;
     var power_1: f32;
     let _e5 = gabor_impl_surface(normal, direction);
     surface = _e5;
     let _e16 = surface;
     if (_e16.second < 1f) {
-        local_16 = 0i;
+        local_15 = 0i;
     } else {
-        local_16 = 1i;
+        local_15 = 1i;
     }
-    let _e23 = local_16;
+    let _e23 = local_15;
     i = _e23;
     loop {
         let _e25 = i;
         let _e26 = surface;
         if (_e26.second > 0f) {
-            local_17 = 2i;
+            local_16 = 2i;
         } else {
-            local_17 = 1i;
+            local_16 = 1i;
         }
-        let _e33 = local_17;
+        let _e33 = local_16;
         if !((_e25 < _e33)) {
             break;
         }
@@ -397,22 +397,22 @@ fn gabor_field_surface(place: GaborPlace3d, normal: vec3<f32>, frequency: f32, d
             let _e40 = i;
             if (_e40 == 0i) {
                 let _e43 = surface;
-                local_18 = _e43.direction;
+                local_17 = _e43.direction;
             } else {
                 let _e45 = surface;
-                local_18 = _e45.other;
+                local_17 = _e45.other;
             }
-            let _e48 = local_18;
+            let _e48 = local_17;
             wave_8 = (abs(frequency) * _e48);
             let _e51 = i;
             if (_e51 == 0i) {
                 let _e55 = surface;
-                local_19 = (1f - _e55.second);
+                local_18 = (1f - _e55.second);
             } else {
                 let _e58 = surface;
-                local_19 = _e58.second;
+                local_18 = _e58.second;
             }
-            let _e61 = local_19;
+            let _e61 = local_18;
             let _e62 = gabor_impl_takeover(_e61);
             power_1 = _e62;
             let _e65 = wave_8;
@@ -462,14 +462,14 @@ fn gabor_impl_all_directions() -> GaborTangents {
 // Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
 // near that axis, around the x axis.
 fn gabor_impl_tangents(normal: vec3<f32>, axis: i32) -> GaborTangents {
-    var local_20: vec3<f32>;
+    var local_19: vec3<f32>;
     var along: vec3<f32>;
     if (axis == 0i) {
-        local_20 = vec3<f32>(0f, 0f, 1f);
+        local_19 = vec3<f32>(0f, 0f, 1f);
     } else {
-        local_20 = vec3<f32>(1f, 0f, 0f);
+        local_19 = vec3<f32>(1f, 0f, 0f);
     }
-    let _e13 = local_20;
+    let _e13 = local_19;
     let _e15 = gabor_impl_unit(cross(_e13, normal));
     along = _e15;
     let _e18 = along;
@@ -588,21 +588,21 @@ struct GaborNode {
 }
 
 fn gabor_impl_node(axis: GaborAxis, i: i32) -> GaborNode {
+    var local_20: vec4<f32>;
     var local_21: vec4<f32>;
-    var local_22: vec4<f32>;
     var node: vec4<f32>;
     if (i == 0i) {
-        local_22 = axis.node[0];
+        local_21 = axis.node[0];
     } else {
         if (i == 1i) {
-            local_21 = axis.node[1];
+            local_20 = axis.node[1];
         } else {
-            local_21 = axis.node[2];
+            local_20 = axis.node[2];
         }
-        let _e16 = local_21;
-        local_22 = _e16;
+        let _e16 = local_20;
+        local_21 = _e16;
     }
-    let _e18 = local_22;
+    let _e18 = local_21;
     node = _e18;
     let _e30 = node;
     let _e32 = node;
@@ -610,20 +610,20 @@ fn gabor_impl_node(axis: GaborAxis, i: i32) -> GaborNode {
 }
 
 fn gabor_impl_node_word(axis: GaborAxis, i: i32) -> u32 {
+    var local_22: u32;
     var local_23: u32;
-    var local_24: u32;
     if (i == 0i) {
-        local_24 = axis.word[0];
+        local_23 = axis.word[0];
     } else {
         if (i == 1i) {
-            local_23 = axis.word[1];
+            local_22 = axis.word[1];
         } else {
-            local_23 = axis.word[2];
+            local_22 = axis.word[2];
         }
-        let _e16 = local_23;
-        local_24 = _e16;
+        let _e16 = local_22;
+        local_23 = _e16;
     }
-    let _e18 = local_24;
+    let _e18 = local_23;
     return _e18;
 }
 
@@ -673,9 +673,9 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
     var z_k: GaborNode;
     var row_3: vec4<u32>;
     var field_6: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var local_24: f32;
     var local_25: f32;
     var local_26: f32;
-    var local_27: f32;
     var amplitude_3: f32;
     let _e4 = gabor_impl_salt(seed);
     salt_5 = _e4;
@@ -744,23 +744,23 @@ fn gabor_impl_isotropic(place: GaborPlace3d, frequency: f32, tangents: GaborTang
         }
     }
     if tangents.only {
-        local_25 = 2f;
+        local_24 = 2f;
     } else {
-        local_25 = 3f;
+        local_24 = 3f;
     }
-    let _e165 = local_25;
+    let _e165 = local_24;
+    if false {
+        local_25 = 1f;
+    } else {
+        local_25 = 1.125f;
+    }
+    let _e175 = local_25;
     if false {
         local_26 = 1f;
     } else {
         local_26 = 1.125f;
     }
-    let _e175 = local_26;
-    if false {
-        local_27 = 1f;
-    } else {
-        local_27 = 1.125f;
-    }
-    let _e188 = local_27;
+    let _e188 = local_26;
     amplitude_3 = (inverseSqrt((_e165 * _e175)) / (1459955300000000000000000000f * _e188));
     let _e193 = sum_14;
     let _e194 = amplitude_3;
@@ -786,10 +786,10 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequen
     var normal_6: vec3<f32>;
     var aside: f32;
     var sum_15: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_28: i32;
+    var local_27: i32;
     var i_4: i32;
-    var local_29: i32;
-    var local_30: f32;
+    var local_28: i32;
+    var local_29: f32;
     var power_2: f32;
     normal_6 = normal;
     let _e5 = normal_6;
@@ -800,21 +800,21 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequen
     aside = dot(_e7.xy, _e9.xy);
     let _e22 = aside;
     if (_e22 > 0.25f) {
-        local_28 = 0i;
+        local_27 = 0i;
     } else {
-        local_28 = 1i;
+        local_27 = 1i;
     }
-    let _e28 = local_28;
+    let _e28 = local_27;
     i_4 = _e28;
     loop {
         let _e30 = i_4;
         let _e31 = aside;
         if (_e31 < 0.5f) {
-            local_29 = 2i;
+            local_28 = 2i;
         } else {
-            local_29 = 1i;
+            local_28 = 1i;
         }
-        let _e37 = local_29;
+        let _e37 = local_28;
         if !((_e30 < _e37)) {
             break;
         }
@@ -822,12 +822,12 @@ fn gabor_field_surface_isotropic(place: GaborPlace3d, normal: vec3<f32>, frequen
             let _e43 = i_4;
             if (_e43 == 0i) {
                 let _e48 = aside;
-                local_30 = smoothstep(0.25f, 0.5f, _e48);
+                local_29 = smoothstep(0.25f, 0.5f, _e48);
             } else {
                 let _e53 = aside;
-                local_30 = (1f - smoothstep(0.25f, 0.5f, _e53));
+                local_29 = (1f - smoothstep(0.25f, 0.5f, _e53));
             }
-            let _e57 = local_30;
+            let _e57 = local_29;
             let _e58 = gabor_impl_takeover(_e57);
             power_2 = _e58;
             let _e61 = normal_6;

@@ -1,5 +1,5 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 3f4753156720d5c8.
+// naga 30.0.1 made it from GLSL with the digest ef938ad2ba72ec70.
 //
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point.
@@ -462,22 +462,22 @@ fn gabor_impl_window(x: f32) -> vec2<f32> {
 
 // Wraps a cell's coordinate into a period.
 fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
-    var within: i32;
-    var local_5: i32;
-    if (period == 0i) {
-        return cell;
+    var cell_1: i32;
+    cell_1 = cell;
+    if (period != 0i) {
+        {
+            let _e5 = cell_1;
+            let _e6 = cell_1;
+            cell_1 = (_e5 - ((_e6 / max(period, 1i)) * period));
+            let _e12 = cell_1;
+            if (_e12 < 0i) {
+                let _e15 = cell_1;
+                cell_1 = (_e15 + period);
+            }
+        }
     }
-    within = (cell - ((cell / period) * period));
-    let _e8 = within;
-    if (_e8 < 0i) {
-        let _e11 = within;
-        local_5 = (_e11 + period);
-    } else {
-        let _e13 = within;
-        local_5 = _e13;
-    }
-    let _e15 = local_5;
-    return _e15;
+    let _e17 = cell_1;
+    return _e17;
 }
 
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
@@ -510,7 +510,7 @@ fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
 //     1 / K^2 = N R^2 E[w^2] integral(q^2 q^2 sin^2) = N R^2 E[w^2] J(0)^2 / 2.
 // With two phases, sin^2 does not average to 1/2: J(0)^2 - J(a.x) J(a.y) replaces J(0)^2, with a = 4 pi F omega.
 fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
-    var local_7: f32;
+    var local_6: f32;
     var wave: vec2<f32>;
     var energy_1: GaborEnergy;
     var density: f32 = 1f;
@@ -520,11 +520,11 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
     var y_1: f32;
     var variance_factor: f32;
     if (abs(frequency) > 0.000001f) {
-        local_7 = abs(frequency);
+        local_6 = abs(frequency);
     } else {
-        local_7 = 0.000001f;
+        local_6 = 0.000001f;
     }
-    let _e8 = local_7;
+    let _e8 = local_6;
     let _e11 = gabor_impl_direction(orientation);
     wave = (min(_e8, 1000000f) * _e11);
     let _e14 = gabor_impl_energy();
@@ -562,9 +562,9 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
     var visited: i32 = 3i;
     var whole: vec2<f32>;
-    var local_8: vec2<f32>;
+    var local_7: vec2<f32>;
     var first: vec2<f32>;
-    var cell_2: vec2<i32>;
+    var cell_3: vec2<i32>;
     var cell_side: vec2<f32>;
     var moment_1: f32;
     var seed_word_1: u32;
@@ -585,12 +585,12 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var scale: f32;
     whole = floor(place.local);
     let _e15 = whole;
-    local_8 = clamp((place.local - _e15), vec2(0f), vec2(1f));
-    let _e23 = local_8;
+    local_7 = clamp((place.local - _e15), vec2(0f), vec2(1f));
+    let _e23 = local_7;
     first = floor((_e23 - place.radius));
     let _e29 = whole;
     let _e30 = first;
-    cell_2 = (place.cell + vec2<i32>((_e29 + _e30)));
+    cell_3 = (place.cell + vec2<i32>((_e29 + _e30)));
     let _e35 = first;
     first = (_e35 - vec2(1f));
     cell_side = (vec2(1f) / place.radius);
@@ -604,7 +604,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
             break;
         }
         {
-            let _e66 = cell_2;
+            let _e66 = cell_3;
             let _e68 = j;
             let _e72 = gabor_impl_wrap((_e66.y + _e68), place.period.y);
             let _e73 = seed_word_1;
@@ -618,7 +618,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
                     break;
                 }
                 {
-                    let _e85 = cell_2;
+                    let _e85 = cell_3;
                     let _e87 = i_1;
                     let _e91 = gabor_impl_wrap((_e85.x + _e87), place.period.x);
                     column_1 = _e91;
@@ -637,7 +637,7 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
                             let _e107 = word_3;
                             let _e108 = gabor_impl_impulse(_e107);
                             impulse = _e108;
-                            let _e110 = local_8;
+                            let _e110 = local_7;
                             let _e111 = impulse;
                             let _e113 = first;
                             let _e114 = i_1;
@@ -752,27 +752,27 @@ fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32
 
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_10: f32;
+    var local_9: f32;
     var phase: f32;
-    var local_11: f32;
+    var local_10: f32;
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_10 = (atan2(value.y, value.x) * 0.15915494f);
+        local_9 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_10 = 0f;
+        local_9 = 0f;
     }
-    let _e13 = local_10;
+    let _e13 = local_9;
     phase = _e13;
     let _e15 = phase;
     if (_e15 < 0f) {
         let _e18 = phase;
-        local_11 = min((_e18 + 1f), 0.99999994f);
+        local_10 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase;
-        local_11 = _e23;
+        local_10 = _e23;
     }
-    let _e25 = local_11;
+    let _e25 = local_10;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }
@@ -781,7 +781,7 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     var period_2: vec2<f32>;
     var cells: vec2<f32>;
     var radius: vec2<f32>;
-    var within_1: vec2<f32>;
+    var within: vec2<f32>;
     var place_1: GaborPlace;
     period_2 = period;
     let _e6 = period_2;
@@ -793,8 +793,8 @@ fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientatio
     radius = (_e15 / _e16);
     let _e19 = period_2;
     let _e22 = period_2;
-    within_1 = (p - (floor((p / _e19)) * _e22));
-    let _e28 = within_1;
+    within = (p - (floor((p / _e19)) * _e22));
+    let _e28 = within;
     let _e29 = radius;
     let _e31 = radius;
     let _e32 = cells;

@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 350a99ad6c613a5b.
+// naga 30.0.1 made it from GLSL with the digest 56f14911fd17b6e4.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
 //
@@ -162,7 +162,7 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
     var i_1: i32 = 0i;
     var lobe_1: GaborLobe;
     var field_4: GaborField;
-    var local_12: f32;
+    var local_11: f32;
     lobes_3 = lobes;
     let _e13 = lobes_3;
     let _e14 = gabor_impl_lobes_power(_e13);
@@ -190,11 +190,11 @@ fn gabor_field_lobes(place: GaborPlace, lobes: GaborLobes, seed: u32) -> GaborFi
             if (_e44 > 0f) {
                 let _e47 = lobe_1;
                 let _e49 = power_2;
-                local_12 = sqrt((_e47.power / _e49));
+                local_11 = sqrt((_e47.power / _e49));
             } else {
-                local_12 = 0f;
+                local_11 = 0f;
             }
-            let _e54 = local_12;
+            let _e54 = local_11;
             let _e56 = lobe_1;
             gabor_impl_add_field((&sum_5), _e43, _e54, (vec2(1f) / _e56.radius));
         }
@@ -221,13 +221,13 @@ fn gabor_lobe(frequency: f32, orientation: f32, radius: f32, power: f32) -> Gabo
 
 // The number of lobes for `c`; while one set fades into the next, the total of both.
 fn gabor_impl_pieces(c: f32) -> i32 {
-    var local_13: i32;
+    var local_12: i32;
     if (fract(c) > 0.8f) {
-        local_13 = ((2i * i32(c)) + 1i);
+        local_12 = ((2i * i32(c)) + 1i);
     } else {
-        local_13 = i32(c);
+        local_12 = i32(c);
     }
-    let _e11 = local_13;
+    let _e11 = local_12;
     return _e11;
 }
 
@@ -457,7 +457,7 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
     var h: vec2<f32>;
     var window_1: vec3<f32>;
     var field_6: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
-    var local_14: f32;
+    var local_13: f32;
     frequency_11 = frequency;
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
@@ -544,11 +544,11 @@ fn gabor_field_isotropic(place: GaborPlace, frequency: f32, seed: u32) -> GaborF
     }
     let _e185 = sum_8;
     if false {
-        local_14 = 1f;
+        local_13 = 1f;
     } else {
-        local_14 = 1.125f;
+        local_13 = 1.125f;
     }
-    let _e197 = local_14;
+    let _e197 = local_13;
     gabor_impl_add_field((&field_6), _e185, (0.57735026f / (1459955300000000000000000000f * _e197)), vec2(1f));
     let _e203 = field_6;
     return _e203;
@@ -607,7 +607,7 @@ fn gabor_profile_sine(stripes: vec2<f32>) -> f32 {
 fn gabor_impl_triangle_integral(x: f32) -> f32 {
     var turns: f32;
     var t_2: f32;
-    var local_15: f32;
+    var local_14: f32;
     turns = floor(x);
     let _e3 = turns;
     t_2 = (x - _e3);
@@ -616,14 +616,14 @@ fn gabor_impl_triangle_integral(x: f32) -> f32 {
     if (_e9 < 0.5f) {
         let _e12 = t_2;
         let _e13 = t_2;
-        local_15 = (_e12 * _e13);
+        local_14 = (_e12 * _e13);
     } else {
         let _e16 = t_2;
         let _e18 = t_2;
         let _e19 = t_2;
-        local_15 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
+        local_14 = (((2f * _e16) - (_e18 * _e19)) - 0.5f);
     }
-    let _e25 = local_15;
+    let _e25 = local_14;
     return ((0.5f * _e7) + _e25);
 }
 

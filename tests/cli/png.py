@@ -4,10 +4,10 @@ import numpy as np
 from PIL import Image
 
 
-def read_png(path, mode):
-    """Returns the values of a PNG that Pillow opens in this mode."""
+def read_png(path, *modes):
+    """Returns the values of a PNG that Pillow opens in one of these modes."""
     with Image.open(path) as image:
-        assert (image.format, image.mode) == ("PNG", mode), f"{image.format} {image.mode}"
+        assert image.format == "PNG" and image.mode in modes, f"{image.format} {image.mode}"
         return np.array(image).astype(int)
 
 
@@ -18,7 +18,7 @@ def read_grey_png(path):
 
 def read_deep_png(path):
     """Returns the values, height x width, of a 16-bit grey PNG."""
-    return read_png(path, "I")
+    return read_png(path, "I", "I;16")  # before Pillow 11, and since
 
 
 def read_colour_png(path):

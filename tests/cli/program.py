@@ -14,7 +14,7 @@ from exr import Exr
 
 PROGRAM = os.environ["GABOR_PROGRAM"]
 NAME = pathlib.Path(PROGRAM).name
-LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd.*.json")), None) # Mesa's driver, if installed
+LAVAPIPE = next(iter(glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")), None) # Mesa's driver, if installed
 
 
 def environment(**changes):

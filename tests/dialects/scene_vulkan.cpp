@@ -4,6 +4,7 @@
 #include "vulkan/device.hpp"
 #include "vulkan/pass.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>

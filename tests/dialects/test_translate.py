@@ -319,6 +319,7 @@ class Program(unittest.TestCase):
         for path in [*translate.copies.DROP_INS, *translate.TRANSLATIONS.iterdir()]:
             self.assertEqual(names & set(re.findall(r"\w+", glsl.without_comments(path.read_text()))), set(), path.name)
 
+    @unittest.skipUnless(shutil.which("naga"), "naga is not installed")
     def test_a_function_that_nothing_translates(self):
         """A function that a condition removes from WGSL is an error, not a gap."""
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:

@@ -23,6 +23,7 @@ from textures import colour_noise, write_png  # noqa: E402
 FILES = ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_direction", "gabor_noise_3d", "gabor_filter_3d", "gabor_erosion",
          "gabor_materials", "sea"]
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
+DIRECT3D = pathlib.Path(os.environ.get("GABOR_DIRECT3D", ROOT / "build" / "direct3d"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
 CALLS = {  # each call, and its column in the matrix of docs/engines.md
@@ -86,6 +87,15 @@ static float3 q; // few calls use both p and q
     p = (float2(pixel.xy) + 0.5) / 32.0;
     q = float3(p, 0.3);
     values[pixel.y * 256 + pixel.x] = CALL;
+}
+"""
+ANGLE = SIX + """
+out vec4 value;
+void main()
+{
+    vec2 p = gl_FragCoord.xy / 32.0;
+    vec3 q = vec3(p, 0.3);
+    value = vec4(CALL);
 }
 """
 WGSL = """
@@ -217,9 +227,11 @@ class Translations(unittest.TestCase):
         files = FILES[:NEEDED.get(CALLS.get(call), 4)]
         return before + "".join(self.path(file, ending).read_text() for file in files) + text
 
+    def hlsl(self, call):
+        return self.pasted("hlsl", call, HLSL.replace("CALL", re.sub(r"\bvec", "float", call)))
+
     def compare_hlsl(self, *compiler):
-        self.compare(lambda call: self.drawn(self.pasted("hlsl", call, HLSL.replace("CALL", re.sub(r"\bvec", "float", call))), "hlsl",
-                                             *compiler))
+        self.compare(lambda call: self.drawn(self.hlsl(call), "hlsl", *compiler))
 
     def test_hlsl_by_glslang(self):
         self.compare_hlsl("sh", "-c", 'glslangValidator -V -D -S comp -e main "$0" -o "$1"')
@@ -229,6 +241,25 @@ class Translations(unittest.TestCase):
             self.skipTest("libdxcompiler is not installed")
         os.environ["GABOR_DXC"] = str(DXC)
         self.compare_hlsl(sys.executable, "-B", HERE / "dxc.py")
+
+    def compare_direct3d(self, dialect, ending, text):
+        if not (DIRECT3D / "direct3d.exe").exists():
+            self.skipTest("direct3d.exe is not installed: tools/test-engines fxc installs it")
+
+        def drawn(call):
+            shader, values = (self.folder / f"shader.{kind}" for kind in (ending, "raw"))
+            shader.write_text(text(call))
+            subprocess.run([sys.executable, "-B", HERE.parent / "engines/direct3d/run.py", dialect, values, shader], check=True,
+                           env=os.environ | {"GABOR_DIRECT3D": str(DIRECT3D)}, stdout=subprocess.DEVNULL)
+            return np.fromfile(values, "<f4")
+        self.compare(drawn)
+
+    def test_hlsl_by_fxc(self):
+        self.compare_direct3d("fxc", "hlsl", self.hlsl)
+
+    def test_angle(self):
+        before = f"#version 300 es\nprecision highp float;\n{MACROS}"
+        self.compare_direct3d("angle", "frag", lambda call: self.pasted("glsl", call, ANGLE.replace("CALL", call), before))
 
     def test_wgsl_by_naga(self):
         if not shutil.which("naga"):

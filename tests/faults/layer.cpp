@@ -112,15 +112,14 @@ PFN_vkVoidFunction own_function(std::string_view name) {
 
 extern "C" {
 
-VK_LAYER_EXPORT VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetDeviceProcAddr(VkDevice of, const char* name) {
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetDeviceProcAddr(VkDevice of, const char* name) {
     if (std::strcmp(name, "vkGetDeviceProcAddr") == 0)
         return any(vkGetDeviceProcAddr);
     const PFN_vkVoidFunction own = own_function(name);
     return own ? own : next_device_function(of, name);
 }
 
-VK_LAYER_EXPORT VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance instance,
-                                                                               const char* name) {
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance instance, const char* name) {
     const std::string_view wanted = name;
     if (wanted == "vkGetInstanceProcAddr")
         return any(vkGetInstanceProcAddr);

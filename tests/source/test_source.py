@@ -4,6 +4,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -15,14 +16,37 @@ def text(path):
 
 class Format(unittest.TestCase):
     def test_cpp_is_formatted(self):
-        if not shutil.which("clang-format"):
-            self.skipTest("needs clang-format")
+        tool = shutil.which("clang-format-14") or "clang-format"
+        if not shutil.which(tool) or " 14." not in subprocess.run([tool, "--version"], capture_output=True, text=True).stdout:
+            self.skipTest("needs clang-format 14, because later versions break lines elsewhere")
         files = sorted(path for folder in ("host", "shaders", "tests") for pattern in ("*.cpp", "*.hpp", "*.h")
                        for path in (ROOT / folder).rglob(pattern))
         self.assertGreater(len(files), 100)
-        result = subprocess.run(["clang-format", "--dry-run", "--Werror", *files], capture_output=True, text=True)
+        result = subprocess.run([tool, "--dry-run", "--Werror", *files], capture_output=True, text=True)
         off = sorted(set(re.findall(r"^(.*?):\d+:\d+: error", result.stderr, re.MULTILINE)))
         self.assertEqual((off, result.returncode), ([], 0), result.stderr)
+
+
+class Setup(unittest.TestCase):
+    """tools/setup where it cannot install packages."""
+
+    def check_refuses(self, words, **tools):
+        with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
+            for name, script in tools.items():
+                path = pathlib.Path(folder) / name
+                path.write_text(f"#!/bin/sh\n{script}\n")
+                path.chmod(0o755)
+            result = subprocess.run(["/bin/sh", ROOT / "tools/setup"], env={"PATH": folder}, capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (1, "", 1), result.stderr)
+        self.assertIn(words, result.stderr)
+
+    def test_names_what_to_run(self):
+        self.check_refuses("no sudo; run as root: apt-get install --no-install-recommends build-essential catch2 cmake",
+                           **{"dpkg-query": ""}, grep="exit 1", id="echo 1000")
+        for manager, words in {"dnf": "dnf install boost-devel", "pacman": "pacman -S base-devel", "brew": "brew install boost",
+                               "other": "apt-get install build-essential"}.items():
+            self.check_refuses(f"there is no c++ cmake glslangValidator ninja pkg-config; install what gabor needs: {words}",
+                               **{manager: ""})
 
 
 class Comments(unittest.TestCase):

@@ -39,17 +39,19 @@ struct Seen {
     std::uint64_t clicks = 0; ///< buttons pressed and released
     double wheel = 0;
     std::uint64_t commands = 0;
-    std::array<bool, IM_ARRAYSIZE(ImGuiIO::KeysDown)> down{};
+    std::array<bool, GLFW_KEY_LAST + 1> down{};
     bool button = false;
 
     // Call this once Dear ImGui has received the frame's events.
     void add(const ImGuiIO& io) {
         ++frames;
         wheel += double{io.MouseWheel};
-        for (std::size_t key = 0; key < down.size(); ++key) {
+        for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
             const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
-            keys += io.KeysDown[key] && !down[key] && !modifier;
-            down[key] = io.KeysDown[key];
+            const bool is_down = ImGui::IsKeyDown(static_cast<ImGuiKey>(key));
+            bool& was_down = down.at(static_cast<std::size_t>(key));
+            keys += is_down && !was_down && !modifier;
+            was_down = is_down;
         }
         clicks += button && !io.MouseDown[0];
         button = io.MouseDown[0];

@@ -44,7 +44,7 @@ class ViewerTest(unittest.TestCase):
 
     def environment(self, **changes):
         merged = {"GABOR_VALIDATION": "1", **os.environ, "DISPLAY": self.display,
-                  "XDG_CONFIG_HOME": str(self.folder / "config"), **changes}
+                  "XDG_CONFIG_HOME": str(self.folder / "config"), "XDG_RUNTIME_DIR": str(self.folder), **changes}
         return {name: value for name, value in merged.items() if value is not None}
 
     def start(self, *arguments, program=VIEWER, **changes):
