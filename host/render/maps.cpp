@@ -176,15 +176,19 @@ std::vector<Png> pngs_of(const MapFormat& format) {
     const auto unit_to_colour = [](float part) { return 0.5f + 0.5f * part; };
     const std::vector<std::size_t> normal{normal_channel, normal_channel + 1, normal_channel + 2};
     const std::size_t metalness = passes::material_metalness;
-    std::vector<Png> pngs{{.name = "base_color", .channels = {0, 1, 2}, .shown = srgb},
-                          {.name = "normal", .channels = normal, .shown = unit_to_colour},
-                          {.name = "height", .channels = {height_channel}, .bits = 16},
-                          {.name = "roughness", .channels = {roughness_channel}},
-                          {.name = "metalness", .channels = {metalness}},
-                          {.name = "occlusion", .channels = {occlusion_channel}},
-                          {.name = "orm", .channels = {occlusion_channel, roughness_channel, metalness}}};
+    std::vector<Png> pngs{
+        {.name = "base_color", .channels = {0, 1, 2}, .shown = srgb},
+        {.name = "normal", .channels = normal, .bits = format.normal_bits, .shown = unit_to_colour},
+        {.name = "height", .channels = {height_channel}, .bits = 16},
+        {.name = "roughness", .channels = {roughness_channel}},
+        {.name = "metalness", .channels = {metalness}},
+        {.name = "occlusion", .channels = {occlusion_channel}},
+        {.name = "orm", .channels = {occlusion_channel, roughness_channel, metalness}}};
     if (format.directx)
-        pngs.push_back({.name = directx_normal, .channels = normal, .shown = unit_to_colour});
+        pngs.push_back({.name = directx_normal,
+                        .channels = normal,
+                        .bits = format.normal_bits,
+                        .shown = unit_to_colour});
     return pngs;
 }
 
@@ -202,6 +206,15 @@ image::ExrHeader header_of(const vulkan::Device& device, const Request& request,
     if (format.texture)
         header.texture = image::ExrHeader::Texture{format.half, is_tile(request)};
     return header;
+}
+
+// What to add before rounding to 8 bits, in steps: neighbouring pixels share evenly between -1/2 and 1/2
+// (Jimenez, "Next generation post processing in Call of Duty: Advanced Warfare", 2014). Otherwise the
+// reflections of smooth slopes would have bands.
+float dither(std::size_t x, std::size_t y) {
+    const double wave = 0.06711056 * static_cast<double>(x) + 0.00583715 * static_cast<double>(y);
+    const double turns = 52.9829189 * (wave - std::floor(wave));
+    return static_cast<float>(turns - std::floor(turns) - 0.5);
 }
 
 // Writes the rows of all channels to the EXR, and of each PNG's channels to it. Heights are from `low` to
@@ -226,6 +239,9 @@ void write_rows(const Maps& maps, image::ExrWriter& exr, const std::vector<Png>&
             for (std::size_t i = 0; i < row.size(); i += map_channels.size())
                 for (const std::size_t channel : pngs[k].channels)
                     colours.push_back(shown(pngs[k], channel, row[i + channel]));
+            if (pngs[k].channels.front() == normal_channel && pngs[k].bits == 8)
+                for (std::size_t i = 0; i < colours.size(); ++i)
+                    colours[i] += dither(i, at / maps.row_values()) / 255;
             writers[k].write_rows(colours);
         }
     }

@@ -143,7 +143,8 @@ std::string terms(const View& view, std::size_t table) {
     for (const Wave& wave : view.table<Wave>(table)) {
         const Term term = term_of(view, wave);
         if (std::exchange(place, term.place) != term.place)
-            text += glsl("    place = {};\n{}", place, time == 0 ? "" : glsl("    place.moment = {};\n", time));
+            text +=
+                glsl("    place = {};\n{}", place, time == 0 ? "" : glsl("    place.moment = {};\n", time));
         const std::string noise = glsl("noise_of({}, {}u), {})", glsl(term.field, glsl(filter, term.radius)),
                                        wave.seed, term.radius);
         const auto& [a, b, c] = wave.weights;
@@ -264,24 +265,20 @@ std::string material_function(const View& view) {
     return glsl(
         "\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
         "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = gabor_{}_default();\n{}"
-        "    GaborPixel pixel = gabor_pixel{};\n{}    return gabor_{}_at(pixel, m, {}u);\n}}\n\n",
-        type, function, members_of(view, render::Parameter::Group::material),
-        request.filter ? "_filtered(p, dx, dy)" : "(p)",
+        "    return gabor_{}{}, {}, m, {}u);\n}}\n\n",
+        type, function, members_of(view, render::Parameter::Group::material), function,
+        request.filter ? "_filtered_at(p, dx, dy" : "_at(p",
         render::is_tiled(request)
-            ? glsl("    pixel = gabor_pixel_tiled(pixel, {});\n",
-                   std::array{request.width / request.scale, request.height / request.scale})
-            : "",
-        function, request.seed);
+            ? literal(std::array{request.width / request.scale, request.height / request.scale})
+            : "vec2(0.0)",
+        request.seed);
 }
 
 // GLSL for the colour that each Look shows of the Sample `here`.
 constexpr std::array<std::string_view, look_names.size()> looks_as{
-    "srgb(lit_sample(here, {0}, {1}))",
-    "srgb(here.material.colour)",
-    "viewer_height(here.material.height, {2})",
-    "viewer_normal(normalize(vec3(-here.slope.xy, 1.0)), {3})",
-    "vec3(here.material.roughness)",
-    "vec3(here.material.metalness)"};
+    "srgb(lit_sample(here, {0}, {1}))",         "srgb(here.material.colour)",
+    "viewer_height(here.material.height, {2})", "viewer_normal(normalize(vec3(-here.slope.xy, 1.0)), {3})",
+    "vec3(gabor_roughness(here.material))",     "vec3(here.material.metalness)"};
 
 std::string material_snippet(const View& view) {
     const auto push = view.push<passes::MaterialPush>();
@@ -291,7 +288,8 @@ std::string material_snippet(const View& view) {
         glsl(view.in_space() ? "point_of_body(p / {5}, dFdx(p) / {5}, dFdy(p) / {5}, normal, {5}, axes)"
                              : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
              push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
-    return includes({"noise", "spectrum", "filter", "materials"}) + material_function(view) + lighting(view) +
+    return includes({"noise", "spectrum", view.request.filter ? "filter" : "", "materials"}) +
+           material_function(view) + lighting(view) +
            shaders({"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"}) +
            glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"
                 "{}{}    Axes axes = {};\n    Sample here = sample_at({}, {}, axes);\n    return {};\n}}\n",

@@ -25,33 +25,26 @@ vec2 on_plane(vec3 v, Plane plane) {
 }
 
 // The relief at p, in units of the material; dx and dy are the steps to the next pixels. For a body, the material is projected
-// from three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Slopes are
-// finite differences over a pixel's smaller side. The outer loop keeps compilers from inlining the material three times.
+// from three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Of `lost`, only
+// the sum of xx and yy is right. The loop keeps compilers from inlining the material three times.
 Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
     vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
     facing /= facing.x + facing.y + facing.z;
-    GaborMaterial m = GaborMaterial(vec3(0.0), 0.0, 0.0, 0.0);
+    GaborMaterial m = GaborMaterial(vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
     vec3 slope = vec3(0.0);
     for (int axis = body ? 0 : 2; axis < 3; ++axis) {
         float share = facing[axis];
         if (share < 0.01)
             continue;
         Plane plane = plane_along(axis);
-        vec2 step_x = on_plane(dx, plane);
-        vec2 step_y = on_plane(dy, plane);
-        float side = min(length(step_x), length(step_y));
-        for (int i = 0; i < 5; ++i) { // p, then half a side to the right, left, down and up
-            vec2 along = i == 0 ? vec2(0.0) : (i % 2 == 0 ? -0.5 : 0.5) * (i < 3 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-            GaborMaterial there = material_at(plane.origin + on_plane(p, plane) + side * along, step_x, step_y);
-            if (i == 0) {
-                m.colour += share * there.colour;
-                m.height += share * there.height;
-                m.roughness += share * there.roughness;
-                m.metalness += share * there.metalness;
-            } else {
-                slope += share * there.height / side * (2.0 * along.x * plane.right + 2.0 * along.y * plane.down);
-            }
-        }
+        GaborMaterial there = material_at(plane.origin + on_plane(p, plane), on_plane(dx, plane), on_plane(dy, plane));
+        m.colour += share * there.colour;
+        m.height += share * there.height;
+        m.roughness += share * there.roughness;
+        m.metalness += share * there.metalness;
+        slope += share * (there.slope.x * plane.right + there.slope.y * plane.down);
+        vec2 n = on_plane(normal, plane); // slopes along the normal do not tilt the surface
+        m.lost.x += share * share * dot(there.lost, vec3(1.0 - n * n, -2.0 * n.x * n.y));
     }
     return Relief(m, slope);
 }
@@ -112,5 +105,5 @@ Sample sample_at(SurfacePoint here, bool body, Axes axes) {
 // The light of the sample to the eye: see lit() in light.glsl. `lamp` is as in lamp_above, `body` as in sky_above.
 vec3 lit_sample(Sample here, vec2 lamp, bool body) {
     GaborMaterial m = here.material;
-    return lit(Surface(m.colour, m.roughness, m.metalness), here.normal, here.eye, lamp_above(here.place, lamp), sky_above(body));
+    return lit(Surface(m.colour, gabor_roughness(m), m.metalness), here.normal, here.eye, lamp_above(here.place, lamp), sky_above(body));
 }
