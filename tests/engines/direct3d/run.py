@@ -28,11 +28,12 @@ OPTIMIZED, SKIP_OPTIMIZATION = 0, 4
 
 
 def direct3d(mode, *arguments, **options):
-    """Returns what the program prints in Wine."""
-    wine = os.environ | {"WINEPREFIX": str(FOLDER / "wine"), "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "d3dcompiler_47=n;mscoree,mshtml="}
-    display = [] if mode == "compile" else ["flock", FOLDER / "lock", "xvfb-run", "-a"]  # Wine's desktop has one display
-    return subprocess.run([*display, "/usr/lib/wine/wine64", FOLDER / "direct3d.exe", mode, *arguments], env=wine, text=True,
-                          stdout=subprocess.PIPE, **options).stdout
+    """Returns what the program prints in Wine. Wine's desktop, which outlives the program, would lose its display."""
+    folder = FOLDER / f"wine-{mode}"
+    display = ["flock", f"{folder}.lock", "xvfb-run", "-a", "sh", "-c", '"$@"; status=$?; /usr/lib/wine/wineserver -k; exit $status', "-"]
+    command = [*(display if mode != "compile" else []), "/usr/lib/wine/wine64", FOLDER / "direct3d.exe", mode, *arguments]
+    settings = {"WINEPREFIX": str(folder), "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "d3dcompiler_47=n;mscoree,mshtml="}
+    return subprocess.run(command, env=os.environ | settings, text=True, stdout=subprocess.PIPE, **options).stdout
 
 
 def draw(dialect, path, name, macros):
