@@ -673,16 +673,18 @@ GABOR_INLINE gabor_vec2 gabor_impl_tone(float noise, float removed, float contra
     return gabor_vec2(contrast * noise - 0.5f * contrast * contrast, contrast * contrast * removed);
 }
 
-// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, the mean of min(c X, 1)
-// is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where P is the normal distribution function and d = -(ln c + m) / sqrt(r).
-// Where d > 3, this is nearly the first factor. Materials mix colours after this, so that means remain right.
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
 GABOR_INLINE gabor_vec3 gabor_impl_toned(gabor_vec3 colour, gabor_vec2 tone) {
     gabor_vec3 mean = colour * gabor_cpp_exp(tone.x + 0.5f * tone.y);
-    float s = gabor_cpp_sqrt(tone.y);
-    gabor_vec3 d = (-tone.x - gabor_cpp_log(gabor_cpp_max(colour, 1.0e-6f))) / gabor_cpp_max(s, 1.0e-6f);
-    if (s > 0.0f && gabor_cpp_min(gabor_cpp_min(d.x, d.y), d.z) < 3.0f)
-        for (int i = 0; i < 3; ++i)
-            mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0f - gabor_impl_below(d[i]);
+    if (tone.y > 0.0f) {
+        float s = gabor_cpp_sqrt(tone.y);
+        gabor_vec3 d = (-tone.x - gabor_cpp_log(gabor_cpp_max(colour, 1.0e-6f))) / s;
+        if (gabor_cpp_min(gabor_cpp_min(d.x, d.y), d.z) < 3.0f)
+            for (int i = 0; i < 3; ++i)
+                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0f - gabor_impl_below(d[i]);
+    }
     return gabor_cpp_min(mean, 1.0f);
 }
 
@@ -820,8 +822,8 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
                                  0.09f * uneven)
                + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12f);
     float light = gabor_cpp_mix(0.8572f + uneven * (0.005f + 0.0083f * uneven), gabor_cpp_smoothstep(-1.3f, 0.5f, top.x), kept);
-    gabor_vec3 colour = gabor_cpp_mix(0.18f, 1.0f, light) * gabor_cpp_mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
-                                              gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept));
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
+                      gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept)) * gabor_cpp_mix(0.18f, 1.0f, light);
     gabor_vec3 height = gabor_vec3(gabor_cpp_mix(0.1352f + uneven * (0.0045f + 0.0062f * uneven), top.x, kept), kept * top.yz());
     height = unit * (0.3f * height + 0.035f * fibre);
     lost = unit * unit * (0.29f * (1.0f - kept * kept) * gabor_vec3(count * count, 0.0f) + 0.001225f * lost);
@@ -940,7 +942,8 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs o
     dome = 0.236f * one + gabor_impl_times(kept, dome);
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
     gabor_vec3 height = leather.relief * (0.016f * pebble + 0.013f * dome + 0.0016f * of.a.second);
-    gabor_vec3 lost = leather.cells * leather.cells * (1.0f - root * root / (1.0f + blur.x)) * gabor_vec3(0.00287f, 0.0026f, 0.0f) + 2.56e-6f * of.a.lost;
+    float gone = leather.cells * leather.cells * (1.0f - root * root / (1.0f + blur.x));
+    gabor_vec3 lost = gone * gabor_vec3(0.00287f, 0.0026f, 0.0f) + 2.56e-6f * of.a.lost;
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
     return gabor_impl_material(colour, height,
                                leather.relief * leather.relief * lost, leather.roughness + 0.15f * (1.0f
@@ -1046,8 +1049,8 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, G
     gabor_vec2 wave = ripples.density * ripples.wave; // per unit of the dune
     wave = gabor_vec2(gabor_cpp_dot(wave, ripples.at.x), gabor_cpp_dot(wave, ripples.at.y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
-    gabor_vec3 square = gabor_impl_square(wave)
-                + 0.4f * gabor_impl_turned_square(gabor_vec3(ripples.density * ripples.density, 0.0f), ripples.at.x, ripples.at.y);
+    gabor_vec3 bent = gabor_vec3(0.4f * ripples.density * ripples.density, 0.0f);
+    gabor_vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
     gabor_vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9f) * square
               + 0.0009f * of.a.lost + 7.65625e-5f * sand.grain * sand.grain * of.b.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0f);
@@ -1085,8 +1088,8 @@ GABOR_INLINE void gabor_impl_add_ripple(GaborPair& sum, int i, GaborPair wave) {
     sum.second += amplitude * wave.first;
     sum.removed += amplitude * amplitude * wave.removed;
     // The derivatives of x and y are in proportion to -y and x.
-    sum.lost += amplitude * amplitude * (1.0f + 1.6f * x + 0.64f * (x * x + y * y + 1.0f - kept + kept * kept * (1.0f + kept)))
-              * wave.lost;
+    float harmonics = x * x + y * y + 1.0f - kept + kept * kept * (1.0f + kept);
+    sum.lost += amplitude * amplitude * (1.0f + 1.6f * x + 0.64f * harmonics) * wave.lost;
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborRipples ripples, GaborPair sum) {

@@ -674,16 +674,18 @@ inline float2 gabor_impl_tone(float noise, float removed, float contrast) {
     return float2(contrast * noise - 0.5 * contrast * contrast, contrast * contrast * removed);
 }
 
-// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, the mean of min(c X, 1)
-// is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where P is the normal distribution function and d = -(ln c + m) / sqrt(r).
-// Where d > 3, this is nearly the first factor. Materials mix colours after this, so that means remain right.
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
 inline float3 gabor_impl_toned(float3 colour, float2 tone) {
     float3 mean = colour * exp(tone.x + 0.5 * tone.y);
-    float s = sqrt(tone.y);
-    float3 d = (-tone.x - log(max(colour, 1.0e-6))) / max(s, 1.0e-6);
-    if (s > 0.0 && min(min(d.x, d.y), d.z) < 3.0)
-        for (int i = 0; i < 3; ++i)
-            mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0 - gabor_impl_below(d[i]);
+    if (tone.y > 0.0) {
+        float s = sqrt(tone.y);
+        float3 d = (-tone.x - log(max(colour, 1.0e-6))) / s;
+        if (min(min(d.x, d.y), d.z) < 3.0)
+            for (int i = 0; i < 3; ++i)
+                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0 - gabor_impl_below(d[i]);
+    }
     return min(mean, 1.0);
 }
 
@@ -821,8 +823,8 @@ inline GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, floa
                                  0.09 * uneven)
                + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12);
     float light = mix(0.8572 + uneven * (0.005 + 0.0083 * uneven), smoothstep(-1.3, 0.5, top.x), kept);
-    float3 colour = mix(0.18, 1.0, light) * mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
-                                              mix(0.5, first ? 1.0 : 0.0, kept));
+    float3 colour = mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
+                      mix(0.5, first ? 1.0 : 0.0, kept)) * mix(0.18, 1.0, light);
     float3 height = float3(mix(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top.x, kept), kept * top.yz);
     height = unit * (0.3 * height + 0.035 * fibre);
     lost = unit * unit * (0.29 * (1.0 - kept * kept) * float3(count * count, 0.0) + 0.001225 * lost);
@@ -941,7 +943,8 @@ inline GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
     dome = 0.236 * one + gabor_impl_times(kept, dome);
     float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
     float3 height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * of.a.second);
-    float3 lost = leather.cells * leather.cells * (1.0 - root * root / (1.0 + blur.x)) * float3(0.00287, 0.0026, 0.0) + 2.56e-6 * of.a.lost;
+    float gone = leather.cells * leather.cells * (1.0 - root * root / (1.0 + blur.x));
+    float3 lost = gone * float3(0.00287, 0.0026, 0.0) + 2.56e-6 * of.a.lost;
     float3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
     return gabor_impl_material(colour, height,
                                leather.relief * leather.relief * lost, leather.roughness + 0.15 * (1.0
@@ -1047,8 +1050,8 @@ inline GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPa
     float2 wave = ripples.density * ripples.wave; // per unit of the dune
     wave = float2(dot(wave, ripples.at.x), dot(wave, ripples.at.y));
     // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
-    float3 square = gabor_impl_square(wave)
-                + 0.4 * gabor_impl_turned_square(float3(ripples.density * ripples.density, 0.0), ripples.at.x, ripples.at.y);
+    float3 bent = float3(0.4 * ripples.density * ripples.density, 0.0);
+    float3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
     float3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
               + 0.0009 * of.a.lost + 7.65625e-5 * sand.grain * sand.grain * of.b.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
@@ -1086,8 +1089,8 @@ inline void gabor_impl_add_ripple(thread GaborPair& sum, int i, GaborPair wave) 
     sum.second += amplitude * wave.first;
     sum.removed += amplitude * amplitude * wave.removed;
     // The derivatives of x and y are in proportion to -y and x.
-    sum.lost += amplitude * amplitude * (1.0 + 1.6 * x + 0.64 * (x * x + y * y + 1.0 - kept + kept * kept * (1.0 + kept)))
-              * wave.lost;
+    float harmonics = x * x + y * y + 1.0 - kept + kept * kept * (1.0 + kept);
+    sum.lost += amplitude * amplitude * (1.0 + 1.6 * x + 0.64 * harmonics) * wave.lost;
 }
 
 inline GaborMaterial gabor_impl_ripples(GaborRipples ripples, GaborPair sum) {

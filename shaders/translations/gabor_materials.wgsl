@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 44022e5c65e96bb7.
+// naga 30.0.1 made it from GLSL with the digest 4e9403ff3b3ff3e1.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //
@@ -1367,47 +1367,50 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> vec2<f32> {
     return vec2<f32>(((contrast * noise) - ((0.5f * contrast) * contrast)), ((contrast * contrast) * removed));
 }
 
-// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, the mean of min(c X, 1)
-// is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where P is the normal distribution function and d = -(ln c + m) / sqrt(r).
-// Where d > 3, this is nearly the first factor. Materials mix colours after this, so that means remain right.
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
 fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
     var mean_4: vec3<f32>;
     var s_10: f32;
     var d_7: vec3<f32>;
     var i_9: i32 = 0i;
     mean_4 = (colour * exp((tone.x + (0.5f * tone.y))));
-    s_10 = sqrt(tone.y);
-    let _e21 = s_10;
-    d_7 = ((vec3(-(tone.x)) - log(max(colour, vec3(0.000001f)))) / vec3(max(_e21, 0.000001f)));
-    let _e27 = s_10;
-    let _e30 = d_7;
-    let _e32 = d_7;
-    let _e35 = d_7;
-    if ((_e27 > 0f) && (min(min(_e30.x, _e32.y), _e35.z) < 3f)) {
-        loop {
-            let _e43 = i_9;
-            if !((_e43 < 3i)) {
-                break;
-            }
-            let _e50 = i_9;
-            let _e52 = i_9;
-            let _e54 = mean_4[_e52];
-            let _e55 = i_9;
-            let _e57 = d_7[_e55];
-            let _e58 = s_10;
-            let _e60 = gabor_impl_below((_e57 - _e58));
-            let _e64 = i_9;
-            let _e66 = d_7[_e64];
-            let _e67 = gabor_impl_below(_e66);
-            mean_4[_e50] = (((_e54 * _e60) + 1f) - _e67);
-            continuing {
-                let _e47 = i_9;
-                i_9 = (_e47 + 1i);
+    if (tone.y > 0f) {
+        {
+            s_10 = sqrt(tone.y);
+            let _e24 = s_10;
+            d_7 = ((vec3(-(tone.x)) - log(max(colour, vec3(0.000001f)))) / vec3(_e24));
+            let _e28 = d_7;
+            let _e30 = d_7;
+            let _e33 = d_7;
+            if (min(min(_e28.x, _e30.y), _e33.z) < 3f) {
+                loop {
+                    let _e40 = i_9;
+                    if !((_e40 < 3i)) {
+                        break;
+                    }
+                    let _e47 = i_9;
+                    let _e49 = i_9;
+                    let _e51 = mean_4[_e49];
+                    let _e52 = i_9;
+                    let _e54 = d_7[_e52];
+                    let _e55 = s_10;
+                    let _e57 = gabor_impl_below((_e54 - _e55));
+                    let _e61 = i_9;
+                    let _e63 = d_7[_e61];
+                    let _e64 = gabor_impl_below(_e63);
+                    mean_4[_e47] = (((_e51 * _e57) + 1f) - _e64);
+                    continuing {
+                        let _e44 = i_9;
+                        i_9 = (_e44 + 1i);
+                    }
+                }
             }
         }
     }
-    let _e69 = mean_4;
-    return min(_e69, vec3(1f));
+    let _e66 = mean_4;
+    return min(_e66, vec3(1f));
 }
 
 // The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
@@ -1915,20 +1918,20 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e190 = top;
     let _e193 = kept_3;
     light = mix((0.8572f + (_e179 * (0.005f + (0.0083f * _e182)))), smoothstep(-1.3f, 0.5f, _e190.x), _e193);
-    let _e198 = light;
-    let _e201 = tones_1;
-    let _e202 = gabor_impl_toned(fabric.weft, _e201);
-    let _e204 = tones_1;
-    let _e205 = gabor_impl_toned(fabric.warp, _e204);
-    let _e207 = first_3;
-    if _e207 {
+    let _e197 = tones_1;
+    let _e198 = gabor_impl_toned(fabric.weft, _e197);
+    let _e200 = tones_1;
+    let _e201 = gabor_impl_toned(fabric.warp, _e200);
+    let _e203 = first_3;
+    if _e203 {
         local_48 = 1f;
     } else {
         local_48 = 0f;
     }
-    let _e211 = local_48;
-    let _e212 = kept_3;
-    colour_3 = (mix(0.18f, 1f, _e198) * mix(_e202, _e205, vec3(mix(0.5f, _e211, _e212))));
+    let _e207 = local_48;
+    let _e208 = kept_3;
+    let _e214 = light;
+    colour_3 = (mix(_e198, _e201, vec3(mix(0.5f, _e207, _e208))) * mix(0.18f, 1f, _e214));
     let _e219 = uneven;
     let _e222 = uneven;
     let _e227 = top;
@@ -2335,6 +2338,7 @@ fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
     var dome: vec3<f32>;
     var tones_2: vec2<f32>;
     var height_3: vec3<f32>;
+    var gone: f32;
     var lost_7: vec3<f32>;
     var colour_5: vec3<f32>;
     let _e3 = gabor_impl_crest(of.c);
@@ -2397,19 +2401,21 @@ fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
     let _e143 = root;
     let _e144 = root;
     let _e147 = blur;
-    lost_7 = ((((leather.cells * leather.cells) * (1f - ((_e143 * _e144) / (1f + _e147.x)))) * vec3<f32>(0.00287f, 0.0026f, 0f)) + (0.00000256f * of.a.lost));
-    let _e165 = tones_2;
-    let _e166 = gabor_impl_toned(leather.crease, _e165);
-    let _e168 = tones_2;
-    let _e169 = gabor_impl_toned(leather.pebble, _e168);
-    let _e170 = pebble;
-    colour_5 = mix(_e166, _e169, vec3(_e170.x));
-    let _e175 = colour_5;
-    let _e176 = height_3;
-    let _e180 = lost_7;
-    let _e185 = pebble;
-    let _e191 = gabor_impl_material(_e175, _e176, ((leather.relief * leather.relief) * _e180), (leather.roughness + (0.15f * (1f - _e185.x))), 0f);
-    return _e191;
+    gone = ((leather.cells * leather.cells) * (1f - ((_e143 * _e144) / (1f + _e147.x))));
+    let _e154 = gone;
+    lost_7 = ((_e154 * vec3<f32>(0.00287f, 0.0026f, 0f)) + (0.00000256f * of.a.lost));
+    let _e167 = tones_2;
+    let _e168 = gabor_impl_toned(leather.crease, _e167);
+    let _e170 = tones_2;
+    let _e171 = gabor_impl_toned(leather.pebble, _e170);
+    let _e172 = pebble;
+    colour_5 = mix(_e168, _e171, vec3(_e172.x));
+    let _e177 = colour_5;
+    let _e178 = height_3;
+    let _e182 = lost_7;
+    let _e187 = pebble;
+    let _e193 = gabor_impl_material(_e177, _e178, ((leather.relief * leather.relief) * _e182), (leather.roughness + (0.15f * (1f - _e187.x))), 0f);
+    return _e193;
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
@@ -2778,6 +2784,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     var tall: vec3<f32>;
     var height_4: vec3<f32>;
     var wave_19: vec2<f32>;
+    var bent: vec3<f32>;
     var square_3: vec3<f32>;
     var lost_8: vec3<f32>;
     z_1 = vec2<f32>(of.c.first.x, of.c.second.x);
@@ -2835,23 +2842,25 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     let _e190 = wave_19;
     let _e194 = wave_19;
     wave_19 = vec2<f32>(dot(_e190, ripples.at.x), dot(_e194, ripples.at.y));
-    let _e199 = wave_19;
-    let _e200 = gabor_impl_square(_e199);
-    let _e204 = (ripples.density * ripples.density);
-    let _e213 = gabor_impl_turned_square(vec3<f32>(_e204.x, _e204.y, 0f), ripples.at.x, ripples.at.y);
-    square_3 = (_e200 + (0.4f * _e213));
-    let _e217 = tall;
+    let _e203 = ((0.4f * ripples.density) * ripples.density);
+    bent = vec3<f32>(_e203.x, _e203.y, 0f);
+    let _e209 = wave_19;
+    let _e210 = gabor_impl_square(_e209);
+    let _e211 = bent;
+    let _e216 = gabor_impl_turned_square(_e211, ripples.at.x, ripples.at.y);
+    square_3 = (_e210 + _e216);
     let _e219 = tall;
-    let _e222 = phase_9;
-    let _e224 = span_3;
-    let _e226 = gabor_impl_rise_lost(_e222.x, _e224, 0.9f);
-    let _e228 = square_3;
-    lost_8 = (((((_e217.x * _e219.x) * _e226) * _e228) + (0.0009f * of.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of.b.lost));
-    let _e245 = colour_7;
-    let _e246 = height_4;
-    let _e247 = lost_8;
-    let _e250 = gabor_impl_material(_e245, _e246, _e247, sand.roughness, 0f);
-    return _e250;
+    let _e221 = tall;
+    let _e224 = phase_9;
+    let _e226 = span_3;
+    let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
+    let _e230 = square_3;
+    lost_8 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of.b.lost));
+    let _e247 = colour_7;
+    let _e248 = height_4;
+    let _e249 = lost_8;
+    let _e252 = gabor_impl_material(_e247, _e248, _e249, sand.roughness, 0f);
+    return _e252;
 }
 
 fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
@@ -2926,6 +2935,7 @@ fn gabor_impl_add_ripple(sum: ptr<function, GaborPair>, i: i32, wave: GaborPair)
     var y_21: f32;
     var kept_6: f32;
     var harmonic: f32;
+    var harmonics: f32;
     amplitude_8 = exp2((-0.351f * f32(i)));
     x_29 = wave.first.x;
     y_21 = wave.second.x;
@@ -2953,19 +2963,21 @@ fn gabor_impl_add_ripple(sum: ptr<function, GaborPair>, i: i32, wave: GaborPair)
     let _e72 = amplitude_8;
     let _e73 = amplitude_8;
     (*sum).removed = (_e70.removed + ((_e72 * _e73) * wave.removed));
-    let _e79 = (*sum);
-    let _e81 = amplitude_8;
-    let _e82 = amplitude_8;
-    let _e86 = x_29;
-    let _e90 = x_29;
-    let _e91 = x_29;
-    let _e93 = y_21;
-    let _e94 = y_21;
-    let _e99 = kept_6;
-    let _e101 = kept_6;
-    let _e102 = kept_6;
-    let _e105 = kept_6;
-    (*sum).lost = (_e79.lost + (((_e81 * _e82) * ((1f + (1.6f * _e86)) + (0.64f * (((((_e90 * _e91) + (_e93 * _e94)) + 1f) - _e99) + ((_e101 * _e102) * (1f + _e105)))))) * wave.lost));
+    let _e78 = x_29;
+    let _e79 = x_29;
+    let _e81 = y_21;
+    let _e82 = y_21;
+    let _e87 = kept_6;
+    let _e89 = kept_6;
+    let _e90 = kept_6;
+    let _e93 = kept_6;
+    harmonics = (((((_e78 * _e79) + (_e81 * _e82)) + 1f) - _e87) + ((_e89 * _e90) * (1f + _e93)));
+    let _e99 = (*sum);
+    let _e101 = amplitude_8;
+    let _e102 = amplitude_8;
+    let _e106 = x_29;
+    let _e110 = harmonics;
+    (*sum).lost = (_e99.lost + (((_e101 * _e102) * ((1f + (1.6f * _e106)) + (0.64f * _e110))) * wave.lost));
     return;
 }
 
