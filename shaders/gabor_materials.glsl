@@ -668,17 +668,17 @@ vec2 gabor_impl_tone(float noise, float removed, float contrast) {
     return vec2(contrast * noise - 0.5 * contrast * contrast, contrast * contrast * removed);
 }
 
-// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, the mean of min(c X,
-// 1)
-// is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where P is the normal distribution function and d = -(ln c + m) /
-// sqrt(r).
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
 vec3 gabor_impl_toned(vec3 colour, vec2 tone) {
     vec3 mean = colour * exp(tone.x + 0.5 * tone.y);
     if (tone.y > 0.0) {
         float s = sqrt(tone.y);
         vec3 d = (-tone.x - log(max(colour, 1.0e-6))) / s;
-        for (int i = 0; i < 3; ++i)
-            mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0 - gabor_impl_below(d[i]);
+        if (min(min(d.x, d.y), d.z) < 3.0)
+            for (int i = 0; i < 3; ++i)
+                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0 - gabor_impl_below(d[i]);
     }
     return min(mean, 1.0);
 }
@@ -695,16 +695,18 @@ vec3 gabor_impl_rise(vec3 phase, vec3 span) {
     return vec3(mean, change * phase.yz + widen * span.yz);
 }
 
-// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. The
-// slope is 2 t
-// where the sawtooth rises; where it falls, over the phases of `full`, its square is the inverse square of their
-// number.
+// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. Where
+// the sawtooth rises, over a share 1 - w of the phases, its slope is 2 t; where it falls, over w, it is
+// -(1 - w) (1 - w + 2 t) / w, with t from 0 to w.
 float gabor_impl_rise_lost(float phase, float span, float full) {
     vec3 ends = gabor_impl_ends_at(phase, span);
     vec2 turns = floor(ends.xy), t = ends.xy - turns;
-    vec2 integral = 1.3333333 * (turns + t * t * t) + gabor_impl_ends_at(0.0, full).z * turns;
+    float w = 1.0 / gabor_impl_ends_at(0.0, full).z, rise = 1.0 - w;
+    float risen = 1.3333333 - w * (2.0 - w + 0.33333333 * w * w), fallen = rise * rise * (1.0 / w + 0.33333333 * w);
+    vec2 integral = risen * (turns + t * t * t) + fallen * turns;
     float change = ends.z * (t.y * t.y - t.x * t.x);
-    return max(ends.z * (integral.y - integral.x) - change * change, 0.0) * max(1.0 - span / full, 0.0);
+    return max(ends.z * (integral.y - integral.x) - change * change, 0.0)
+         * max(1.0 - span * span / (full * full), 0.0);
 }
 
 // A smoothstep from `low` to `high`.
@@ -748,11 +750,12 @@ GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, GaborWood woo
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
     vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11) + gabor_impl_tone(of.c.second.x, of.c.removed,
                                                                                       0.13);
-    vec3 colour = gabor_impl_toned(early * wood.early + late * wood.late, tones) + 0.45 * deep.x * wood.late;
+    vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
+                + 0.45 * deep.x * wood.late;
     vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.b.second;
-    float depth = 0.0024 * wood.pores * within.x;
+    float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
     vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz) + 4.0e-8 * of.b.lost
-              + depth * depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1, 0.25);
+              + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1, 0.25);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
 }
 
@@ -814,7 +817,8 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count,
                                  0.09 * uneven)
                + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12);
     float light = mix(0.8572 + uneven * (0.005 + 0.0083 * uneven), smoothstep(-1.3, 0.5, top.x), kept);
-    vec3 colour = mix(fabric.weft, fabric.warp, mix(0.5, first ? 1.0 : 0.0, kept)) * mix(0.18, 1.0, light);
+    vec3 colour = mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
+                      mix(0.5, first ? 1.0 : 0.0, kept)) * mix(0.18, 1.0, light);
     vec3 height = vec3(mix(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top.x, kept), kept * top.yz);
     height = unit * (0.3 * height + 0.035 * fibre);
     lost = unit * unit * (0.29 * (1.0 - kept * kept) * vec3(count * count, 0.0) + 0.001225 * lost);
@@ -829,7 +833,7 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count,
         lost += swing * swing * (0.15625 - 0.5 * half_cord * half_cord - 2.0 * second * second)
                 * gabor_impl_square(at.yz);
     }
-    return gabor_impl_material(gabor_impl_toned(colour, tones), height, lost, fabric.roughness, 0.0);
+    return gabor_impl_material(colour, height, lost, fabric.roughness, 0.0);
 }
 
 GaborMaterial gabor_fabric_at(vec2 p, vec2 period, GaborFabric fabric, uint seed) {
@@ -870,8 +874,8 @@ GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, vec2 
     vec2 wave = vec2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
     vec3 bulge = vec3(mix(0.5093, wave.y * arch, kept),
                       kept * (3.1415927 * arch * wave.x * along.yz - 4.0 * cube * wave.y * across.yz));
-    vec3 colour = gabor_impl_toned(fibres.colour * (0.35 + 0.65 * bulge.x),
-                                   gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast));
+    vec2 tone = gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast);
+    vec3 colour = (0.35 + 0.65 * bulge.x) * gabor_impl_toned(fibres.colour, tone);
     // The mean square of the bulge's slope, over tows along x and y, is 2.72.
     lost = unit * unit * (0.0256 * 2.72 * (1.0 - kept * kept) * vec3(count * count, 0.0) + 3.6e-5 * lost);
     return gabor_impl_material(colour, unit * (0.16 * bulge + 0.006 * fibre), lost, fibres.roughness, 0.0);
@@ -933,8 +937,10 @@ GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
     dome = 0.236 * one + gabor_impl_times(kept, dome);
     vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
     vec3 height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * of.a.second);
-    vec3 lost = leather.cells * leather.cells * (1.0 - root * root) * vec3(0.00268, 0.00234, 0.0) + 2.56e-6 * of.a.lost;
-    return gabor_impl_material(gabor_impl_toned(mix(leather.crease, leather.pebble, pebble.x), tones), height,
+    float gone = leather.cells * leather.cells * (1.0 - root * root / (1.0 + blur.x));
+    vec3 lost = gone * vec3(0.00287, 0.0026, 0.0) + 2.56e-6 * of.a.lost;
+    vec3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
+    return gabor_impl_material(colour, height,
                                leather.relief * leather.relief * lost, leather.roughness + 0.15 * (1.0
                                                                                                    - pebble.x), 0.0);
 }
@@ -1028,7 +1034,7 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of)
     vec3 ripple = gabor_impl_rise(phase, span * vec3(1.0, (1.0 / power - 1.0 / whole) * change));
     vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain) + gabor_impl_tone(of.a.second.x, of.a.removed,
                                                                                            0.06);
-    vec3 colour = gabor_impl_toned(mix(sand.trough, sand.crest, ripple.x), tones);
+    vec3 colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
     float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9, 0.15).x;
     float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9, 0.15).x;
     colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
@@ -1037,7 +1043,10 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of)
     vec3 height = gabor_impl_times(ripple, tall) + 0.03 * of.a.first + 0.00875 * sand.grain * of.b.first;
     vec2 wave = ripples.density * ripples.wave; // per unit of the dune
     wave = vec2(dot(wave, ripples.at.x), dot(wave, ripples.at.y));
-    vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * gabor_impl_square(wave)
+    // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
+    vec3 bent = vec3(0.4 * ripples.density * ripples.density, 0.0);
+    vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
+    vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
               + 0.0009 * of.a.lost + 7.65625e-5 * sand.grain * sand.grain * of.b.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
 }
@@ -1067,12 +1076,15 @@ GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborRipples ripple
 
 // Adds a wave: the first sum is the height, the second a noise.
 void gabor_impl_add_ripple(inout GaborPair sum, int i, GaborPair wave) {
-    float amplitude = exp2(-0.351 * float(i)), x = wave.first.x, y = wave.second.x;
-    sum.first += amplitude * vec3(x + 0.2 * (x * x - y * y),
-                                  (1.0 + 0.4 * x) * wave.first.yz - 0.4 * y * wave.second.yz);
+    float amplitude = exp2(-0.351 * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0 - wave.removed;
+    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power; x^2 by the square
+    sum.first += amplitude * vec3(x + harmonic * (x * x - y * y),
+                                  (1.0 + 2.0 * harmonic * x) * wave.first.yz - 2.0 * harmonic * y * wave.second.yz);
     sum.second += amplitude * wave.first;
     sum.removed += amplitude * amplitude * wave.removed;
-    sum.lost += amplitude * amplitude * (1.0 + 0.8 * x + 0.16 * (x * x + y * y) + 0.32 * wave.removed) * wave.lost;
+    // The derivatives of x and y are in proportion to -y and x.
+    float harmonics = x * x + y * y + 1.0 - kept + kept * kept * (1.0 + kept);
+    sum.lost += amplitude * amplitude * (1.0 + 1.6 * x + 0.64 * harmonics) * wave.lost;
 }
 
 GaborMaterial gabor_impl_ripples(GaborRipples ripples, GaborPair sum) {
@@ -1141,7 +1153,8 @@ void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches,
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz;
     float change = gabor_impl_above(vec3(noise.second.x, 1.0, 0.0), noise.removed, 0.3, 0.7).y;
-    sum.lost += size * size * (open.x * open.x + change * change * noise.removed) // the mean square of `open`
+    // The mean square of `open`; its own slope, which we leave out, would add a seventh.
+    sum.lost += 1.15 * size * size * (open.x * open.x + change * change * noise.removed)
               * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2);
 }
 
@@ -1229,15 +1242,20 @@ GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
     vec3 weighted = of.a.second + vec3(0.25 * of.a.removed, 0.0, 0.0);
     float worn = 0.5 * gabor_impl_above(weighted, of.a.removed, 0.5, 0.4).x;
     float covered = bark.cover * gabor_impl_above(of.b.second, of.b.removed, 0.9, 0.5).x;
-    vec3 top = mix(bark.plate, mix(bark.plate, vec3(1.0), 0.13), worn);
-    vec3 colour = mix(mix(bark.furrow, bark.moss, covered), mix(top, bark.moss, 0.6 * covered), plate.x);
-    colour = gabor_impl_toned(colour, gabor_impl_tone(of.a.second.x, of.a.removed, 0.25));
+    vec2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25);
+    vec3 top = mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(mix(bark.plate, vec3(1.0), 0.13), tone), worn);
+    vec3 moss = gabor_impl_toned(bark.moss, tone);
+    vec3 colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
     vec3 coarse = vec3(0.4, 0.0, 0.0) + 0.6 * plate;
     vec3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.a.first, coarse);
-    vec2 depth = bark.depth * vec2(whole.x, 0.55 * risen.x);
-    vec3 lost = depth.x * depth.x * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04 * of.a.lost, -0.15, 0.35)
-              + depth.y * depth.y * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13)
-              + 0.000324 * coarse.x * coarse.x * of.a.lost;
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width.
+    float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.d.first, of.d.removed, 0.0919239).x;
+    float rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
+    float both = 0.0072 * bark.depth * whole.x * gabor_impl_above(vec3(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
+    vec3 lost = bark.depth * bark.depth
+              * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04 * of.a.lost, -0.15, 0.35)
+                 + 0.3025 * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13))
+              + coarse.x * (0.000324 * coarse.x + both) * of.a.lost;
     return gabor_impl_material(colour, height, lost, bark.roughness, 0.0);
 }
 
@@ -1275,12 +1293,14 @@ GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWarped rock, Ga
 
 GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
     vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5, 0.22); // the soft layers, which erode
-    vec3 colour = mix(strata.rock, strata.sandstone, gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
-    colour = mix(colour, strata.red, 0.8 * soft.x);
-    colour = mix(colour, strata.pale, 0.75 * gabor_impl_above(of.d.first, of.d.removed, 1.0, 0.2).x);
-    colour = mix(colour, 0.75 * strata.red, 0.6 * gabor_impl_above(of.d.second, of.d.removed, 1.3, 0.15).x);
-    colour = gabor_impl_toned(colour, gabor_impl_tone(of.e.first.x, of.e.removed, 0.13)
-                                      + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11));
+    vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
+    vec3 colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+                      gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
+    colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
+    colour = mix(colour, gabor_impl_toned(strata.pale, tones),
+                 0.75 * gabor_impl_above(of.d.first, of.d.removed, 1.0, 0.2).x);
+    colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
+                 0.6 * gabor_impl_above(of.d.second, of.d.removed, 1.3, 0.15).x);
     vec3 height = 0.02 * of.b.second - 0.012 * soft + 0.006 * of.d.first + 0.0015 * of.e.first + 0.003 * of.a.second;
     vec3 lost = 0.0004 * of.b.lost + 3.6e-5 * of.d.lost + 2.25e-6 * of.e.lost + 9.0e-6 * of.a.lost
               + 0.000144 * gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5, 0.22);

@@ -673,17 +673,17 @@ GABOR_INLINE gabor_vec2 gabor_impl_tone(float noise, float removed, float contra
     return gabor_vec2(contrast * noise - 0.5f * contrast * contrast, contrast * contrast * removed);
 }
 
-// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, the mean of min(c X,
-// 1)
-// is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where P is the normal distribution function and d = -(ln c + m) /
-// sqrt(r).
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
 GABOR_INLINE gabor_vec3 gabor_impl_toned(gabor_vec3 colour, gabor_vec2 tone) {
     gabor_vec3 mean = colour * gabor_cpp_exp(tone.x + 0.5f * tone.y);
     if (tone.y > 0.0f) {
         float s = gabor_cpp_sqrt(tone.y);
         gabor_vec3 d = (-tone.x - gabor_cpp_log(gabor_cpp_max(colour, 1.0e-6f))) / s;
-        for (int i = 0; i < 3; ++i)
-            mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0f - gabor_impl_below(d[i]);
+        if (gabor_cpp_min(gabor_cpp_min(d.x, d.y), d.z) < 3.0f)
+            for (int i = 0; i < 3; ++i)
+                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0f - gabor_impl_below(d[i]);
     }
     return gabor_cpp_min(mean, 1.0f);
 }
@@ -700,16 +700,18 @@ GABOR_INLINE gabor_vec3 gabor_impl_rise(gabor_vec3 phase, gabor_vec3 span) {
     return gabor_vec3(mean, change * phase.yz() + widen * span.yz());
 }
 
-// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. The
-// slope is 2 t
-// where the sawtooth rises; where it falls, over the phases of `full`, its square is the inverse square of their
-// number.
+// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. Where
+// the sawtooth rises, over a share 1 - w of the phases, its slope is 2 t; where it falls, over w, it is
+// -(1 - w) (1 - w + 2 t) / w, with t from 0 to w.
 GABOR_INLINE float gabor_impl_rise_lost(float phase, float span, float full) {
     gabor_vec3 ends = gabor_impl_ends_at(phase, span);
     gabor_vec2 turns = gabor_cpp_floor(ends.xy()), t = ends.xy() - turns;
-    gabor_vec2 integral = 1.3333333f * (turns + t * t * t) + gabor_impl_ends_at(0.0f, full).z * turns;
+    float w = 1.0f / gabor_impl_ends_at(0.0f, full).z, rise = 1.0f - w;
+    float risen = 1.3333333f - w * (2.0f - w + 0.33333333f * w * w), fallen = rise * rise * (1.0f / w + 0.33333333f * w);
+    gabor_vec2 integral = risen * (turns + t * t * t) + fallen * turns;
     float change = ends.z * (t.y * t.y - t.x * t.x);
-    return gabor_cpp_max(ends.z * (integral.y - integral.x) - change * change, 0.0f) * gabor_cpp_max(1.0f - span / full, 0.0f);
+    return gabor_cpp_max(ends.z * (integral.y - integral.x) - change * change, 0.0f)
+         * gabor_cpp_max(1.0f - span * span / (full * full), 0.0f);
 }
 
 // A smoothstep from `low` to `high`.
@@ -753,11 +755,12 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, 
     float early = (1.0f - ring.x) * (1.0f - pores.x), late = ring.x * (1.0f - 0.25f * pores.x);
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11f) + gabor_impl_tone(of.c.second.x, of.c.removed,
                                                                                       0.13f);
-    gabor_vec3 colour = gabor_impl_toned(early * wood.early + late * wood.late, tones) + 0.45f * deep.x * wood.late;
+    gabor_vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
+                + 0.45f * deep.x * wood.late;
     gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.b.second;
-    float depth = 0.0024f * wood.pores * within.x;
+    float depth = 5.76e-6f * wood.pores * wood.pores * (within.x * within.x + 0.05f * (1.0f - kept * kept)); // mean square
     gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz()) + 4.0e-8f * of.b.lost
-              + depth * depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1f, 0.25f);
+              + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1f, 0.25f);
     return gabor_impl_material(colour, height, lost, wood.roughness * (1.0f - 0.2f * ring.x), 0.0f);
 }
 
@@ -819,7 +822,8 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
                                  0.09f * uneven)
                + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12f);
     float light = gabor_cpp_mix(0.8572f + uneven * (0.005f + 0.0083f * uneven), gabor_cpp_smoothstep(-1.3f, 0.5f, top.x), kept);
-    gabor_vec3 colour = gabor_cpp_mix(fabric.weft, fabric.warp, gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept)) * gabor_cpp_mix(0.18f, 1.0f, light);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
+                      gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept)) * gabor_cpp_mix(0.18f, 1.0f, light);
     gabor_vec3 height = gabor_vec3(gabor_cpp_mix(0.1352f + uneven * (0.0045f + 0.0062f * uneven), top.x, kept), kept * top.yz());
     height = unit * (0.3f * height + 0.035f * fibre);
     lost = unit * unit * (0.29f * (1.0f - kept * kept) * gabor_vec3(count * count, 0.0f) + 0.001225f * lost);
@@ -834,7 +838,7 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
         lost += swing * swing * (0.15625f - 0.5f * half_cord * half_cord - 2.0f * second * second)
                 * gabor_impl_square(at.yz());
     }
-    return gabor_impl_material(gabor_impl_toned(colour, tones), height, lost, fabric.roughness, 0.0f);
+    return gabor_impl_material(colour, height, lost, fabric.roughness, 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_fabric_at(gabor_vec2 p, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
@@ -875,8 +879,8 @@ GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped
     gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x));
     gabor_vec3 bulge = gabor_vec3(gabor_cpp_mix(0.5093f, wave.y * arch, kept),
                       kept * (3.1415927f * arch * wave.x * along.yz() - 4.0f * cube * wave.y * across.yz()));
-    gabor_vec3 colour = gabor_impl_toned(fibres.colour * (0.35f + 0.65f * bulge.x),
-                                   gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast));
+    gabor_vec2 tone = gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast);
+    gabor_vec3 colour = (0.35f + 0.65f * bulge.x) * gabor_impl_toned(fibres.colour, tone);
     // The mean square of the bulge's slope, over tows along x and y, is 2.72.
     lost = unit * unit * (0.0256f * 2.72f * (1.0f - kept * kept) * gabor_vec3(count * count, 0.0f) + 3.6e-5f * lost);
     return gabor_impl_material(colour, unit * (0.16f * bulge + 0.006f * fibre), lost, fibres.roughness, 0.0f);
@@ -938,8 +942,10 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs o
     dome = 0.236f * one + gabor_impl_times(kept, dome);
     gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
     gabor_vec3 height = leather.relief * (0.016f * pebble + 0.013f * dome + 0.0016f * of.a.second);
-    gabor_vec3 lost = leather.cells * leather.cells * (1.0f - root * root) * gabor_vec3(0.00268f, 0.00234f, 0.0f) + 2.56e-6f * of.a.lost;
-    return gabor_impl_material(gabor_impl_toned(gabor_cpp_mix(leather.crease, leather.pebble, pebble.x), tones), height,
+    float gone = leather.cells * leather.cells * (1.0f - root * root / (1.0f + blur.x));
+    gabor_vec3 lost = gone * gabor_vec3(0.00287f, 0.0026f, 0.0f) + 2.56e-6f * of.a.lost;
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
+    return gabor_impl_material(colour, height,
                                leather.relief * leather.relief * lost, leather.roughness + 0.15f * (1.0f
                                                                                                    - pebble.x), 0.0f);
 }
@@ -1033,7 +1039,7 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, G
     gabor_vec3 ripple = gabor_impl_rise(phase, span * gabor_vec3(1.0f, (1.0f / power - 1.0f / whole) * change));
     gabor_vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain) + gabor_impl_tone(of.a.second.x, of.a.removed,
                                                                                            0.06f);
-    gabor_vec3 colour = gabor_impl_toned(gabor_cpp_mix(sand.trough, sand.crest, ripple.x), tones);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
     float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9f, 0.15f).x;
     float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9f, 0.15f).x;
     colour = gabor_cpp_mix(colour, 0.23f * sand.trough, 3.75f * sand.grain * dark);
@@ -1042,7 +1048,10 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, G
     gabor_vec3 height = gabor_impl_times(ripple, tall) + 0.03f * of.a.first + 0.00875f * sand.grain * of.b.first;
     gabor_vec2 wave = ripples.density * ripples.wave; // per unit of the dune
     wave = gabor_vec2(gabor_cpp_dot(wave, ripples.at.x), gabor_cpp_dot(wave, ripples.at.y));
-    gabor_vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9f) * gabor_impl_square(wave)
+    // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
+    gabor_vec3 bent = gabor_vec3(0.4f * ripples.density * ripples.density, 0.0f);
+    gabor_vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
+    gabor_vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9f) * square
               + 0.0009f * of.a.lost + 7.65625e-5f * sand.grain * sand.grain * of.b.lost;
     return gabor_impl_material(colour, height, lost, sand.roughness, 0.0f);
 }
@@ -1072,12 +1081,15 @@ GABOR_INLINE GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborR
 
 // Adds a wave: the first sum is the height, the second a noise.
 GABOR_INLINE void gabor_impl_add_ripple(GaborPair& sum, int i, GaborPair wave) {
-    float amplitude = gabor_cpp_exp2(-0.351f * float(i)), x = wave.first.x, y = wave.second.x;
-    sum.first += amplitude * gabor_vec3(x + 0.2f * (x * x - y * y),
-                                  (1.0f + 0.4f * x) * wave.first.yz() - 0.4f * y * wave.second.yz());
+    float amplitude = gabor_cpp_exp2(-0.351f * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0f - wave.removed;
+    float harmonic = 0.2f * kept; // a filter damps a wave of twice the frequency by the fourth power; x^2 by the square
+    sum.first += amplitude * gabor_vec3(x + harmonic * (x * x - y * y),
+                                  (1.0f + 2.0f * harmonic * x) * wave.first.yz() - 2.0f * harmonic * y * wave.second.yz());
     sum.second += amplitude * wave.first;
     sum.removed += amplitude * amplitude * wave.removed;
-    sum.lost += amplitude * amplitude * (1.0f + 0.8f * x + 0.16f * (x * x + y * y) + 0.32f * wave.removed) * wave.lost;
+    // The derivatives of x and y are in proportion to -y and x.
+    float harmonics = x * x + y * y + 1.0f - kept + kept * kept * (1.0f + kept);
+    sum.lost += amplitude * amplitude * (1.0f + 1.6f * x + 0.64f * harmonics) * wave.lost;
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborRipples ripples, GaborPair sum) {
@@ -1146,7 +1158,8 @@ GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches sc
     sum.height -= size * scratch.x;
     sum.slope -= size * scratch.yz();
     float change = gabor_impl_above(gabor_vec3(noise.second.x, 1.0f, 0.0f), noise.removed, 0.3f, 0.7f).y;
-    sum.lost += size * size * (open.x * open.x + change * change * noise.removed) // the mean square of `open`
+    // The mean square of `open`; its own slope, which we leave out, would add a seventh.
+    sum.lost += 1.15f * size * size * (open.x * open.x + change * change * noise.removed)
               * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2f);
 }
 
@@ -1234,15 +1247,20 @@ GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
     gabor_vec3 weighted = of.a.second + gabor_vec3(0.25f * of.a.removed, 0.0f, 0.0f);
     float worn = 0.5f * gabor_impl_above(weighted, of.a.removed, 0.5f, 0.4f).x;
     float covered = bark.cover * gabor_impl_above(of.b.second, of.b.removed, 0.9f, 0.5f).x;
-    gabor_vec3 top = gabor_cpp_mix(bark.plate, gabor_cpp_mix(bark.plate, gabor_vec3(1.0f), 0.13f), worn);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(bark.furrow, bark.moss, covered), gabor_cpp_mix(top, bark.moss, 0.6f * covered), plate.x);
-    colour = gabor_impl_toned(colour, gabor_impl_tone(of.a.second.x, of.a.removed, 0.25f));
+    gabor_vec2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25f);
+    gabor_vec3 top = gabor_cpp_mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(gabor_cpp_mix(bark.plate, gabor_vec3(1.0f), 0.13f), tone), worn);
+    gabor_vec3 moss = gabor_impl_toned(bark.moss, tone);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered), plate.x);
     gabor_vec3 coarse = gabor_vec3(0.4f, 0.0f, 0.0f) + 0.6f * plate;
     gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.a.first, coarse);
-    gabor_vec2 depth = bark.depth * gabor_vec2(whole.x, 0.55f * risen.x);
-    gabor_vec3 lost = depth.x * depth.x * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04f * of.a.lost, -0.15f, 0.35f)
-              + depth.y * depth.y * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13f)
-              + 0.000324f * coarse.x * coarse.x * of.a.lost;
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width.
+    float wholes = 2.0f * whole.x - 1.0f + 0.3025f * gabor_impl_line(of.d.first, of.d.removed, 0.0919239f).x;
+    float rises = risen.x * risen.x + risen.x * (1.0f - risen.x) * removed / (removed + 0.18f);
+    float both = 0.0072f * bark.depth * whole.x * gabor_impl_above(gabor_vec3(shape.x, 1.0f, 0.0f), removed, -0.15f, 0.35f).y;
+    gabor_vec3 lost = bark.depth * bark.depth
+              * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04f * of.a.lost, -0.15f, 0.35f)
+                 + 0.3025f * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13f))
+              + coarse.x * (0.000324f * coarse.x + both) * of.a.lost;
     return gabor_impl_material(colour, height, lost, bark.roughness, 0.0f);
 }
 
@@ -1280,12 +1298,14 @@ GABOR_INLINE GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWa
 
 GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
     gabor_vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5f, 0.22f); // the soft layers, which erode
-    gabor_vec3 colour = gabor_cpp_mix(strata.rock, strata.sandstone, gabor_impl_above(of.b.first, of.b.removed, 0.0f, 0.5f).x);
-    colour = gabor_cpp_mix(colour, strata.red, 0.8f * soft.x);
-    colour = gabor_cpp_mix(colour, strata.pale, 0.75f * gabor_impl_above(of.d.first, of.d.removed, 1.0f, 0.2f).x);
-    colour = gabor_cpp_mix(colour, 0.75f * strata.red, 0.6f * gabor_impl_above(of.d.second, of.d.removed, 1.3f, 0.15f).x);
-    colour = gabor_impl_toned(colour, gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f)
-                                      + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f));
+    gabor_vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+                      gabor_impl_above(of.b.first, of.b.removed, 0.0f, 0.5f).x);
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.red, tones), 0.8f * soft.x);
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.pale, tones),
+                 0.75f * gabor_impl_above(of.d.first, of.d.removed, 1.0f, 0.2f).x);
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(0.75f * strata.red, tones),
+                 0.6f * gabor_impl_above(of.d.second, of.d.removed, 1.3f, 0.15f).x);
     gabor_vec3 height = 0.02f * of.b.second - 0.012f * soft + 0.006f * of.d.first + 0.0015f * of.e.first + 0.003f * of.a.second;
     gabor_vec3 lost = 0.0004f * of.b.lost + 3.6e-5f * of.d.lost + 2.25e-6f * of.e.lost + 9.0e-6f * of.a.lost
               + 0.000144f * gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5f, 0.22f);

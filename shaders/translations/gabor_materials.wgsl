@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d0b52cbd9a4e99d6.
+// naga 30.0.1 made it from GLSL with the digest 4e9403ff3b3ff3e1.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //
@@ -1367,10 +1367,9 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> vec2<f32> {
     return vec2<f32>(((contrast * noise) - ((0.5f * contrast) * contrast)), ((contrast * contrast) * removed));
 }
 
-// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, the mean of min(c X,
-// 1)
-// is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where P is the normal distribution function and d = -(ln c + m) /
-// sqrt(r).
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
 fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
     var mean_4: vec3<f32>;
     var s_10: f32;
@@ -1382,31 +1381,36 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
             s_10 = sqrt(tone.y);
             let _e24 = s_10;
             d_7 = ((vec3(-(tone.x)) - log(max(colour, vec3(0.000001f)))) / vec3(_e24));
-            loop {
-                let _e30 = i_9;
-                if !((_e30 < 3i)) {
-                    break;
-                }
-                let _e37 = i_9;
-                let _e39 = i_9;
-                let _e41 = mean_4[_e39];
-                let _e42 = i_9;
-                let _e44 = d_7[_e42];
-                let _e45 = s_10;
-                let _e47 = gabor_impl_below((_e44 - _e45));
-                let _e51 = i_9;
-                let _e53 = d_7[_e51];
-                let _e54 = gabor_impl_below(_e53);
-                mean_4[_e37] = (((_e41 * _e47) + 1f) - _e54);
-                continuing {
-                    let _e34 = i_9;
-                    i_9 = (_e34 + 1i);
+            let _e28 = d_7;
+            let _e30 = d_7;
+            let _e33 = d_7;
+            if (min(min(_e28.x, _e30.y), _e33.z) < 3f) {
+                loop {
+                    let _e40 = i_9;
+                    if !((_e40 < 3i)) {
+                        break;
+                    }
+                    let _e47 = i_9;
+                    let _e49 = i_9;
+                    let _e51 = mean_4[_e49];
+                    let _e52 = i_9;
+                    let _e54 = d_7[_e52];
+                    let _e55 = s_10;
+                    let _e57 = gabor_impl_below((_e54 - _e55));
+                    let _e61 = i_9;
+                    let _e63 = d_7[_e61];
+                    let _e64 = gabor_impl_below(_e63);
+                    mean_4[_e47] = (((_e51 * _e57) + 1f) - _e64);
+                    continuing {
+                        let _e44 = i_9;
+                        i_9 = (_e44 + 1i);
+                    }
                 }
             }
         }
     }
-    let _e56 = mean_4;
-    return min(_e56, vec3(1f));
+    let _e66 = mean_4;
+    return min(_e66, vec3(1f));
 }
 
 // The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
@@ -1457,14 +1461,17 @@ fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(_e80, _e87.x, _e87.y);
 }
 
-// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. The
-// slope is 2 t
-// where the sawtooth rises; where it falls, over the phases of `full`, its square is the inverse square of their
-// number.
+// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. Where
+// the sawtooth rises, over a share 1 - w of the phases, its slope is 2 t; where it falls, over w, it is
+// -(1 - w) (1 - w + 2 t) / w, with t from 0 to w.
 fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
     var ends_5: vec3<f32>;
     var turns_5: vec2<f32>;
     var t_11: vec2<f32>;
+    var w_1: f32;
+    var rise_2: f32;
+    var risen: f32;
+    var fallen: f32;
     var integral_1: vec2<f32>;
     var change_3: f32;
     let _e3 = gabor_impl_ends_at(phase, span);
@@ -1474,25 +1481,40 @@ fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
     let _e9 = ends_5;
     let _e11 = turns_5;
     t_11 = (_e9.xy - _e11);
-    let _e15 = turns_5;
-    let _e16 = t_11;
-    let _e17 = t_11;
-    let _e19 = t_11;
-    let _e24 = gabor_impl_ends_at(0f, full);
-    let _e26 = turns_5;
-    integral_1 = ((1.3333333f * (_e15 + ((_e16 * _e17) * _e19))) + (_e24.z * _e26));
-    let _e30 = ends_5;
-    let _e32 = t_11;
-    let _e34 = t_11;
-    let _e37 = t_11;
-    let _e39 = t_11;
-    change_3 = (_e30.z * ((_e32.y * _e34.y) - (_e37.x * _e39.x)));
-    let _e45 = ends_5;
-    let _e47 = integral_1;
-    let _e49 = integral_1;
-    let _e53 = change_3;
-    let _e54 = change_3;
-    return (max(((_e45.z * (_e47.y - _e49.x)) - (_e53 * _e54)), 0f) * max((1f - (span / full)), 0f));
+    let _e16 = gabor_impl_ends_at(0f, full);
+    w_1 = (1f / _e16.z);
+    let _e21 = w_1;
+    rise_2 = (1f - _e21);
+    let _e25 = w_1;
+    let _e27 = w_1;
+    let _e30 = w_1;
+    let _e32 = w_1;
+    risen = (1.3333333f - (_e25 * ((2f - _e27) + ((0.33333334f * _e30) * _e32))));
+    let _e38 = rise_2;
+    let _e39 = rise_2;
+    let _e42 = w_1;
+    let _e45 = w_1;
+    fallen = ((_e38 * _e39) * ((1f / _e42) + (0.33333334f * _e45)));
+    let _e50 = risen;
+    let _e51 = turns_5;
+    let _e52 = t_11;
+    let _e53 = t_11;
+    let _e55 = t_11;
+    let _e59 = fallen;
+    let _e60 = turns_5;
+    integral_1 = ((_e50 * (_e51 + ((_e52 * _e53) * _e55))) + (_e59 * _e60));
+    let _e64 = ends_5;
+    let _e66 = t_11;
+    let _e68 = t_11;
+    let _e71 = t_11;
+    let _e73 = t_11;
+    change_3 = (_e64.z * ((_e66.y * _e68.y) - (_e71.x * _e73.x)));
+    let _e79 = ends_5;
+    let _e81 = integral_1;
+    let _e83 = integral_1;
+    let _e87 = change_3;
+    let _e88 = change_3;
+    return (max(((_e79.z * (_e81.y - _e83.x)) - (_e87 * _e88)), 0f) * max((1f - ((span * span) / (full * full))), 0f));
 }
 
 // A smoothstep from `low` to `high`.
@@ -1606,31 +1628,35 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e99 = gabor_impl_tone(of.c.second.x, of.c.removed, 0.13f);
     tones = (_e92 + _e99);
     let _e102 = early;
-    let _e105 = late;
+    let _e104 = tones;
+    let _e105 = gabor_impl_toned(wood.early, _e104);
+    let _e107 = late;
     let _e109 = tones;
-    let _e110 = gabor_impl_toned(((_e102 * wood.early) + (_e105 * wood.late)), _e109);
-    let _e112 = deep;
-    colour_2 = (_e110 + ((0.45f * _e112.x) * wood.late));
-    let _e120 = ring;
-    let _e123 = deep;
-    height_1 = (((0.0006f * _e120) - (0.0024f * _e123)) + (0.0002f * of.b.second));
-    let _e135 = within_1;
-    depth = ((0.0024f * wood.pores) * _e135.x);
-    let _e140 = years;
-    let _e142 = kept_2;
-    let _e144 = gabor_impl_rise_lost(_e140.x, _e142, 0.97f);
-    let _e146 = years;
-    let _e148 = gabor_impl_square(_e146.yz);
-    let _e155 = depth;
-    let _e156 = depth;
-    let _e166 = gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1f, 0.25f);
-    lost_4 = ((((0.00000036f * _e144) * _e148) + (0.00000004f * of.b.lost)) + ((_e155 * _e156) * _e166));
-    let _e170 = colour_2;
-    let _e171 = height_1;
-    let _e172 = lost_4;
-    let _e176 = ring;
-    let _e182 = gabor_impl_material(_e170, _e171, _e172, (wood.roughness * (1f - (0.2f * _e176.x))), 0f);
-    return _e182;
+    let _e110 = gabor_impl_toned(wood.late, _e109);
+    let _e114 = deep;
+    colour_2 = (((_e102 * _e105) + (_e107 * _e110)) + ((0.45f * _e114.x) * wood.late));
+    let _e122 = ring;
+    let _e125 = deep;
+    height_1 = (((0.0006f * _e122) - (0.0024f * _e125)) + (0.0002f * of.b.second));
+    let _e139 = within_1;
+    let _e141 = within_1;
+    let _e146 = kept_2;
+    let _e147 = kept_2;
+    depth = (((0.00000576f * wood.pores) * wood.pores) * ((_e139.x * _e141.x) + (0.05f * (1f - (_e146 * _e147)))));
+    let _e155 = years;
+    let _e157 = kept_2;
+    let _e159 = gabor_impl_rise_lost(_e155.x, _e157, 0.97f);
+    let _e161 = years;
+    let _e163 = gabor_impl_square(_e161.yz);
+    let _e170 = depth;
+    let _e179 = gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1f, 0.25f);
+    lost_4 = ((((0.00000036f * _e159) * _e163) + (0.00000004f * of.b.lost)) + (_e170 * _e179));
+    let _e183 = colour_2;
+    let _e184 = height_1;
+    let _e185 = lost_4;
+    let _e189 = ring;
+    let _e195 = gabor_impl_material(_e183, _e184, _e185, (wood.roughness * (1f - (0.2f * _e189.x))), 0f);
+    return _e195;
 }
 
 fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
@@ -1892,94 +1918,96 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e190 = top;
     let _e193 = kept_3;
     light = mix((0.8572f + (_e179 * (0.005f + (0.0083f * _e182)))), smoothstep(-1.3f, 0.5f, _e190.x), _e193);
-    let _e199 = first_3;
-    if _e199 {
+    let _e197 = tones_1;
+    let _e198 = gabor_impl_toned(fabric.weft, _e197);
+    let _e200 = tones_1;
+    let _e201 = gabor_impl_toned(fabric.warp, _e200);
+    let _e203 = first_3;
+    if _e203 {
         local_48 = 1f;
     } else {
         local_48 = 0f;
     }
-    let _e203 = local_48;
-    let _e204 = kept_3;
-    let _e210 = light;
-    colour_3 = (mix(fabric.weft, fabric.warp, vec3(mix(0.5f, _e203, _e204))) * mix(0.18f, 1f, _e210));
-    let _e215 = uneven;
-    let _e218 = uneven;
-    let _e223 = top;
-    let _e225 = kept_3;
-    let _e227 = kept_3;
-    let _e228 = top;
-    let _e230 = (_e227 * _e228.yz);
-    height_2 = vec3<f32>(mix((0.1352f + (_e215 * (0.0045f + (0.0062f * _e218)))), _e223.x, _e225), _e230.x, _e230.y);
-    let _e235 = unit_5;
-    let _e237 = height_2;
-    let _e240 = fibre;
-    height_2 = (_e235 * ((0.3f * _e237) + (0.035f * _e240)));
-    let _e244 = unit_5;
-    let _e245 = unit_5;
-    let _e249 = kept_3;
-    let _e250 = kept_3;
-    let _e254 = (count * count);
-    let _e261 = lost_5;
-    lost_5 = ((_e244 * _e245) * (((0.29f * (1f - (_e249 * _e250))) * vec3<f32>(_e254.x, _e254.y, 0f)) + (0.001225f * _e261)));
+    let _e207 = local_48;
+    let _e208 = kept_3;
+    let _e214 = light;
+    colour_3 = (mix(_e198, _e201, vec3(mix(0.5f, _e207, _e208))) * mix(0.18f, 1f, _e214));
+    let _e219 = uneven;
+    let _e222 = uneven;
+    let _e227 = top;
+    let _e229 = kept_3;
+    let _e231 = kept_3;
+    let _e232 = top;
+    let _e234 = (_e231 * _e232.yz);
+    height_2 = vec3<f32>(mix((0.1352f + (_e219 * (0.0045f + (0.0062f * _e222)))), _e227.x, _e229), _e234.x, _e234.y);
+    let _e239 = unit_5;
+    let _e241 = height_2;
+    let _e244 = fibre;
+    height_2 = (_e239 * ((0.3f * _e241) + (0.035f * _e244)));
+    let _e248 = unit_5;
+    let _e249 = unit_5;
+    let _e253 = kept_3;
+    let _e254 = kept_3;
+    let _e258 = (count * count);
+    let _e265 = lost_5;
+    lost_5 = ((_e248 * _e249) * (((0.29f * (1f - (_e253 * _e254))) * vec3<f32>(_e258.x, _e258.y, 0f)) + (0.001225f * _e265)));
     if (fabric.cords > 0f) {
         {
-            let _e270 = gabor_impl_repeated(pixel, fabric.cords, 1f);
-            let _e272 = gabor_impl_along_x(cloth);
-            at_9 = (_e270.x * _e272);
-            let _e276 = at_9;
-            let _e277 = gabor_impl_steps(pixel, _e276);
-            damped_2 = exp(-(min((4.934802f * _e277), 20f)));
-            let _e285 = damped_2;
-            half_cord = (0.5f * _e285);
+            let _e274 = gabor_impl_repeated(pixel, fabric.cords, 1f);
+            let _e276 = gabor_impl_along_x(cloth);
+            at_9 = (_e274.x * _e276);
+            let _e280 = at_9;
+            let _e281 = gabor_impl_steps(pixel, _e280);
+            damped_2 = exp(-(min((4.934802f * _e281), 20f)));
             let _e289 = damped_2;
-            let _e291 = damped_2;
+            half_cord = (0.5f * _e289);
             let _e293 = damped_2;
             let _e295 = damped_2;
-            second_3 = ((((0.125f * _e289) * _e291) * _e293) * _e295);
-            let _e299 = at_9;
-            turn_13 = (6.2831855f * fract(_e299.x));
-            let _e305 = half_cord;
-            let _e306 = turn_13;
-            let _e310 = second_3;
-            let _e312 = turn_13;
-            cord = ((0.625f - (_e305 * cos(_e306))) - (_e310 * cos((2f * _e312))));
-            let _e323 = gabor_impl_repeated(pixel, fabric.cords, 1f);
-            depth_1 = ((0.3f * fabric.relief) / _e323.x);
-            let _e327 = depth_1;
-            swing = (_e327 * 6.2831855f);
-            let _e331 = colour_3;
-            let _e334 = cord;
-            colour_3 = (_e331 * mix(0.3f, 1f, _e334));
-            let _e337 = height_2;
-            let _e338 = depth_1;
-            let _e339 = cord;
-            let _e341 = swing;
-            let _e342 = half_cord;
-            let _e343 = turn_13;
-            let _e347 = second_3;
-            let _e350 = turn_13;
-            let _e356 = at_9;
-            let _e358 = ((_e341 * ((_e342 * sin(_e343)) + ((2f * _e347) * sin((2f * _e350))))) * _e356.yz);
-            height_2 = (_e337 + vec3<f32>((_e338 * _e339), _e358.x, _e358.y));
-            let _e363 = lost_5;
-            let _e364 = swing;
-            let _e365 = swing;
-            let _e369 = half_cord;
-            let _e371 = half_cord;
-            let _e375 = second_3;
-            let _e377 = second_3;
-            let _e381 = at_9;
-            let _e383 = gabor_impl_square(_e381.yz);
-            lost_5 = (_e363 + (((_e364 * _e365) * ((0.15625f - ((0.5f * _e369) * _e371)) - ((2f * _e375) * _e377))) * _e383));
+            let _e297 = damped_2;
+            let _e299 = damped_2;
+            second_3 = ((((0.125f * _e293) * _e295) * _e297) * _e299);
+            let _e303 = at_9;
+            turn_13 = (6.2831855f * fract(_e303.x));
+            let _e309 = half_cord;
+            let _e310 = turn_13;
+            let _e314 = second_3;
+            let _e316 = turn_13;
+            cord = ((0.625f - (_e309 * cos(_e310))) - (_e314 * cos((2f * _e316))));
+            let _e327 = gabor_impl_repeated(pixel, fabric.cords, 1f);
+            depth_1 = ((0.3f * fabric.relief) / _e327.x);
+            let _e331 = depth_1;
+            swing = (_e331 * 6.2831855f);
+            let _e335 = colour_3;
+            let _e338 = cord;
+            colour_3 = (_e335 * mix(0.3f, 1f, _e338));
+            let _e341 = height_2;
+            let _e342 = depth_1;
+            let _e343 = cord;
+            let _e345 = swing;
+            let _e346 = half_cord;
+            let _e347 = turn_13;
+            let _e351 = second_3;
+            let _e354 = turn_13;
+            let _e360 = at_9;
+            let _e362 = ((_e345 * ((_e346 * sin(_e347)) + ((2f * _e351) * sin((2f * _e354))))) * _e360.yz);
+            height_2 = (_e341 + vec3<f32>((_e342 * _e343), _e362.x, _e362.y));
+            let _e367 = lost_5;
+            let _e368 = swing;
+            let _e369 = swing;
+            let _e373 = half_cord;
+            let _e375 = half_cord;
+            let _e379 = second_3;
+            let _e381 = second_3;
+            let _e385 = at_9;
+            let _e387 = gabor_impl_square(_e385.yz);
+            lost_5 = (_e367 + (((_e368 * _e369) * ((0.15625f - ((0.5f * _e373) * _e375)) - ((2f * _e379) * _e381))) * _e387));
         }
     }
-    let _e386 = colour_3;
-    let _e387 = tones_1;
-    let _e388 = gabor_impl_toned(_e386, _e387);
-    let _e389 = height_2;
-    let _e390 = lost_5;
-    let _e393 = gabor_impl_material(_e388, _e389, _e390, fabric.roughness, 0f);
-    return _e393;
+    let _e390 = colour_3;
+    let _e391 = height_2;
+    let _e392 = lost_5;
+    let _e395 = gabor_impl_material(_e390, _e391, _e392, fabric.roughness, 0f);
+    return _e395;
 }
 
 fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
@@ -2066,6 +2094,7 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     var wave_17: vec2<f32>;
     var bulge: vec3<f32>;
     var local_55: f32;
+    var tone_1: vec2<f32>;
     var colour_4: vec3<f32>;
     let _e6 = gabor_impl_along_x(cloth);
     x_28 = (count.x * _e6);
@@ -2156,32 +2185,34 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     let _e160 = across_3;
     let _e164 = (_e144 * ((((3.1415927f * _e146) * _e148.x) * _e151.yz) - (((4f * _e155) * _e157.y) * _e160.yz)));
     bulge = vec3<f32>(mix(0.5093f, (_e138.y * _e140), _e142), _e164.x, _e164.y);
-    let _e172 = bulge;
-    let _e177 = fibre_1;
-    let _e179 = first_4;
-    if _e179 {
+    let _e169 = fibre_1;
+    let _e171 = first_4;
+    if _e171 {
         local_55 = of.a.removed;
     } else {
         local_55 = of.b.removed;
     }
-    let _e185 = local_55;
-    let _e187 = gabor_impl_tone(_e177.x, _e185, fibres.contrast);
-    let _e188 = gabor_impl_toned((fibres.colour * (0.35f + (0.65f * _e172.x))), _e187);
-    colour_4 = _e188;
-    let _e190 = unit_6;
-    let _e191 = unit_6;
-    let _e197 = kept_4;
-    let _e198 = kept_4;
-    let _e202 = (count * count);
-    let _e209 = lost_6;
-    lost_6 = ((_e190 * _e191) * (((0.069632f * (1f - (_e197 * _e198))) * vec3<f32>(_e202.x, _e202.y, 0f)) + (0.000036f * _e209)));
-    let _e213 = colour_4;
-    let _e214 = unit_6;
-    let _e216 = bulge;
-    let _e219 = fibre_1;
-    let _e223 = lost_6;
-    let _e226 = gabor_impl_material(_e213, (_e214 * ((0.16f * _e216) + (0.006f * _e219))), _e223, fibres.roughness, 0f);
-    return _e226;
+    let _e177 = local_55;
+    let _e179 = gabor_impl_tone(_e169.x, _e177, fibres.contrast);
+    tone_1 = _e179;
+    let _e183 = bulge;
+    let _e188 = tone_1;
+    let _e189 = gabor_impl_toned(fibres.colour, _e188);
+    colour_4 = ((0.35f + (0.65f * _e183.x)) * _e189);
+    let _e192 = unit_6;
+    let _e193 = unit_6;
+    let _e199 = kept_4;
+    let _e200 = kept_4;
+    let _e204 = (count * count);
+    let _e211 = lost_6;
+    lost_6 = ((_e192 * _e193) * (((0.069632f * (1f - (_e199 * _e200))) * vec3<f32>(_e204.x, _e204.y, 0f)) + (0.000036f * _e211)));
+    let _e215 = colour_4;
+    let _e216 = unit_6;
+    let _e218 = bulge;
+    let _e221 = fibre_1;
+    let _e225 = lost_6;
+    let _e228 = gabor_impl_material(_e215, (_e216 * ((0.16f * _e218) + (0.006f * _e221))), _e225, fibres.roughness, 0f);
+    return _e228;
 }
 
 fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
@@ -2307,7 +2338,9 @@ fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
     var dome: vec3<f32>;
     var tones_2: vec2<f32>;
     var height_3: vec3<f32>;
+    var gone: f32;
     var lost_7: vec3<f32>;
+    var colour_5: vec3<f32>;
     let _e3 = gabor_impl_crest(of.c);
     a_14 = _e3;
     let _e6 = gabor_impl_crest(of.d);
@@ -2367,15 +2400,22 @@ fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
     height_3 = (leather.relief * (((0.016f * _e126) + (0.013f * _e129)) + (0.0016f * of.a.second)));
     let _e143 = root;
     let _e144 = root;
-    lost_7 = ((((leather.cells * leather.cells) * (1f - (_e143 * _e144))) * vec3<f32>(0.00268f, 0.00234f, 0f)) + (0.00000256f * of.a.lost));
-    let _e161 = pebble;
-    let _e165 = tones_2;
-    let _e166 = gabor_impl_toned(mix(leather.crease, leather.pebble, vec3(_e161.x)), _e165);
-    let _e167 = height_3;
-    let _e171 = lost_7;
-    let _e176 = pebble;
-    let _e182 = gabor_impl_material(_e166, _e167, ((leather.relief * leather.relief) * _e171), (leather.roughness + (0.15f * (1f - _e176.x))), 0f);
-    return _e182;
+    let _e147 = blur;
+    gone = ((leather.cells * leather.cells) * (1f - ((_e143 * _e144) / (1f + _e147.x))));
+    let _e154 = gone;
+    lost_7 = ((_e154 * vec3<f32>(0.00287f, 0.0026f, 0f)) + (0.00000256f * of.a.lost));
+    let _e167 = tones_2;
+    let _e168 = gabor_impl_toned(leather.crease, _e167);
+    let _e170 = tones_2;
+    let _e171 = gabor_impl_toned(leather.pebble, _e170);
+    let _e172 = pebble;
+    colour_5 = mix(_e168, _e171, vec3(_e172.x));
+    let _e177 = colour_5;
+    let _e178 = height_3;
+    let _e182 = lost_7;
+    let _e187 = pebble;
+    let _e193 = gabor_impl_material(_e177, _e178, ((leather.relief * leather.relief) * _e182), (leather.roughness + (0.15f * (1f - _e187.x))), 0f);
+    return _e193;
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
@@ -2511,14 +2551,14 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
 
 fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) -> GaborMaterial {
     var clouds: f32;
-    var colour_5: vec3<f32>;
+    var colour_6: vec3<f32>;
     let _e8 = gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f);
     clouds = (marble.clouds * _e8.x);
     let _e14 = clouds;
     let _e21 = gabor_impl_tone(crystal.first.x, crystal.removed, 0.02f);
     let _e22 = gabor_impl_toned((marble.stone * (1f - _e14)), _e21);
-    colour_5 = _e22;
-    let _e24 = colour_5;
+    colour_6 = _e22;
+    let _e24 = colour_6;
     let _e33 = gabor_impl_material(_e24, (0.00012f * crystal.second), (0.0000000144f * crystal.lost), marble.roughness, 0f);
     return _e33;
 }
@@ -2738,12 +2778,14 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     var phase_9: vec3<f32>;
     var ripple: vec3<f32>;
     var tones_3: vec2<f32>;
-    var colour_6: vec3<f32>;
+    var colour_7: vec3<f32>;
     var dark: f32;
     var bright: f32;
     var tall: vec3<f32>;
     var height_4: vec3<f32>;
     var wave_19: vec2<f32>;
+    var bent: vec3<f32>;
+    var square_3: vec3<f32>;
     var lost_8: vec3<f32>;
     z_1 = vec2<f32>(of.c.first.x, of.c.second.x);
     let _e11 = z_1;
@@ -2775,42 +2817,50 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     let _e93 = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain);
     let _e100 = gabor_impl_tone(of.a.second.x, of.a.removed, 0.06f);
     tones_3 = (_e93 + _e100);
-    let _e105 = ripple;
-    let _e109 = tones_3;
-    let _e110 = gabor_impl_toned(mix(sand.trough, sand.crest, vec3(_e105.x)), _e109);
-    colour_6 = _e110;
-    let _e118 = gabor_impl_above(of.b.second, of.b.removed, 1.9f, 0.15f);
-    dark = _e118.x;
-    let _e128 = gabor_impl_above(-(of.b.second), of.b.removed, 1.9f, 0.15f);
-    bright = _e128.x;
-    let _e131 = colour_6;
-    let _e138 = dark;
-    colour_6 = mix(_e131, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e138)));
-    let _e142 = colour_6;
-    let _e152 = bright;
-    colour_6 = mix(_e142, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e152)));
+    let _e104 = tones_3;
+    let _e105 = gabor_impl_toned(sand.trough, _e104);
+    let _e107 = tones_3;
+    let _e108 = gabor_impl_toned(sand.crest, _e107);
+    let _e109 = ripple;
+    colour_7 = mix(_e105, _e108, vec3(_e109.x));
+    let _e120 = gabor_impl_above(of.b.second, of.b.removed, 1.9f, 0.15f);
+    dark = _e120.x;
+    let _e130 = gabor_impl_above(-(of.b.second), of.b.removed, 1.9f, 0.15f);
+    bright = _e130.x;
+    let _e133 = colour_7;
+    let _e140 = dark;
+    colour_7 = mix(_e133, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e140)));
+    let _e144 = colour_7;
+    let _e154 = bright;
+    colour_7 = mix(_e144, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e154)));
     tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of.a.first));
-    let _e168 = ripple;
-    let _e169 = tall;
-    let _e170 = gabor_impl_times(_e168, _e169);
-    height_4 = ((_e170 + (0.03f * of.a.first)) + ((0.00875f * sand.grain) * of.b.first));
+    let _e170 = ripple;
+    let _e171 = tall;
+    let _e172 = gabor_impl_times(_e170, _e171);
+    height_4 = ((_e172 + (0.03f * of.a.first)) + ((0.00875f * sand.grain) * of.b.first));
     wave_19 = (ripples.density * ripples.wave);
-    let _e188 = wave_19;
-    let _e192 = wave_19;
-    wave_19 = vec2<f32>(dot(_e188, ripples.at.x), dot(_e192, ripples.at.y));
-    let _e197 = tall;
-    let _e199 = tall;
-    let _e202 = phase_9;
-    let _e204 = span_3;
-    let _e206 = gabor_impl_rise_lost(_e202.x, _e204, 0.9f);
-    let _e208 = wave_19;
-    let _e209 = gabor_impl_square(_e208);
-    lost_8 = (((((_e197.x * _e199.x) * _e206) * _e209) + (0.0009f * of.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of.b.lost));
-    let _e226 = colour_6;
-    let _e227 = height_4;
-    let _e228 = lost_8;
-    let _e231 = gabor_impl_material(_e226, _e227, _e228, sand.roughness, 0f);
-    return _e231;
+    let _e190 = wave_19;
+    let _e194 = wave_19;
+    wave_19 = vec2<f32>(dot(_e190, ripples.at.x), dot(_e194, ripples.at.y));
+    let _e203 = ((0.4f * ripples.density) * ripples.density);
+    bent = vec3<f32>(_e203.x, _e203.y, 0f);
+    let _e209 = wave_19;
+    let _e210 = gabor_impl_square(_e209);
+    let _e211 = bent;
+    let _e216 = gabor_impl_turned_square(_e211, ripples.at.x, ripples.at.y);
+    square_3 = (_e210 + _e216);
+    let _e219 = tall;
+    let _e221 = tall;
+    let _e224 = phase_9;
+    let _e226 = span_3;
+    let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
+    let _e230 = square_3;
+    lost_8 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of.b.lost));
+    let _e247 = colour_7;
+    let _e248 = height_4;
+    let _e249 = lost_8;
+    let _e252 = gabor_impl_material(_e247, _e248, _e249, sand.roughness, 0f);
+    return _e252;
 }
 
 fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
@@ -2883,36 +2933,51 @@ fn gabor_impl_add_ripple(sum: ptr<function, GaborPair>, i: i32, wave: GaborPair)
     var amplitude_8: f32;
     var x_29: f32;
     var y_21: f32;
+    var kept_6: f32;
+    var harmonic: f32;
+    var harmonics: f32;
     amplitude_8 = exp2((-0.351f * f32(i)));
     x_29 = wave.first.x;
     y_21 = wave.second.x;
-    let _e16 = (*sum);
-    let _e18 = amplitude_8;
-    let _e19 = x_29;
-    let _e21 = x_29;
-    let _e22 = x_29;
-    let _e24 = y_21;
-    let _e25 = y_21;
-    let _e32 = x_29;
-    let _e39 = y_21;
-    let _e44 = (((1f + (0.4f * _e32)) * wave.first.yz) - ((0.4f * _e39) * wave.second.yz));
-    (*sum).first = (_e16.first + (_e18 * vec3<f32>((_e19 + (0.2f * ((_e21 * _e22) - (_e24 * _e25)))), _e44.x, _e44.y)));
-    let _e51 = (*sum);
-    let _e53 = amplitude_8;
-    (*sum).second = (_e51.second + (_e53 * wave.first));
-    let _e58 = (*sum);
-    let _e60 = amplitude_8;
-    let _e61 = amplitude_8;
-    (*sum).removed = (_e58.removed + ((_e60 * _e61) * wave.removed));
-    let _e67 = (*sum);
-    let _e69 = amplitude_8;
-    let _e70 = amplitude_8;
-    let _e74 = x_29;
+    kept_6 = (1f - wave.removed);
+    let _e20 = kept_6;
+    harmonic = (0.2f * _e20);
+    let _e24 = (*sum);
+    let _e26 = amplitude_8;
+    let _e27 = x_29;
+    let _e28 = harmonic;
+    let _e29 = x_29;
+    let _e30 = x_29;
+    let _e32 = y_21;
+    let _e33 = y_21;
+    let _e40 = harmonic;
+    let _e42 = x_29;
+    let _e49 = harmonic;
+    let _e51 = y_21;
+    let _e56 = (((1f + ((2f * _e40) * _e42)) * wave.first.yz) - (((2f * _e49) * _e51) * wave.second.yz));
+    (*sum).first = (_e24.first + (_e26 * vec3<f32>((_e27 + (_e28 * ((_e29 * _e30) - (_e32 * _e33)))), _e56.x, _e56.y)));
+    let _e63 = (*sum);
+    let _e65 = amplitude_8;
+    (*sum).second = (_e63.second + (_e65 * wave.first));
+    let _e70 = (*sum);
+    let _e72 = amplitude_8;
+    let _e73 = amplitude_8;
+    (*sum).removed = (_e70.removed + ((_e72 * _e73) * wave.removed));
     let _e78 = x_29;
     let _e79 = x_29;
     let _e81 = y_21;
     let _e82 = y_21;
-    (*sum).lost = (_e67.lost + (((_e69 * _e70) * (((1f + (0.8f * _e74)) + (0.16f * ((_e78 * _e79) + (_e81 * _e82)))) + (0.32f * wave.removed))) * wave.lost));
+    let _e87 = kept_6;
+    let _e89 = kept_6;
+    let _e90 = kept_6;
+    let _e93 = kept_6;
+    harmonics = (((((_e78 * _e79) + (_e81 * _e82)) + 1f) - _e87) + ((_e89 * _e90) * (1f + _e93)));
+    let _e99 = (*sum);
+    let _e101 = amplitude_8;
+    let _e102 = amplitude_8;
+    let _e106 = x_29;
+    let _e110 = harmonics;
+    (*sum).lost = (_e99.lost + (((_e101 * _e102) * ((1f + (1.6f * _e106)) + (0.64f * _e110))) * wave.lost));
     return;
 }
 
@@ -2987,11 +3052,11 @@ fn gabor_impl_add_streaks(sum: ptr<function, GaborPair>, i: i32, pair: GaborPair
 }
 
 fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, sum: GaborPair) -> GaborMaterial {
-    var colour_7: vec3<f32>;
+    var colour_8: vec3<f32>;
     let _e7 = gabor_impl_tone(sum.second.x, sum.removed, metal.contrast);
     let _e8 = gabor_impl_toned(metal.colour, _e7);
-    colour_7 = _e8;
-    let _e10 = colour_7;
+    colour_8 = _e8;
+    let _e10 = colour_8;
     let _e21 = gabor_impl_material(_e10, (metal.relief * sum.first), ((metal.relief * metal.relief) * sum.lost), metal.roughness, 1f);
     return _e21;
 }
@@ -3076,15 +3141,15 @@ fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborS
     let _e70 = gabor_impl_above(vec3<f32>(noise.second.x, 1f, 0f), noise.removed, 0.3f, 0.7f);
     change_6 = _e70.y;
     let _e74 = (*sum);
-    let _e76 = size_2;
     let _e77 = size_2;
-    let _e79 = open_1;
+    let _e79 = size_2;
     let _e81 = open_1;
-    let _e84 = change_6;
-    let _e85 = change_6;
-    let _e94 = threshold_2;
-    let _e96 = gabor_impl_above_lost(noise.first, noise.removed, noise.lost, _e94, 0.2f);
-    (*sum).lost = (_e74.lost + (((_e76 * _e77) * ((_e79.x * _e81.x) + ((_e84 * _e85) * noise.removed))) * _e96));
+    let _e83 = open_1;
+    let _e86 = change_6;
+    let _e87 = change_6;
+    let _e96 = threshold_2;
+    let _e98 = gabor_impl_above_lost(noise.first, noise.removed, noise.lost, _e96, 0.2f);
+    (*sum).lost = (_e74.lost + ((((1.15f * _e77) * _e79) * ((_e81.x * _e83.x) + ((_e86 * _e87) * noise.removed))) * _e98));
     return;
 }
 
@@ -3167,7 +3232,7 @@ fn gabor_impl_zebra(zebra: GaborZebra, of: GaborPairs) -> GaborMaterial {
     var intensity_1: f32;
     var dark_1: f32;
     var tones_4: vec2<f32>;
-    var colour_8: vec3<f32>;
+    var colour_9: vec3<f32>;
     ragged = (0.1f * zebra.hair);
     relief = (0.002f * zebra.hair);
     intensity_1 = length(vec2<f32>(of.c.first.x, of.c.second.x));
@@ -3186,8 +3251,8 @@ fn gabor_impl_zebra(zebra: GaborZebra, of: GaborPairs) -> GaborMaterial {
     let _e68 = tones_4;
     let _e69 = gabor_impl_toned(zebra.stripe, _e68);
     let _e70 = dark_1;
-    colour_8 = mix(_e66, _e69, vec3(_e70));
-    let _e74 = colour_8;
+    colour_9 = mix(_e66, _e69, vec3(_e70));
+    let _e74 = colour_9;
     let _e75 = relief;
     let _e79 = relief;
     let _e80 = relief;
@@ -3274,16 +3339,20 @@ fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
     var shape: vec3<f32>;
     var removed_6: f32;
     var whole_5: vec3<f32>;
-    var risen: vec3<f32>;
+    var risen_1: vec3<f32>;
     var plate: vec3<f32>;
     var weighted: vec3<f32>;
     var worn: f32;
     var covered: f32;
+    var tone_2: vec2<f32>;
     var top_1: vec3<f32>;
-    var colour_9: vec3<f32>;
+    var moss: vec3<f32>;
+    var colour_10: vec3<f32>;
     var coarse: vec3<f32>;
     var height_6: vec3<f32>;
-    var depth_2: vec2<f32>;
+    var wholes: f32;
+    var rises: f32;
+    var both: f32;
     var lost_10: vec3<f32>;
     shape = (of.c.first + (0.2f * of.a.first));
     removed_6 = (of.c.removed + (0.04f * of.a.removed));
@@ -3292,8 +3361,8 @@ fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
     let _e32 = shape;
     let _e33 = removed_6;
     let _e37 = gabor_impl_above(_e32, _e33, -0.15f, 0.35f);
-    risen = _e37;
-    let _e39 = risen;
+    risen_1 = _e37;
+    let _e39 = risen_1;
     let _e40 = whole_5;
     let _e41 = gabor_impl_times(_e39, _e40);
     plate = _e41;
@@ -3303,42 +3372,62 @@ fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
     worn = (0.5f * _e60.x);
     let _e71 = gabor_impl_above(of.b.second, of.b.removed, 0.9f, 0.5f);
     covered = (bark.cover * _e71.x);
-    let _e82 = worn;
-    top_1 = mix(bark.plate, mix(bark.plate, vec3(1f), vec3(0.13f)), vec3(_e82));
-    let _e88 = covered;
-    let _e91 = top_1;
-    let _e94 = covered;
-    let _e98 = plate;
-    colour_9 = mix(mix(bark.furrow, bark.moss, vec3(_e88)), mix(_e91, bark.moss, vec3((0.6f * _e94))), vec3(_e98.x));
-    let _e103 = colour_9;
-    let _e110 = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25f);
-    let _e111 = gabor_impl_toned(_e103, _e110);
-    colour_9 = _e111;
-    let _e117 = plate;
-    coarse = (vec3<f32>(0.4f, 0f, 0f) + (0.6f * _e117));
-    let _e122 = plate;
-    let _e127 = coarse;
-    let _e128 = gabor_impl_times(of.a.first, _e127);
-    height_6 = ((bark.depth * _e122) + (0.018f * _e128));
-    let _e133 = whole_5;
-    let _e136 = risen;
-    depth_2 = (bark.depth * vec2<f32>(_e133.x, (0.55f * _e136.x)));
-    let _e142 = depth_2;
-    let _e144 = depth_2;
-    let _e147 = shape;
-    let _e148 = removed_6;
-    let _e159 = gabor_impl_above_lost(_e147, _e148, (of.c.lost + (0.04f * of.a.lost)), -0.15f, 0.35f);
-    let _e161 = depth_2;
-    let _e163 = depth_2;
-    let _e173 = gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13f);
-    let _e177 = coarse;
-    let _e180 = coarse;
-    lost_10 = ((((_e142.x * _e144.x) * _e159) + ((_e161.y * _e163.y) * _e173)) + (((0.000324f * _e177.x) * _e180.x) * of.a.lost));
-    let _e188 = colour_9;
-    let _e189 = height_6;
-    let _e190 = lost_10;
-    let _e193 = gabor_impl_material(_e188, _e189, _e190, bark.roughness, 0f);
-    return _e193;
+    let _e81 = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25f);
+    tone_2 = _e81;
+    let _e84 = tone_2;
+    let _e85 = gabor_impl_toned(bark.plate, _e84);
+    let _e92 = tone_2;
+    let _e93 = gabor_impl_toned(mix(bark.plate, vec3(1f), vec3(0.13f)), _e92);
+    let _e94 = worn;
+    top_1 = mix(_e85, _e93, vec3(_e94));
+    let _e99 = tone_2;
+    let _e100 = gabor_impl_toned(bark.moss, _e99);
+    moss = _e100;
+    let _e103 = tone_2;
+    let _e104 = gabor_impl_toned(bark.furrow, _e103);
+    let _e105 = moss;
+    let _e106 = covered;
+    let _e109 = top_1;
+    let _e110 = moss;
+    let _e112 = covered;
+    let _e116 = plate;
+    colour_10 = mix(mix(_e104, _e105, vec3(_e106)), mix(_e109, _e110, vec3((0.6f * _e112))), vec3(_e116.x));
+    let _e126 = plate;
+    coarse = (vec3<f32>(0.4f, 0f, 0f) + (0.6f * _e126));
+    let _e131 = plate;
+    let _e136 = coarse;
+    let _e137 = gabor_impl_times(of.a.first, _e136);
+    height_6 = ((bark.depth * _e131) + (0.018f * _e137));
+    let _e142 = whole_5;
+    let _e153 = gabor_impl_line(of.d.first, of.d.removed, 0.0919239f);
+    wholes = (((2f * _e142.x) - 1f) + (0.3025f * _e153.x));
+    let _e158 = risen_1;
+    let _e160 = risen_1;
+    let _e163 = risen_1;
+    let _e166 = risen_1;
+    let _e170 = removed_6;
+    let _e172 = removed_6;
+    rises = ((_e158.x * _e160.x) + (((_e163.x * (1f - _e166.x)) * _e170) / (_e172 + 0.18f)));
+    let _e181 = whole_5;
+    let _e184 = shape;
+    let _e189 = removed_6;
+    let _e193 = gabor_impl_above(vec3<f32>(_e184.x, 1f, 0f), _e189, -0.15f, 0.35f);
+    both = (((0.0072f * bark.depth) * _e181.x) * _e193.y);
+    let _e200 = wholes;
+    let _e201 = shape;
+    let _e202 = removed_6;
+    let _e213 = gabor_impl_above_lost(_e201, _e202, (of.c.lost + (0.04f * of.a.lost)), -0.15f, 0.35f);
+    let _e216 = rises;
+    let _e225 = gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13f);
+    let _e229 = coarse;
+    let _e232 = coarse;
+    let _e235 = both;
+    lost_10 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of.a.lost));
+    let _e243 = colour_10;
+    let _e244 = height_6;
+    let _e245 = lost_10;
+    let _e248 = gabor_impl_material(_e243, _e244, _e245, bark.roughness, 0f);
+    return _e248;
 }
 
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
@@ -3450,36 +3539,45 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
 
 fn gabor_impl_strata(strata: GaborStrata, of: GaborPairs) -> GaborMaterial {
     var soft: vec3<f32>;
-    var colour_10: vec3<f32>;
+    var tones_5: vec2<f32>;
+    var colour_11: vec3<f32>;
     var height_7: vec3<f32>;
     var lost_11: vec3<f32>;
     let _e8 = gabor_impl_above(of.c.first, of.c.removed, 0.5f, 0.22f);
     soft = _e8;
-    let _e18 = gabor_impl_above(of.b.first, of.b.removed, 0f, 0.5f);
-    colour_10 = mix(strata.rock, strata.sandstone, vec3(_e18.x));
-    let _e23 = colour_10;
-    let _e26 = soft;
-    colour_10 = mix(_e23, strata.red, vec3((0.8f * _e26.x)));
-    let _e31 = colour_10;
-    let _e40 = gabor_impl_above(of.d.first, of.d.removed, 1f, 0.2f);
-    colour_10 = mix(_e31, strata.pale, vec3((0.75f * _e40.x)));
-    let _e45 = colour_10;
-    let _e56 = gabor_impl_above(of.d.second, of.d.removed, 1.3f, 0.15f);
-    colour_10 = mix(_e45, (0.75f * strata.red), vec3((0.6f * _e56.x)));
-    let _e61 = colour_10;
-    let _e68 = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f);
-    let _e75 = gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
-    let _e77 = gabor_impl_toned(_e61, (_e68 + _e75));
-    colour_10 = _e77;
-    let _e83 = soft;
-    height_7 = (((((0.02f * of.b.second) - (0.012f * _e83)) + (0.006f * of.d.first)) + (0.0015f * of.e.first)) + (0.003f * of.a.second));
-    let _e130 = gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5f, 0.22f);
-    lost_11 = (((((0.0004f * of.b.lost) + (0.000036f * of.d.lost)) + (0.00000225f * of.e.lost)) + (0.000009f * of.a.lost)) + (0.000144f * _e130));
-    let _e134 = colour_10;
-    let _e136 = height_7;
-    let _e141 = lost_11;
-    let _e145 = gabor_impl_material(_e134, (strata.relief * _e136), ((strata.relief * strata.relief) * _e141), strata.roughness, 0f);
-    return _e145;
+    let _e16 = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f);
+    let _e23 = gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
+    tones_5 = (_e16 + _e23);
+    let _e27 = tones_5;
+    let _e28 = gabor_impl_toned(strata.rock, _e27);
+    let _e30 = tones_5;
+    let _e31 = gabor_impl_toned(strata.sandstone, _e30);
+    let _e38 = gabor_impl_above(of.b.first, of.b.removed, 0f, 0.5f);
+    colour_11 = mix(_e28, _e31, vec3(_e38.x));
+    let _e43 = colour_11;
+    let _e45 = tones_5;
+    let _e46 = gabor_impl_toned(strata.red, _e45);
+    let _e48 = soft;
+    colour_11 = mix(_e43, _e46, vec3((0.8f * _e48.x)));
+    let _e53 = colour_11;
+    let _e55 = tones_5;
+    let _e56 = gabor_impl_toned(strata.pale, _e55);
+    let _e64 = gabor_impl_above(of.d.first, of.d.removed, 1f, 0.2f);
+    colour_11 = mix(_e53, _e56, vec3((0.75f * _e64.x)));
+    let _e69 = colour_11;
+    let _e73 = tones_5;
+    let _e74 = gabor_impl_toned((0.75f * strata.red), _e73);
+    let _e82 = gabor_impl_above(of.d.second, of.d.removed, 1.3f, 0.15f);
+    colour_11 = mix(_e69, _e74, vec3((0.6f * _e82.x)));
+    let _e92 = soft;
+    height_7 = (((((0.02f * of.b.second) - (0.012f * _e92)) + (0.006f * of.d.first)) + (0.0015f * of.e.first)) + (0.003f * of.a.second));
+    let _e139 = gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5f, 0.22f);
+    lost_11 = (((((0.0004f * of.b.lost) + (0.000036f * of.d.lost)) + (0.00000225f * of.e.lost)) + (0.000009f * of.a.lost)) + (0.000144f * _e139));
+    let _e143 = colour_11;
+    let _e145 = height_7;
+    let _e150 = lost_11;
+    let _e154 = gabor_impl_material(_e143, (strata.relief * _e145), ((strata.relief * strata.relief) * _e150), strata.roughness, 0f);
+    return _e154;
 }
 
 fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
