@@ -241,7 +241,7 @@ void write_rows(const Maps& maps, image::ExrWriter& exr, const std::vector<Png>&
                     colours.push_back(shown(pngs[k], channel, row[i + channel]));
             if (pngs[k].channels.front() == normal_channel && pngs[k].bits == 8)
                 for (std::size_t i = 0; i < colours.size(); ++i)
-                    colours[i] += dither(i, at / maps.row_values()) / 255;
+                    colours[i] += dither(i / 3 + 32 * (i % 3), at / maps.row_values()) / 255;
             writers[k].write_rows(colours);
         }
     }
