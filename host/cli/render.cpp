@@ -204,8 +204,7 @@ void render_pictures(const RenderOptions& options) {
     if (!options.output && !options.png && !options.heightmap)
         throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material or terrain");
     if (options.directx || options.normal_bits)
-        throw RequestError(
-            fmt::format("{} requires --maps", options.directx ? "--directx" : "--normal-bits"));
+        throw RequestError(options.directx ? "--directx requires --maps" : "--normal-bits requires --maps");
     const Work work = make_work(options);
     const image::Rect& region = work.region;
     const render::Files files = files_of(options);
@@ -295,10 +294,8 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
            "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
            "and material.gltf");
     command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
-    option(
-        "--normal-bits", options->normal_bits, "BITS",
-        "With --maps: 16 bits per channel of normals, as without this option, or 8, dithered, for programs "
-        "that reduce 16 bits to 8");
+    option("--normal-bits", options->normal_bits, "BITS",
+           "With --maps: 8 dithers normals to 8 bits, for programs that do not read all 16");
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be powers "
