@@ -383,7 +383,7 @@ struct GaborFilteredAxis {
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
 // axis. `m` is r M in the plane and D in space.
-fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step: vec2<f32>) -> GaborFilteredAxis {
+fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step_: vec2<f32>) -> GaborFilteredAxis {
     var b_2: GaborFilteredAxis;
     var local_17: i32;
     var local_18: f32;
@@ -441,7 +441,7 @@ fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f3
     let _e65 = b_2;
     let _e68 = gabor_impl_wave((-0.5f / _e65.reach));
     b_2.turn_back = _e68;
-    b_2.back = vec2<f32>(step.x, -(step.y));
+    b_2.back = vec2<f32>(step_.x, -(step_.y));
     g = (19.739208f * m);
     let _e78 = b_2;
     unit_1 = (0.75f / _e78.reach);

@@ -50,13 +50,13 @@ fn gabor_impl_symmetric_3d(m: GaborMatrix, v: vec3<f32>) -> vec3<f32> {
 }
 
 // The inverse times the determinant.
-fn gabor_impl_adjugate(m: GaborMatrix, determinant: ptr<function, f32>) -> GaborMatrix {
+fn gabor_impl_adjugate(m: GaborMatrix, determinant_: ptr<function, f32>) -> GaborMatrix {
     var a_8: GaborMatrix;
     a_8 = GaborMatrix(((m.diagonal.yzx * m.diagonal.zxy) - (m.mixed * m.mixed)), ((m.mixed.yzx * m.mixed.zxy) - (m.diagonal * m.mixed)));
     let _e24 = a_8;
     let _e30 = a_8;
     let _e37 = a_8;
-    (*determinant) = (((m.diagonal.x * _e24.diagonal.x) + (m.mixed.y * _e30.mixed.y)) + (m.mixed.z * _e37.mixed.z));
+    (*determinant_) = (((m.diagonal.x * _e24.diagonal.x) + (m.mixed.y * _e30.mixed.y)) + (m.mixed.z * _e37.mixed.z));
     let _e42 = a_8;
     return _e42;
 }

@@ -400,8 +400,8 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
 }
 
 // The step in the warped position that a step in p makes.
-fn gabor_impl_step_of(at: GaborWarped, step: vec2<f32>) -> vec2<f32> {
-    return ((step.x * at.x) + (step.y * at.y));
+fn gabor_impl_step_of(at: GaborWarped, step_: vec2<f32>) -> vec2<f32> {
+    return ((step_.x * at.x) + (step_.y * at.y));
 }
 
 // Moves the position by two noises, and less where they are finer than the pixel: as much as a filter keeps of their
@@ -1580,7 +1580,7 @@ fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborWarped, seed: u3
     return _e25;
 }
 
-fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: GaborPairs, seed: u32) -> GaborMaterial {
+fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of_: GaborPairs, seed: u32) -> GaborMaterial {
     var board_3: GaborWarped;
     var years: vec3<f32>;
     var kept_2: f32;
@@ -1610,7 +1610,7 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e37 = kept_2;
     let _e41 = gabor_impl_rise(_e36, vec3<f32>(_e37, 0f, 0f));
     ring = _e41;
-    let _e50 = gabor_impl_above(of.a.second, of.a.removed, 1.1f, 0.25f);
+    let _e50 = gabor_impl_above(of_.a.second, of_.a.removed, 1.1f, 0.25f);
     pores = (wood.pores * _e50);
     let _e58 = ring;
     within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e58));
@@ -1624,8 +1624,8 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e76 = ring;
     let _e80 = pores;
     late = (_e76.x * (1f - (0.25f * _e80.x)));
-    let _e92 = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11f);
-    let _e99 = gabor_impl_tone(of.c.second.x, of.c.removed, 0.13f);
+    let _e92 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.11f);
+    let _e99 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.13f);
     tones = (_e92 + _e99);
     let _e102 = early;
     let _e104 = tones;
@@ -1637,7 +1637,7 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     colour_2 = (((_e102 * _e105) + (_e107 * _e110)) + ((0.45f * _e114.x) * wood.late));
     let _e122 = ring;
     let _e125 = deep;
-    height_1 = (((0.0006f * _e122) - (0.0024f * _e125)) + (0.0002f * of.b.second));
+    height_1 = (((0.0006f * _e122) - (0.0024f * _e125)) + (0.0002f * of_.b.second));
     let _e139 = within_1;
     let _e141 = within_1;
     let _e146 = kept_2;
@@ -1649,8 +1649,8 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of: G
     let _e161 = years;
     let _e163 = gabor_impl_square(_e161.yz);
     let _e170 = depth;
-    let _e179 = gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1f, 0.25f);
-    lost_4 = ((((0.00000036f * _e159) * _e163) + (0.00000004f * of.b.lost)) + (_e170 * _e179));
+    let _e179 = gabor_impl_above_lost(of_.a.second, of_.a.removed, of_.a.lost, 1.1f, 0.25f);
+    lost_4 = ((((0.00000036f * _e159) * _e163) + (0.00000004f * of_.b.lost)) + (_e170 * _e179));
     let _e183 = colour_2;
     let _e184 = height_1;
     let _e185 = lost_4;
@@ -1775,7 +1775,7 @@ fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend
 }
 
 // The means to which the filter fades the weave were measured; they depend on the unevenness.
-fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fabric: GaborFabric, of: GaborPairs) -> GaborMaterial {
+fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fabric: GaborFabric, of_: GaborPairs) -> GaborMaterial {
     var uneven: f32;
     var unit_5: f32;
     var one: vec3<f32> = vec3<f32>(1f, 0f, 0f);
@@ -1821,10 +1821,10 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     kept_3 = _e26;
     let _e28 = x_27;
     let _e30 = uneven;
-    x_27 = (_e28 + ((0.13f * _e30) * of.a.first));
+    x_27 = (_e28 + ((0.13f * _e30) * of_.a.first));
     let _e36 = y_19;
     let _e38 = uneven;
-    y_19 = (_e36 + ((0.13f * _e38) * of.b.first));
+    y_19 = (_e36 + ((0.13f * _e38) * of_.b.first));
     let _e45 = x_27;
     let _e48 = y_19;
     if (fract((0.5f * (floor(_e45.x) + floor(_e48.x)))) > 0.25f) {
@@ -1845,14 +1845,14 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e83 = uneven;
     let _e89 = y_19;
     let _e90 = parity;
-    let _e91 = gabor_impl_thread(_e80, (_e81 + ((0.16f * _e83) * of.a.second)), _e89, _e90);
+    let _e91 = gabor_impl_thread(_e80, (_e81 + ((0.16f * _e83) * of_.a.second)), _e89, _e90);
     along_y_6 = _e91;
     let _e93 = y_19;
     let _e94 = one;
     let _e96 = uneven;
     let _e102 = x_27;
     let _e103 = parity;
-    let _e105 = gabor_impl_thread(_e93, (_e94 + ((0.16f * _e96) * of.b.second)), _e102, -(_e103));
+    let _e105 = gabor_impl_thread(_e93, (_e94 + ((0.16f * _e96) * of_.b.second)), _e102, -(_e103));
     along_x_4 = _e105;
     let _e107 = along_y_6;
     let _e109 = along_x_4;
@@ -1869,17 +1869,17 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     top = _e117;
     let _e119 = first_3;
     if _e119 {
-        local_43 = of.c.second;
+        local_43 = of_.c.second;
     } else {
-        local_43 = of.d.second;
+        local_43 = of_.d.second;
     }
     let _e125 = local_43;
     fibre = _e125;
     let _e127 = first_3;
     if _e127 {
-        local_44 = of.c.lost;
+        local_44 = of_.c.lost;
     } else {
-        local_44 = of.d.lost;
+        local_44 = of_.d.lost;
     }
     let _e133 = local_44;
     lost_5 = _e133;
@@ -1889,16 +1889,16 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     }
     let _e145 = first_3;
     if _e145 {
-        local_45 = of.a.second.x;
+        local_45 = of_.a.second.x;
     } else {
-        local_45 = of.b.second.x;
+        local_45 = of_.b.second.x;
     }
     let _e153 = local_45;
     let _e154 = first_3;
     if _e154 {
-        local_46 = of.a.removed;
+        local_46 = of_.a.removed;
     } else {
-        local_46 = of.b.removed;
+        local_46 = of_.b.removed;
     }
     let _e160 = local_46;
     let _e162 = uneven;
@@ -1906,9 +1906,9 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e165 = fibre;
     let _e167 = first_3;
     if _e167 {
-        local_47 = of.c.removed;
+        local_47 = of_.c.removed;
     } else {
-        local_47 = of.d.removed;
+        local_47 = of_.d.removed;
     }
     let _e173 = local_47;
     let _e175 = gabor_impl_tone(_e165.x, _e173, 0.12f);
@@ -2073,7 +2073,7 @@ fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32)
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fibres: GaborCarbonFibre, of: GaborPairs) -> GaborMaterial {
+fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborPairs) -> GaborMaterial {
     var x_28: vec3<f32>;
     var y_20: vec3<f32>;
     var kept_4: f32;
@@ -2118,17 +2118,17 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     first_4 = (_e52 < 1.5f);
     let _e56 = first_4;
     if _e56 {
-        local_50 = of.a.first;
+        local_50 = of_.a.first;
     } else {
-        local_50 = of.b.first;
+        local_50 = of_.b.first;
     }
     let _e62 = local_50;
     fibre_1 = _e62;
     let _e64 = first_4;
     if _e64 {
-        local_51 = of.a.lost;
+        local_51 = of_.a.lost;
     } else {
-        local_51 = of.b.lost;
+        local_51 = of_.b.lost;
     }
     let _e70 = local_51;
     lost_6 = _e70;
@@ -2188,9 +2188,9 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     let _e169 = fibre_1;
     let _e171 = first_4;
     if _e171 {
-        local_55 = of.a.removed;
+        local_55 = of_.a.removed;
     } else {
-        local_55 = of.b.removed;
+        local_55 = of_.b.removed;
     }
     let _e177 = local_55;
     let _e179 = gabor_impl_tone(_e169.x, _e177, fibres.contrast);
@@ -2325,7 +2325,7 @@ fn gabor_impl_crest(wave: GaborPair) -> GaborCrest {
 }
 
 // The means to which the filter fades, and the mean squares of the slopes, were measured.
-fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
+fn gabor_impl_leather(leather: GaborLeather, of_: GaborPairs) -> GaborMaterial {
     var a_14: GaborCrest;
     var b_15: GaborCrest;
     var one_1: vec3<f32> = vec3<f32>(1f, 0f, 0f);
@@ -2341,9 +2341,9 @@ fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
     var gone: f32;
     var lost_7: vec3<f32>;
     var colour_5: vec3<f32>;
-    let _e3 = gabor_impl_crest(of.c);
+    let _e3 = gabor_impl_crest(of_.c);
     a_14 = _e3;
-    let _e6 = gabor_impl_crest(of.d);
+    let _e6 = gabor_impl_crest(of_.d);
     b_15 = _e6;
     let _e13 = a_14;
     let _e15 = b_15;
@@ -2373,7 +2373,7 @@ fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
     let _e66 = one_1;
     let _e68 = blur;
     let _e70 = cells;
-    let _e76 = gabor_impl_step(((-1.45f * _e60) - _e62), ((-0.55f * _e66) + _e68), (_e70 + (0.1f * of.a.second)));
+    let _e76 = gabor_impl_step(((-1.45f * _e60) - _e62), ((-0.55f * _e66) + _e68), (_e70 + (0.1f * of_.a.second)));
     let _e78 = one_1;
     pebble = (_e76 - (0.806f * _e78));
     let _e82 = one_1;
@@ -2392,18 +2392,18 @@ fn gabor_impl_leather(leather: GaborLeather, of: GaborPairs) -> GaborMaterial {
     let _e105 = dome;
     let _e106 = gabor_impl_times(_e104, _e105);
     dome = ((0.236f * _e102) + _e106);
-    let _e114 = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f);
-    let _e121 = gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
+    let _e114 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
+    let _e121 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
     tones_2 = (_e114 + _e121);
     let _e126 = pebble;
     let _e129 = dome;
-    height_3 = (leather.relief * (((0.016f * _e126) + (0.013f * _e129)) + (0.0016f * of.a.second)));
+    height_3 = (leather.relief * (((0.016f * _e126) + (0.013f * _e129)) + (0.0016f * of_.a.second)));
     let _e143 = root;
     let _e144 = root;
     let _e147 = blur;
     gone = ((leather.cells * leather.cells) * (1f - ((_e143 * _e144) / (1f + _e147.x))));
     let _e154 = gone;
-    lost_7 = ((_e154 * vec3<f32>(0.00287f, 0.0026f, 0f)) + (0.00000256f * of.a.lost));
+    lost_7 = ((_e154 * vec3<f32>(0.00287f, 0.0026f, 0f)) + (0.00000256f * of_.a.lost));
     let _e167 = tones_2;
     let _e168 = gabor_impl_toned(leather.crease, _e167);
     let _e170 = tones_2;
@@ -2769,7 +2769,7 @@ fn gabor_impl_sand_layer(i: i32, pixel: GaborPixel, dune: GaborWarped, sand: Gab
     return _e39;
 }
 
-fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> GaborMaterial {
+fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> GaborMaterial {
     var z_1: vec2<f32>;
     var power_7: f32;
     var whole_4: f32;
@@ -2787,24 +2787,24 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     var bent: vec3<f32>;
     var square_3: vec3<f32>;
     var lost_8: vec3<f32>;
-    z_1 = vec2<f32>(of.c.first.x, of.c.second.x);
+    z_1 = vec2<f32>(of_.c.first.x, of_.c.second.x);
     let _e11 = z_1;
     let _e12 = z_1;
     power_7 = max(dot(_e11, _e12), 0.000001f);
     let _e17 = power_7;
-    whole_4 = (_e17 + (2.5f * of.c.removed));
+    whole_4 = (_e17 + (2.5f * of_.c.removed));
     let _e25 = power_7;
     let _e26 = whole_4;
     span_3 = (0.9f * sqrt((_e25 / _e26)));
     let _e31 = z_1;
     let _e37 = z_1;
-    change_5 = ((_e31.x * of.c.first.yz) + (_e37.y * of.c.second.yz));
+    change_5 = ((_e31.x * of_.c.first.yz) + (_e37.y * of_.c.second.yz));
     let _e45 = z_1;
     let _e46 = gabor_phasor(_e45);
     let _e49 = power_7;
     let _e51 = z_1;
     let _e57 = z_1;
-    let _e64 = ((0.15915494f / _e49) * ((_e51.x * of.c.second.yz) - (_e57.y * of.c.first.yz)));
+    let _e64 = ((0.15915494f / _e49) * ((_e51.x * of_.c.second.yz) - (_e57.y * of_.c.first.yz)));
     phase_9 = vec3<f32>(_e46.x, _e64.x, _e64.y);
     let _e69 = phase_9;
     let _e70 = span_3;
@@ -2814,8 +2814,8 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     let _e80 = (((1f / _e73) - (1f / _e76)) * _e79);
     let _e85 = gabor_impl_rise(_e69, (_e70 * vec3<f32>(1f, _e80.x, _e80.y)));
     ripple = _e85;
-    let _e93 = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain);
-    let _e100 = gabor_impl_tone(of.a.second.x, of.a.removed, 0.06f);
+    let _e93 = gabor_impl_tone(of_.b.first.x, of_.b.removed, sand.grain);
+    let _e100 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.06f);
     tones_3 = (_e93 + _e100);
     let _e104 = tones_3;
     let _e105 = gabor_impl_toned(sand.trough, _e104);
@@ -2823,9 +2823,9 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     let _e108 = gabor_impl_toned(sand.crest, _e107);
     let _e109 = ripple;
     colour_7 = mix(_e105, _e108, vec3(_e109.x));
-    let _e120 = gabor_impl_above(of.b.second, of.b.removed, 1.9f, 0.15f);
+    let _e120 = gabor_impl_above(of_.b.second, of_.b.removed, 1.9f, 0.15f);
     dark = _e120.x;
-    let _e130 = gabor_impl_above(-(of.b.second), of.b.removed, 1.9f, 0.15f);
+    let _e130 = gabor_impl_above(-(of_.b.second), of_.b.removed, 1.9f, 0.15f);
     bright = _e130.x;
     let _e133 = colour_7;
     let _e140 = dark;
@@ -2833,11 +2833,11 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     let _e144 = colour_7;
     let _e154 = bright;
     colour_7 = mix(_e144, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e154)));
-    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of.a.first));
+    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
     let _e170 = ripple;
     let _e171 = tall;
     let _e172 = gabor_impl_times(_e170, _e171);
-    height_4 = ((_e172 + (0.03f * of.a.first)) + ((0.00875f * sand.grain) * of.b.first));
+    height_4 = ((_e172 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
     wave_19 = (ripples.density * ripples.wave);
     let _e190 = wave_19;
     let _e194 = wave_19;
@@ -2855,7 +2855,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of: GaborPairs) -> Gabo
     let _e226 = span_3;
     let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
     let _e230 = square_3;
-    lost_8 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of.b.lost));
+    lost_8 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
     let _e247 = colour_7;
     let _e248 = height_4;
     let _e249 = lost_8;
@@ -3226,7 +3226,7 @@ fn gabor_impl_zebra_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, directio
     return _e31;
 }
 
-fn gabor_impl_zebra(zebra: GaborZebra, of: GaborPairs) -> GaborMaterial {
+fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
     var ragged: f32;
     var relief: f32;
     var intensity_1: f32;
@@ -3235,16 +3235,16 @@ fn gabor_impl_zebra(zebra: GaborZebra, of: GaborPairs) -> GaborMaterial {
     var colour_9: vec3<f32>;
     ragged = (0.1f * zebra.hair);
     relief = (0.002f * zebra.hair);
-    intensity_1 = length(vec2<f32>(of.c.first.x, of.c.second.x));
+    intensity_1 = length(vec2<f32>(of_.c.first.x, of_.c.second.x));
     let _e21 = ragged;
     let _e22 = intensity_1;
     let _e30 = ragged;
     let _e31 = ragged;
     let _e40 = intensity_1;
-    let _e43 = gabor_impl_above((of.c.first + ((_e21 * _e22) * of.a.first)), (of.c.removed + ((_e30 * _e31) * of.a.removed)), 0f, (0.01f + (0.09f * _e40)));
+    let _e43 = gabor_impl_above((of_.c.first + ((_e21 * _e22) * of_.a.first)), (of_.c.removed + ((_e30 * _e31) * of_.a.removed)), 0f, (0.01f + (0.09f * _e40)));
     dark_1 = _e43.x;
-    let _e54 = gabor_impl_tone(of.a.second.x, of.a.removed, (0.14f * zebra.hair));
-    let _e61 = gabor_impl_tone(of.b.second.x, of.b.removed, 0.08f);
+    let _e54 = gabor_impl_tone(of_.a.second.x, of_.a.removed, (0.14f * zebra.hair));
+    let _e61 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.08f);
     tones_4 = (_e54 + _e61);
     let _e65 = tones_4;
     let _e66 = gabor_impl_toned(zebra.bright, _e65);
@@ -3256,7 +3256,7 @@ fn gabor_impl_zebra(zebra: GaborZebra, of: GaborPairs) -> GaborMaterial {
     let _e75 = relief;
     let _e79 = relief;
     let _e80 = relief;
-    let _e87 = gabor_impl_material(_e74, (_e75 * of.a.first), ((_e79 * _e80) * of.a.lost), zebra.roughness, 0f);
+    let _e87 = gabor_impl_material(_e74, (_e75 * of_.a.first), ((_e79 * _e80) * of_.a.lost), zebra.roughness, 0f);
     return _e87;
 }
 
@@ -3335,7 +3335,7 @@ fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborWarped, bark: Ga
     return _e50;
 }
 
-fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
+fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     var shape: vec3<f32>;
     var removed_6: f32;
     var whole_5: vec3<f32>;
@@ -3354,9 +3354,9 @@ fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
     var rises: f32;
     var both: f32;
     var lost_10: vec3<f32>;
-    shape = (of.c.first + (0.2f * of.a.first));
-    removed_6 = (of.c.removed + (0.04f * of.a.removed));
-    let _e28 = gabor_impl_line(of.d.first, of.d.removed, 0.13f);
+    shape = (of_.c.first + (0.2f * of_.a.first));
+    removed_6 = (of_.c.removed + (0.04f * of_.a.removed));
+    let _e28 = gabor_impl_line(of_.d.first, of_.d.removed, 0.13f);
     whole_5 = (vec3<f32>(1f, 0f, 0f) - (0.55f * _e28));
     let _e32 = shape;
     let _e33 = removed_6;
@@ -3366,13 +3366,13 @@ fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
     let _e40 = whole_5;
     let _e41 = gabor_impl_times(_e39, _e40);
     plate = _e41;
-    weighted = (of.a.second + vec3<f32>((0.25f * of.a.removed), 0f, 0f));
+    weighted = (of_.a.second + vec3<f32>((0.25f * of_.a.removed), 0f, 0f));
     let _e55 = weighted;
-    let _e60 = gabor_impl_above(_e55, of.a.removed, 0.5f, 0.4f);
+    let _e60 = gabor_impl_above(_e55, of_.a.removed, 0.5f, 0.4f);
     worn = (0.5f * _e60.x);
-    let _e71 = gabor_impl_above(of.b.second, of.b.removed, 0.9f, 0.5f);
+    let _e71 = gabor_impl_above(of_.b.second, of_.b.removed, 0.9f, 0.5f);
     covered = (bark.cover * _e71.x);
-    let _e81 = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25f);
+    let _e81 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.25f);
     tone_2 = _e81;
     let _e84 = tone_2;
     let _e85 = gabor_impl_toned(bark.plate, _e84);
@@ -3396,10 +3396,10 @@ fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
     coarse = (vec3<f32>(0.4f, 0f, 0f) + (0.6f * _e126));
     let _e131 = plate;
     let _e136 = coarse;
-    let _e137 = gabor_impl_times(of.a.first, _e136);
+    let _e137 = gabor_impl_times(of_.a.first, _e136);
     height_6 = ((bark.depth * _e131) + (0.018f * _e137));
     let _e142 = whole_5;
-    let _e153 = gabor_impl_line(of.d.first, of.d.removed, 0.0919239f);
+    let _e153 = gabor_impl_line(of_.d.first, of_.d.removed, 0.0919239f);
     wholes = (((2f * _e142.x) - 1f) + (0.3025f * _e153.x));
     let _e158 = risen_1;
     let _e160 = risen_1;
@@ -3416,13 +3416,13 @@ fn gabor_impl_bark(bark: GaborBark, of: GaborPairs) -> GaborMaterial {
     let _e200 = wholes;
     let _e201 = shape;
     let _e202 = removed_6;
-    let _e213 = gabor_impl_above_lost(_e201, _e202, (of.c.lost + (0.04f * of.a.lost)), -0.15f, 0.35f);
+    let _e213 = gabor_impl_above_lost(_e201, _e202, (of_.c.lost + (0.04f * of_.a.lost)), -0.15f, 0.35f);
     let _e216 = rises;
-    let _e225 = gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13f);
+    let _e225 = gabor_impl_line_lost(of_.d.first, of_.d.removed, of_.d.lost, 0.13f);
     let _e229 = coarse;
     let _e232 = coarse;
     let _e235 = both;
-    lost_10 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of.a.lost));
+    lost_10 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of_.a.lost));
     let _e243 = colour_10;
     let _e244 = height_6;
     let _e245 = lost_10;
@@ -3537,22 +3537,22 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
     return _e50;
 }
 
-fn gabor_impl_strata(strata: GaborStrata, of: GaborPairs) -> GaborMaterial {
+fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
     var soft: vec3<f32>;
     var tones_5: vec2<f32>;
     var colour_11: vec3<f32>;
     var height_7: vec3<f32>;
     var lost_11: vec3<f32>;
-    let _e8 = gabor_impl_above(of.c.first, of.c.removed, 0.5f, 0.22f);
+    let _e8 = gabor_impl_above(of_.c.first, of_.c.removed, 0.5f, 0.22f);
     soft = _e8;
-    let _e16 = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f);
-    let _e23 = gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
+    let _e16 = gabor_impl_tone(of_.e.first.x, of_.e.removed, 0.13f);
+    let _e23 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.11f);
     tones_5 = (_e16 + _e23);
     let _e27 = tones_5;
     let _e28 = gabor_impl_toned(strata.rock, _e27);
     let _e30 = tones_5;
     let _e31 = gabor_impl_toned(strata.sandstone, _e30);
-    let _e38 = gabor_impl_above(of.b.first, of.b.removed, 0f, 0.5f);
+    let _e38 = gabor_impl_above(of_.b.first, of_.b.removed, 0f, 0.5f);
     colour_11 = mix(_e28, _e31, vec3(_e38.x));
     let _e43 = colour_11;
     let _e45 = tones_5;
@@ -3562,17 +3562,17 @@ fn gabor_impl_strata(strata: GaborStrata, of: GaborPairs) -> GaborMaterial {
     let _e53 = colour_11;
     let _e55 = tones_5;
     let _e56 = gabor_impl_toned(strata.pale, _e55);
-    let _e64 = gabor_impl_above(of.d.first, of.d.removed, 1f, 0.2f);
+    let _e64 = gabor_impl_above(of_.d.first, of_.d.removed, 1f, 0.2f);
     colour_11 = mix(_e53, _e56, vec3((0.75f * _e64.x)));
     let _e69 = colour_11;
     let _e73 = tones_5;
     let _e74 = gabor_impl_toned((0.75f * strata.red), _e73);
-    let _e82 = gabor_impl_above(of.d.second, of.d.removed, 1.3f, 0.15f);
+    let _e82 = gabor_impl_above(of_.d.second, of_.d.removed, 1.3f, 0.15f);
     colour_11 = mix(_e69, _e74, vec3((0.6f * _e82.x)));
     let _e92 = soft;
-    height_7 = (((((0.02f * of.b.second) - (0.012f * _e92)) + (0.006f * of.d.first)) + (0.0015f * of.e.first)) + (0.003f * of.a.second));
-    let _e139 = gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5f, 0.22f);
-    lost_11 = (((((0.0004f * of.b.lost) + (0.000036f * of.d.lost)) + (0.00000225f * of.e.lost)) + (0.000009f * of.a.lost)) + (0.000144f * _e139));
+    height_7 = (((((0.02f * of_.b.second) - (0.012f * _e92)) + (0.006f * of_.d.first)) + (0.0015f * of_.e.first)) + (0.003f * of_.a.second));
+    let _e139 = gabor_impl_above_lost(of_.c.first, of_.c.removed, of_.c.lost, 0.5f, 0.22f);
+    lost_11 = (((((0.0004f * of_.b.lost) + (0.000036f * of_.d.lost)) + (0.00000225f * of_.e.lost)) + (0.000009f * of_.a.lost)) + (0.000144f * _e139));
     let _e143 = colour_11;
     let _e145 = height_7;
     let _e150 = lost_11;

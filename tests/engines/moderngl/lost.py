@@ -1,4 +1,4 @@
-"""Draws leather up to the horizon under a low lamp, one picture below the other: lost.py PICTURE.npy WIDTH HEIGHT
+"""Draws water up to the horizon under a low lamp, one picture below the other: lost.py PICTURE.npy WIDTH HEIGHT
 
 Without what the filter removed of the slopes; with it, by the recipe of docs/engines.md; and the mean of 256 samples a pixel."""
 
@@ -17,7 +17,7 @@ out vec4 result;
 
 vec3 lit(GaborMaterial m, vec3 eye) {
     vec3 lamp = normalize(vec3(0.1, 1.0, 0.4)), h = normalize(eye + lamp), normal = normalize(vec3(-m.slope, 1.0));
-    float k = 0.5 * m.roughness * m.roughness, l = max(dot(normal, lamp), 0.0), e = max(dot(normal, eye), 0.001);
+    float k = 0.5 * pow(gabor_roughness(m), 2.0), l = max(dot(normal, lamp), 0.0), e = max(dot(normal, eye), 0.001);
     float fresnel = 0.04 + 0.96 * pow(1.0 - dot(eye, h), 5.0);
     return m.colour * (l + 0.15) + 3.0 * l * fresnel * facets(m, h) / (4.0 * mix(l, 1.0, k) * mix(e, 1.0, k));
 }
@@ -35,14 +35,14 @@ void main() {
         result = vec4(0.5, 0.6, 0.75, 1.0);
         return;
     }
-    GaborMaterial m = gabor_leather_filtered(p, seen(gl_FragCoord.xy + vec2(1.0, 0.0), beside) - p,
+    GaborMaterial m = gabor_ripples_filtered(p, seen(gl_FragCoord.xy + vec2(1.0, 0.0), beside) - p,
                                              seen(gl_FragCoord.xy + vec2(0.0, 1.0), beside) - p, 7u);
     if (!with_lost)
         m.lost = vec3(0.0);
     vec3 colour = samples == 0 ? lit(m, eye) : vec3(0.0);
     for (int i = 0; i < samples * samples; ++i) {
         p = seen(gl_FragCoord.xy + (vec2(i / samples, i % samples) + 0.5) / float(samples) - 0.5, eye);
-        colour += lit(gabor_leather(p, 7u), eye) / float(samples * samples);
+        colour += lit(gabor_ripples(p, 7u), eye) / float(samples * samples);
     }
     result = vec4(pow(colour, vec3(1.0 / 2.2)), 1.0);
 }
