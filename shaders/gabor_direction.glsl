@@ -27,7 +27,7 @@
 #error gabor_direction.glsl needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_DIRECTION
-#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.glsl
+#error Define GABOR_DIRECTION(p), the wave vector at p, before gabor_direction.glsl
 #endif
 #ifndef GABOR_DIRECTION_GLSL
 #define GABOR_DIRECTION_GLSL

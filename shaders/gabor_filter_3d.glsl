@@ -177,8 +177,18 @@ float gabor_impl_transmitted_3d(vec3 wave, GaborPixelAxes pixel) {
     return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * inversesqrt(d.x * d.y);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. The filter adds mixed derivatives, weighted by its
-// covariances yz, zx, xy.
+// Adds slice k, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+void gabor_impl_add_filtered_slice(inout vec4 sum, inout vec4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k,
+                                   vec3 mixed, float moment) {
+    vec4 slice, slope;
+    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
+    gabor_impl_add_products(sum, slice, z.node[k].xy);
+    slopes += vec4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
+    sum += vec4(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[k].zw)
+                + mixed.z * gabor_impl_product(slope.zw, z.node[k].xy), 0.0, 0.0);
+}
+
+// The filtered noise of 27 nodes, with three waves along each axis.
 GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, vec3 wave, GaborMatrix pixel, uint salt) {
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
@@ -192,14 +202,9 @@ GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, vec3 wave, GaborM
     gabor_impl_filter(y, pixel.diagonal.y, blurred.y, unused);
     gabor_impl_filter(z, pixel.diagonal.z, blurred.z, unused);
     vec4 sum = vec4(0.0), slopes = vec4(0.0);
-    for (int k = 0; k < 3; ++k) {
-        vec4 slice, slope;
-        gabor_impl_sum_slice(x, y, z, k, place.moment, slice, slope);
-        gabor_impl_add_products(sum, slice, z.node[k].xy);
-        slopes += vec4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
-        sum += vec4(gabor_impl_product(pixel.mixed.x * slope.xy + pixel.mixed.y * slice.zw, z.node[k].zw)
-                    + pixel.mixed.z * gabor_impl_product(slope.zw, z.node[k].xy), 0.0, 0.0);
-    }
+    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 0, pixel.mixed, place.moment);
+    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 1, pixel.mixed, place.moment);
+    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 2, pixel.mixed, place.moment);
     return gabor_impl_field_3d(sum, slopes, exp(-19.739209 * max(dot(wave, blurred), 0.0)) * turn, wave);
 }
 

@@ -29,7 +29,7 @@
 #error gabor_direction.hlsl needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_DIRECTION
-#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.hlsl
+#error Define GABOR_DIRECTION(p), the wave vector at p, before gabor_direction.hlsl
 #endif
 #ifndef GABOR_DIRECTION_HLSL
 #define GABOR_DIRECTION_HLSL

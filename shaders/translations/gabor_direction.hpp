@@ -32,7 +32,7 @@
 #error gabor_direction.hpp needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_DIRECTION
-#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.hpp
+#error Define GABOR_DIRECTION(p), the wave vector at p, before gabor_direction.hpp
 #endif
 #ifndef GABOR_DIRECTION_HPP
 #define GABOR_DIRECTION_HPP

@@ -33,7 +33,7 @@ using namespace metal;
 #error gabor_direction.metal needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_DIRECTION
-#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.metal
+#error Define GABOR_DIRECTION(p), the wave vector at p, before gabor_direction.metal
 #endif
 #ifndef GABOR_DIRECTION_METAL
 #define GABOR_DIRECTION_METAL

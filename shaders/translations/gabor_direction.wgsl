@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 945768084260942c.
+// naga 30.0.1 made it from GLSL with the digest 59dd9808d4e3583c.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.

@@ -182,8 +182,18 @@ GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborPixelAxes pix
     return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. The filter adds mixed derivatives, weighted by its
-// covariances yz, zx, xy.
+// Adds slice k, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k,
+                                   gabor_vec3 mixed, float moment) {
+    gabor_vec4 slice, slope;
+    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
+    gabor_impl_add_products(sum, slice, z.node[k].xy());
+    slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
+    sum += gabor_vec4(gabor_impl_product(mixed.x * slope.xy() + mixed.y * slice.zw(), z.node[k].zw())
+                + mixed.z * gabor_impl_product(slope.zw(), z.node[k].xy()), 0.0f, 0.0f);
+}
+
+// The filtered noise of 27 nodes, with three waves along each axis.
 GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabor_vec3 wave, GaborMatrix pixel, std::uint32_t salt) {
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
@@ -197,14 +207,9 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabo
     gabor_impl_filter(y, pixel.diagonal.y, blurred.y, unused);
     gabor_impl_filter(z, pixel.diagonal.z, blurred.z, unused);
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
-    for (int k = 0; k < 3; ++k) {
-        gabor_vec4 slice, slope;
-        gabor_impl_sum_slice(x, y, z, k, place.moment, slice, slope);
-        gabor_impl_add_products(sum, slice, z.node[k].xy());
-        slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
-        sum += gabor_vec4(gabor_impl_product(pixel.mixed.x * slope.xy() + pixel.mixed.y * slice.zw(), z.node[k].zw())
-                    + pixel.mixed.z * gabor_impl_product(slope.zw(), z.node[k].xy()), 0.0f, 0.0f);
-    }
+    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 0, pixel.mixed, place.moment);
+    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 1, pixel.mixed, place.moment);
+    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 2, pixel.mixed, place.moment);
     return gabor_impl_field_3d(sum, slopes, gabor_cpp_exp(-19.739209f * gabor_cpp_max(gabor_cpp_dot(wave, blurred), 0.0f)) * turn, wave);
 }
 

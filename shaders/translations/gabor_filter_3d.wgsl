@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest f4b34c9558cfbd9a.
+// naga 30.0.1 made it from GLSL with the digest c0154207ae6d89f7.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
 //
@@ -455,91 +455,80 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis. The filter adds mixed derivatives, weighted by its
-// covariances yz, zx, xy.
+// Adds slice k, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>, moment: f32) {
+    var slice_4: vec4<f32>;
+    var slope_11: vec4<f32>;
+    gabor_impl_sum_slice(x, y, z, k, moment, (&slice_4), (&slope_11));
+    let _e15 = slice_4;
+    gabor_impl_add_products(sum, _e15, z.node[k].xy);
+    let _e20 = (*slopes);
+    let _e21 = slope_11;
+    let _e26 = gabor_impl_product(_e21.xy, z.node[k].xy);
+    let _e27 = slice_4;
+    let _e32 = gabor_impl_product(_e27.xy, z.node[k].zw);
+    (*slopes) = (_e20 + vec4<f32>(_e26.x, _e26.y, _e32.x, _e32.y));
+    let _e39 = (*sum);
+    let _e41 = slope_11;
+    let _e45 = slice_4;
+    let _e52 = gabor_impl_product(((mixed.x * _e41.xy) + (mixed.y * _e45.zw)), z.node[k].zw);
+    let _e54 = slope_11;
+    let _e59 = gabor_impl_product(_e54.zw, z.node[k].xy);
+    let _e61 = (_e52 + (mixed.z * _e59));
+    (*sum) = (_e39 + vec4<f32>(_e61.x, _e61.y, 0f, 0f));
+    return;
+}
+
+// The filtered noise of 27 nodes, with three waves along each axis.
 fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, salt: u32) -> GaborField3d {
-    var x_19: GaborAxis;
-    var y_16: GaborAxis;
-    var z_9: GaborAxis;
+    var x_20: GaborAxis;
+    var y_17: GaborAxis;
+    var z_10: GaborAxis;
     var turn_15: vec2<f32>;
     var blurred_4: vec3<f32>;
     var unused: GaborAxis;
-    var sum_27: vec4<f32> = vec4(0f);
-    var slopes_4: vec4<f32> = vec4(0f);
-    var k_4: i32 = 0i;
-    var slice_4: vec4<f32>;
-    var slope_11: vec4<f32>;
+    var sum_28: vec4<f32> = vec4(0f);
+    var slopes_5: vec4<f32> = vec4(0f);
     let _e15 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
-    x_19 = _e15;
+    x_20 = _e15;
     let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
-    y_16 = _e30;
+    y_17 = _e30;
     let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
-    z_9 = _e45;
-    let _e47 = x_19;
-    let _e49 = x_19;
-    let _e52 = y_16;
-    let _e54 = y_16;
-    let _e58 = z_9;
-    let _e60 = z_9;
+    z_10 = _e45;
+    let _e47 = x_20;
+    let _e49 = x_20;
+    let _e52 = y_17;
+    let _e54 = y_17;
+    let _e58 = z_10;
+    let _e60 = z_10;
     let _e64 = gabor_impl_wave((((_e47.turns * _e49.offset) + (_e52.turns * _e54.offset)) + (_e58.turns * _e60.offset)));
     turn_15 = _e64;
     let _e66 = gabor_impl_symmetric_3d(pixel, wave);
     blurred_4 = _e66;
     let _e72 = blurred_4;
-    gabor_impl_filter((&x_19), pixel.diagonal.x, _e72.x, (&unused));
+    gabor_impl_filter((&x_20), pixel.diagonal.x, _e72.x, (&unused));
     let _e80 = blurred_4;
-    gabor_impl_filter((&y_16), pixel.diagonal.y, _e80.y, (&unused));
+    gabor_impl_filter((&y_17), pixel.diagonal.y, _e80.y, (&unused));
     let _e88 = blurred_4;
-    gabor_impl_filter((&z_9), pixel.diagonal.z, _e88.z, (&unused));
-    loop {
-        let _e101 = k_4;
-        if !((_e101 < 3i)) {
-            break;
-        }
-        {
-            let _e110 = x_19;
-            let _e111 = y_16;
-            let _e112 = z_9;
-            let _e113 = k_4;
-            gabor_impl_sum_slice(_e110, _e111, _e112, _e113, place.moment, (&slice_4), (&slope_11));
-            let _e120 = slice_4;
-            let _e121 = k_4;
-            let _e124 = z_9.node[_e121];
-            gabor_impl_add_products((&sum_27), _e120, _e124.xy);
-            let _e127 = slopes_4;
-            let _e128 = slope_11;
-            let _e130 = k_4;
-            let _e133 = z_9.node[_e130];
-            let _e135 = gabor_impl_product(_e128.xy, _e133.xy);
-            let _e136 = slice_4;
-            let _e138 = k_4;
-            let _e141 = z_9.node[_e138];
-            let _e143 = gabor_impl_product(_e136.xy, _e141.zw);
-            slopes_4 = (_e127 + vec4<f32>(_e135.x, _e135.y, _e143.x, _e143.y));
-            let _e150 = sum_27;
-            let _e153 = slope_11;
-            let _e158 = slice_4;
-            let _e162 = k_4;
-            let _e165 = z_9.node[_e162];
-            let _e167 = gabor_impl_product(((pixel.mixed.x * _e153.xy) + (pixel.mixed.y * _e158.zw)), _e165.zw);
-            let _e170 = slope_11;
-            let _e172 = k_4;
-            let _e175 = z_9.node[_e172];
-            let _e177 = gabor_impl_product(_e170.zw, _e175.xy);
-            let _e179 = (_e167 + (pixel.mixed.z * _e177));
-            sum_27 = (_e150 + vec4<f32>(_e179.x, _e179.y, 0f, 0f));
-        }
-        continuing {
-            let _e105 = k_4;
-            k_4 = (_e105 + 1i);
-        }
-    }
-    let _e186 = sum_27;
-    let _e187 = slopes_4;
-    let _e190 = blurred_4;
-    let _e196 = turn_15;
-    let _e198 = gabor_impl_field_3d(_e186, _e187, (exp((-19.739208f * max(dot(wave, _e190), 0f))) * _e196), wave);
-    return _e198;
+    gabor_impl_filter((&z_10), pixel.diagonal.z, _e88.z, (&unused));
+    let _e101 = x_20;
+    let _e102 = y_17;
+    let _e103 = z_10;
+    gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e101, _e102, _e103, 0i, pixel.mixed, place.moment);
+    let _e111 = x_20;
+    let _e112 = y_17;
+    let _e113 = z_10;
+    gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e111, _e112, _e113, 1i, pixel.mixed, place.moment);
+    let _e121 = x_20;
+    let _e122 = y_17;
+    let _e123 = z_10;
+    gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e121, _e122, _e123, 2i, pixel.mixed, place.moment);
+    let _e129 = sum_28;
+    let _e130 = slopes_5;
+    let _e133 = blurred_4;
+    let _e139 = turn_15;
+    let _e141 = gabor_impl_field_3d(_e129, _e130, (exp((-19.739208f * max(dot(wave, _e133), 0f))) * _e139), wave);
+    return _e141;
 }
 
 fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wave: vec3<f32>, seed: u32) -> GaborField3d {
@@ -553,7 +542,7 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
     var pixel_5: GaborMatrix;
     var variance_1: vec3<f32>;
     var wide_1: f32;
-    var sum_28: GaborField3d;
+    var sum_29: GaborField3d;
     wave_26 = wave;
     stretch_10 = (place.radius / vec3(1.5f));
     let _e14 = wave_26;
@@ -590,10 +579,10 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
     let _e60 = variance_1;
     wide_1 = clamp(((100f * sqrt(max(max(_e55.x, _e57.y), _e60.z))) - 9f), 0f, 1f);
     let _e78 = transmitted_1;
-    sum_28 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e78));
+    sum_29 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e78));
     let _e82 = transmitted_1;
     if (_e82 == 0f) {
-        let _e85 = sum_28;
+        let _e85 = sum_29;
         return _e85;
     }
     let _e86 = wide_1;
@@ -605,7 +594,7 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
         let _e95 = wide_1;
         let _e97 = amplitude_6;
         let _e99 = stretch_10;
-        gabor_impl_add_field_3d((&sum_28), _e93, ((1f - _e95) * _e97), _e99);
+        gabor_impl_add_field_3d((&sum_29), _e93, ((1f - _e95) * _e97), _e99);
     }
     let _e101 = wide_1;
     if (_e101 > 0f) {
@@ -617,15 +606,15 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
         let _e112 = wide_1;
         let _e113 = amplitude_6;
         let _e115 = stretch_10;
-        gabor_impl_add_field_3d((&sum_28), _e111, (_e112 * _e113), _e115);
+        gabor_impl_add_field_3d((&sum_29), _e111, (_e112 * _e113), _e115);
     }
-    let _e117 = sum_28;
+    let _e117 = sum_29;
     return _e117;
 }
 
 fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var surface_1: GaborSurface;
-    var sum_29: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var sum_30: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var local_47: i32;
     var i_13: i32;
     var local_48: i32;
@@ -682,14 +671,14 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32
             let _e69 = gabor_lobe_seed(seed, _e68);
             let _e70 = gabor_field_3d_filtered(place, dx, dy, _e67, _e69);
             let _e71 = power_7;
-            gabor_impl_add_field_3d((&sum_29), _e70, sqrt(_e71), vec3(1f));
+            gabor_impl_add_field_3d((&sum_30), _e70, sqrt(_e71), vec3(1f));
         }
         continuing {
             let _e38 = i_13;
             i_13 = (_e38 + 1i);
         }
     }
-    let _e76 = sum_29;
+    let _e76 = sum_30;
     return _e76;
 }
 
@@ -744,7 +733,7 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     var even_3: vec3<f32>;
     var odd_3: vec3<f32>;
     var h_1: vec3<f32>;
-    var mixed_1: f32;
+    var mixed_2: f32;
     var i_h: vec3<f32>;
     var i_slope: vec3<f32>;
     var real_4: vec3<f32>;
@@ -783,7 +772,7 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     let _e84 = sine;
     let _e86 = sine;
     let _e89 = h_1;
-    mixed_1 = dot(pixel.mixed, ((_e84.yzx * _e86.zxy) * _e89));
+    mixed_2 = dot(pixel.mixed, ((_e84.yzx * _e86.zxy) * _e89));
     let _e93 = middle;
     let _e94 = even_3;
     let _e95 = cosine_2;
@@ -808,7 +797,7 @@ fn gabor_impl_add_filtered_wave_3d(sum: ptr<function, GaborField3d>, x: GaborFil
     let _e137 = real_4;
     let _e140 = i_h;
     let _e142 = imaginary_4;
-    let _e146 = mixed_1;
+    let _e146 = mixed_2;
     let _e148 = h_1;
     let _e150 = imaginary_4;
     let _e153 = i_h;
@@ -891,7 +880,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
     var mean_2: f32;
     var a_10: vec2<f32>;
     var b_10: vec2<f32>;
-    var sum_32: f32;
+    var sum_33: f32;
     var apart_2: f32;
     var q_2: vec2<f32>;
     var larger_1: f32;
@@ -909,7 +898,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
             let _e34 = a_10;
             let _e36 = b_10;
             let _e37 = b_10;
-            sum_32 = dot(_e32, ((_e33 * _e34) + (_e36 * _e37)));
+            sum_33 = dot(_e32, ((_e33 * _e34) + (_e36 * _e37)));
             let _e42 = unit_7;
             let _e43 = a_10;
             let _e44 = a_10;
@@ -920,7 +909,7 @@ fn gabor_impl_transmitted_isotropic(frequency: f32, pixel: GaborPixelAxes, tange
             let _e54 = b_10;
             apart_2 = length(vec2<f32>(dot(_e42, ((_e43 * _e44) - (_e46 * _e47))), (2f * dot(_e52, (_e53 * _e54)))));
             let _e62 = apart_2;
-            let _e63 = sum_32;
+            let _e63 = sum_33;
             let _e69 = apart_2;
             let _e70 = gabor_impl_mean_angle(_e69);
             mean_2 = (exp(min((0.5f * (_e62 - _e63)), 0f)) * _e70);
@@ -966,13 +955,13 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     var s_9: vec3<f32>;
     var scale_5: vec3<f32>;
     var salt_15: u32;
-    var x_22: GaborAxis;
-    var y_19: GaborAxis;
-    var z_12: GaborAxis;
+    var x_23: GaborAxis;
+    var y_20: GaborAxis;
+    var z_13: GaborAxis;
     var x_0_: GaborFilteredNode;
     var x_1_: GaborFilteredNode;
     var x_2_: GaborFilteredNode;
-    var sum_33: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var sum_34: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var i_14: i32 = 0i;
     var y_j_1: GaborFilteredNode;
     var z_k_1: GaborFilteredNode;
@@ -1024,24 +1013,24 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     salt_15 = _e77;
     let _e85 = salt_15;
     let _e91 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e85, 0f, 1.5f);
-    x_22 = _e91;
+    x_23 = _e91;
     let _e99 = salt_15;
     let _e107 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e99 ^ 1540483477u), 0f, 1.5f);
-    y_19 = _e107;
+    y_20 = _e107;
     let _e115 = salt_15;
     let _e123 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (_e115 ^ 668265263u), 0f, 1.5f);
-    z_12 = _e123;
-    let _e125 = x_22;
+    z_13 = _e123;
+    let _e125 = x_23;
     let _e127 = gabor_impl_node(_e125, 0i);
     let _e128 = s_9;
     let _e130 = gabor_impl_filtered_node_3d(_e127, _e128.x);
     x_0_ = _e130;
-    let _e132 = x_22;
+    let _e132 = x_23;
     let _e134 = gabor_impl_node(_e132, 1i);
     let _e135 = s_9;
     let _e137 = gabor_impl_filtered_node_3d(_e134, _e135.x);
     x_1_ = _e137;
-    let _e139 = x_22;
+    let _e139 = x_23;
     let _e141 = gabor_impl_node(_e139, 2i);
     let _e142 = s_9;
     let _e144 = gabor_impl_filtered_node_3d(_e141, _e142.x);
@@ -1052,22 +1041,22 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             break;
         }
         {
-            let _e164 = y_19;
+            let _e164 = y_20;
             let _e165 = i_14;
             let _e168 = gabor_impl_node(_e164, (_e165 % 3i));
             let _e169 = s_9;
             let _e171 = gabor_impl_filtered_node_3d(_e168, _e169.y);
             y_j_1 = _e171;
-            let _e173 = z_12;
+            let _e173 = z_13;
             let _e174 = i_14;
             let _e177 = gabor_impl_node(_e173, (_e174 / 3i));
             let _e178 = s_9;
             let _e180 = gabor_impl_filtered_node_3d(_e177, _e178.z);
             z_k_1 = _e180;
-            let _e182 = y_19;
+            let _e182 = y_20;
             let _e183 = i_14;
             let _e186 = gabor_impl_node_word(_e182, (_e183 % 3i));
-            let _e187 = z_12;
+            let _e187 = z_13;
             let _e188 = i_14;
             let _e191 = gabor_impl_node_word(_e187, (_e188 / 3i));
             let _e193 = gabor_impl_row((_e186 * _e191));
@@ -1077,25 +1066,25 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
             let _e198 = z_k_1;
             let _e199 = scale_5;
             let _e201 = pixel_9;
-            let _e205 = x_22.word[0];
+            let _e205 = x_23.word[0];
             let _e206 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_33), _e196, _e197, _e198, _e199, place.moment, _e201, tangents, _e205, _e206);
+            gabor_impl_add_filtered_waves_3d((&sum_34), _e196, _e197, _e198, _e199, place.moment, _e201, tangents, _e205, _e206);
             let _e209 = x_1_;
             let _e210 = y_j_1;
             let _e211 = z_k_1;
             let _e212 = scale_5;
             let _e214 = pixel_9;
-            let _e218 = x_22.word[1];
+            let _e218 = x_23.word[1];
             let _e219 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_33), _e209, _e210, _e211, _e212, place.moment, _e214, tangents, _e218, _e219);
+            gabor_impl_add_filtered_waves_3d((&sum_34), _e209, _e210, _e211, _e212, place.moment, _e214, tangents, _e218, _e219);
             let _e222 = x_2_;
             let _e223 = y_j_1;
             let _e224 = z_k_1;
             let _e225 = scale_5;
             let _e227 = pixel_9;
-            let _e231 = x_22.word[2];
+            let _e231 = x_23.word[2];
             let _e232 = row_11;
-            gabor_impl_add_filtered_waves_3d((&sum_33), _e222, _e223, _e224, _e225, place.moment, _e227, tangents, _e231, _e232);
+            gabor_impl_add_filtered_waves_3d((&sum_34), _e222, _e223, _e224, _e225, place.moment, _e227, tangents, _e231, _e232);
         }
         continuing {
             let _e161 = i_14;
@@ -1122,7 +1111,7 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     }
     let _e262 = local_53;
     amplitude_7 = (_e234 * (inverseSqrt((_e239 * _e249)) / (1459955300000000000000000000f * _e262)));
-    let _e267 = sum_33;
+    let _e267 = sum_34;
     let _e268 = amplitude_7;
     let _e269 = stretch_11;
     gabor_impl_add_field_3d((&field_13), _e267, _e268, _e269);
@@ -1139,7 +1128,7 @@ fn gabor_field_3d_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec
 fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, seed: u32) -> GaborField3d {
     var normal_9: vec3<f32>;
     var aside_1: f32;
-    var sum_34: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
+    var sum_35: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
     var local_54: i32;
     var i_15: i32;
     var local_55: i32;
@@ -1194,14 +1183,14 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy
             field_14 = _e67;
             let _e70 = field_14;
             let _e71 = power_8;
-            gabor_impl_add_field_3d((&sum_34), _e70, sqrt(_e71), vec3(1f));
+            gabor_impl_add_field_3d((&sum_35), _e70, sqrt(_e71), vec3(1f));
         }
         continuing {
             let _e42 = i_15;
             i_15 = (_e42 + 1i);
         }
     }
-    let _e76 = sum_34;
+    let _e76 = sum_35;
     return _e76;
 }
 

@@ -1082,7 +1082,7 @@ GABOR_INLINE GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborR
 // Adds a wave: the first sum is the height, the second a noise.
 GABOR_INLINE void gabor_impl_add_ripple(GaborPair& sum, int i, GaborPair wave) {
     float amplitude = gabor_cpp_exp2(-0.351f * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0f - wave.removed;
-    float harmonic = 0.2f * kept; // a filter damps a wave of twice the frequency by the fourth power; x^2 by the square
+    float harmonic = 0.2f * kept; // a filter damps a wave of twice the frequency by the fourth power, and x^2 by the square
     sum.first += amplitude * gabor_vec3(x + harmonic * (x * x - y * y),
                                   (1.0f + 2.0f * harmonic * x) * wave.first.yz() - 2.0f * harmonic * y * wave.second.yz());
     sum.second += amplitude * wave.first;

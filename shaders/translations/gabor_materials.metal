@@ -1083,7 +1083,7 @@ inline GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborRipples
 // Adds a wave: the first sum is the height, the second a noise.
 inline void gabor_impl_add_ripple(thread GaborPair& sum, int i, GaborPair wave) {
     float amplitude = exp2(-0.351 * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0 - wave.removed;
-    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power; x^2 by the square
+    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power, and x^2 by the square
     sum.first += amplitude * float3(x + harmonic * (x * x - y * y),
                                   (1.0 + 2.0 * harmonic * x) * wave.first.yz - 2.0 * harmonic * y * wave.second.yz);
     sum.second += amplitude * wave.first;

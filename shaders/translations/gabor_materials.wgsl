@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 4e9403ff3b3ff3e1.
+// naga 30.0.1 made it from GLSL with the digest 94b351dc059629cf.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //
