@@ -495,7 +495,7 @@ class Repository(unittest.TestCase):
     def npm_with(self, remote):
         """Returns package.json of npm's package in a repository with this remote."""
         root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", "tools/copies.py", "tools/package", "tools/version.py"))
+        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", "tools/copies.py", "tools/glsl.py", "tools/package", "tools/version.py"))
         (root / "shaders/nodes").mkdir(parents=True)
         if remote:
             run("git", "-C", root, "remote", "add", "origin", remote)
