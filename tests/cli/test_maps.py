@@ -44,8 +44,8 @@ class Maps(RenderTest):
         self.assertTrue(((maps["occlusion"] > 0) & (maps["occlusion"] <= 1)).all())
 
     def test_normals_match_the_height(self):
-        """A normal's x axis points right and its y axis up. At this scale, the height is smooth between pixels."""
-        scale = 1500
+        """A normal's x axis points right and its y axis up. At this scale, the height is smooth over two pixels."""
+        scale = 4000
         _, maps = self.maps(f"--scale={scale}")
         down, right = np.gradient(maps["height"], 1 / scale)
         for axis, slope in (("x", -right), ("y", down)):
@@ -74,7 +74,7 @@ class Maps(RenderTest):
 
     def test_dithered_normals_keep_their_local_mean(self):
         """The mean over 8 x 8 pixels is within an eighth of a step; rounding alone errs by half a step on a smooth surface."""
-        folder, maps = self.maps("--normal-bits=8", "--scale=5000")
+        folder, maps = self.maps("--normal-bits=8", "--scale=4000")
         wanted = 255 * (0.5 + 0.5 * np.dstack([maps["normal.x"], maps["normal.y"]]))
         off = read_colour_png(folder / "normal.png")[..., :2] - wanted
         means = off.reshape(HEIGHT // 8, 8, WIDTH // 8, 8, 2).mean((1, 3))
