@@ -253,7 +253,7 @@ void Gui::load_fonts() {
         device_.state().device.waitIdle();
         ImGui_ImplVulkan_Shutdown();
     }
-    build_fonts(14.0f * density_ * scale_, characters_);
+    build_fonts(std::round(14.0f * density_ * scale_), characters_); // Dear ImGui 1.90 would round down
     descriptors_ = make_descriptors(device_);
     info_.DescriptorPool = *descriptors_;
     ImGui_ImplVulkan_Init(&info_, pass_);

@@ -216,7 +216,7 @@ class LargeScreen(EventsTest):
 
     def test_text_grows_with_the_screen(self):
         self.open(*WINDOW, "figure6")
-        self.assertAlmostEqual(self.state["font"], 14 * 1440 / 1080, delta=0.01) # 14 on smaller screens
+        self.assertEqual(self.state["font"], round(14 * 1440 / 1080)) # 14 on smaller screens
         self.close()
 
 
