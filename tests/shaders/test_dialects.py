@@ -240,7 +240,7 @@ class Names(unittest.TestCase):
                 materials = re.findall(r"^Gabor(\w+) gabor_(\w+)_default", private, re.MULTILINE)
                 documented = sorted({text.replace("gabor_wood", f"gabor_{word}").replace("GaborWood", f"Gabor{struct}")
                                      for text in documented for struct, word in materials})
-                documented, defined = ([re.sub(r"\w+, uint seed", "uint seed", text) for text in texts] for texts in (documented, defined))
+                documented, defined = ([re.sub(r"\w+,\s+uint seed", "uint seed", text) for text in texts] for texts in (documented, defined))
             with self.subTest(name):
                 self.assertGreater(len(defined), 2)
                 self.assertEqual(sorted(re.sub(r"\s*\n//\s*", " ", text) for text in documented),
