@@ -113,8 +113,15 @@ uvec4 gabor_impl_four_line_words(int index, int period, uint salt) {
                  gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
+// Two noises and their derivatives.
+struct GaborHills {
+    vec2 value;
+    vec2 slope_x;
+    vec2 slope_y;
+};
+
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-void gabor_impl_add_hill_row(inout GaborField sum, uvec4 words, vec4 x, vec4 slope_x, float y, float slope_y) {
+void gabor_impl_add_hill_row(inout GaborHills sum, uvec4 words, vec4 x, vec4 slope_x, float y, float slope_y) {
     vec4 a = vec4(ivec4(words)), b = vec4(ivec4(words << 16u));
     vec2 row = vec2(dot(x, a), dot(x, b));
     sum.value += y * row;
@@ -136,7 +143,7 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
     uint salt = gabor_impl_salt(seed);
     uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborField hills = GaborField(vec2(0.0), vec2(0.0), vec2(0.0));
+    GaborHills hills = GaborHills(vec2(0.0), vec2(0.0), vec2(0.0));
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
@@ -180,7 +187,8 @@ GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTe
         vec2 z = vec2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            z = erosion.uniformity * gabor_field(place, GaborKernel(wave), gabor_lobe_seed(seed, i)).value;
+            GaborField field = gabor_field(place, wave, gabor_lobe_seed(seed, i));
+            z = erosion.uniformity * vec2(field.quadrature, field.noise);
             z *= kept * inversesqrt(1.0 + dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = mix(gully.height, erosion.gully_weight * z.x, mask);

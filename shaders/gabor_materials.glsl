@@ -1,13 +1,21 @@
 // gabor_materials.glsl: twelve materials from Gabor noise.
 //
-// Paste or include this file after gabor_noise.glsl and gabor_spectrum.glsl, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.glsl, gabor_spectrum.glsl and, for the filtered forms,
+// gabor_filter.glsl.
 //
-//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
+//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
 //     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
-//     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
+//     GaborMaterial o = gabor_wood_at(p, vec2(0.0), oak, 7u);
+//
+//     I want                                   call
+//     a material                               gabor_wood, gabor_fabric, gabor_leather, gabor_marble and so on
+//     the same without moire, at any distance  gabor_wood_filtered(p, dFdx(p), dFdy(p), seed)
+//     my own colours, sizes and periods        gabor_wood_at, gabor_wood_filtered_at
+//     a normal                                 normalize(vec3(-m.slope, 1.0)), in the space of p
+//     highlights that stay right far away      gabor_roughness(m) instead of m.roughness
 //
 // One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
 //
@@ -25,38 +33,34 @@
 struct GaborMaterial {
     vec3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
     float height;    // height in units of p
-    float roughness; // roughness as in glTF
+    vec2 slope;      // derivatives of the height along x and y
+    float roughness; // roughness as in glTF, without what the filter removed
     float metalness; // 0 or 1
+    vec3 lost;       // covariance of the slopes that the filter removed: xx, yy, xy
 };
 
-// ---- Where to draw -------------------------------------------------------------------------------------------------
-
-// A position and the pixel around it.
-struct GaborPixel {
-    vec2 p;
-    vec2 dx;       // change in p to the pixel on the right
-    vec2 dy;       // change in p to the pixel below
-    bool filtered; // whether to average over the pixel
-    vec2 period;   // period of p, 0 for none
-};
-
-// GaborPixel gabor_pixel(vec2 p)
-//     The point p, without a filter.
-
-// GaborPixel gabor_pixel_filtered(vec2 p, vec2 dx, vec2 dy)
-//     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
-//     as without the filter, and all others as much as gabor_noise_filtered.
-
-// GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period)
-//     The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
-//     threads; scratches and hair snap to directions that repeat with it.
+// float gabor_roughness(GaborMaterial material)
+// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by the
+//     variance of the removed slopes.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
-// Each material has a struct of parameters, a function that returns their defaults, and a function of a pixel and
-// parameters; the short forms use the defaults. Colours are linear, from 0 to 1. Brackets give the number of noises,
-// and the shortest period at which the tiled material looks like the untiled one; shorter periods compress its
-// large-scale variation. The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions
+// Each has a struct of parameters and these functions, here for wood:
+//
+// GaborWood gabor_wood_default()
+// GaborMaterial gabor_wood(vec2 p, uint seed)
+// GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_wood_at(vec2 p, vec2 period, GaborWood wood, uint seed)
+// GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborWood wood, uint seed)
+//
+// The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
+// Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2(0.0)
+// for none: a period holds a whole number of rings or threads; scratches and hair snap to directions that repeat with
+// it.
+//
+// Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
+// material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
+// and the streaks of metal follow p: bend p to bend them. Directions
 // may vary from pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
@@ -68,10 +72,6 @@ struct GaborWood {
     float pores;     // strength of the pores, 0 to 1
     float roughness; // roughness of the early wood, 0 to 1
 };
-// GaborWood gabor_wood_default()
-// GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed)
-// GaborMaterial gabor_wood(vec2 p, uint seed)
-// GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
@@ -83,10 +83,6 @@ struct GaborFabric {
     float roughness;  // 0 to 1
     float cords;      // cords per unit, 0 to 20
 };
-// GaborFabric gabor_fabric_default()
-// GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed)
-// GaborMaterial gabor_fabric(vec2 p, uint seed)
-// GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
@@ -97,10 +93,6 @@ struct GaborLeather {
     float relief;    // height of the cells, relative to the default, 0 to 3
     float roughness; // roughness of the cells, 0 to 0.7
 };
-// GaborLeather gabor_leather_default()
-// GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed)
-// GaborMaterial gabor_leather(vec2 p, uint seed)
-// GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
@@ -111,10 +103,6 @@ struct GaborMarble {
     float clouds;     // darkening by clouds, 0 to 1
     float roughness;  // 0 to 1
 };
-// GaborMarble gabor_marble_default()
-// GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, uint seed)
-// GaborMaterial gabor_marble(vec2 p, uint seed)
-// GaborMaterial gabor_marble_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
@@ -125,10 +113,6 @@ struct GaborSand {
     float grain;     // contrast of the grains, 0 to 0.25
     float roughness; // 0 to 1
 };
-// GaborSand gabor_sand_default()
-// GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed)
-// GaborMaterial gabor_sand(vec2 p, uint seed)
-// GaborMaterial gabor_sand_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Water under a light wind [14 noises; period 8 x 8].
 struct GaborRipples {
@@ -140,10 +124,6 @@ struct GaborRipples {
     float relief;    // height of the longest waves, in units, 0 to 0.2
     float roughness; // 0 to 1
 };
-// GaborRipples gabor_ripples_default()
-// GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed)
-// GaborMaterial gabor_ripples(vec2 p, uint seed)
-// GaborMaterial gabor_ripples_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Streaks along x [5 noises; period 5 x 1].
 struct GaborBrushedMetal {
@@ -153,10 +133,6 @@ struct GaborBrushedMetal {
     float relief;    // height of the widest streaks, in units, 0 to 0.01
     float roughness; // 0 to 1
 };
-// GaborBrushedMetal gabor_brushed_metal_default()
-// GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, uint seed)
-// GaborMaterial gabor_brushed_metal(vec2 p, uint seed)
-// GaborMaterial gabor_brushed_metal_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
@@ -169,10 +145,6 @@ struct GaborScratches {
     float depth;     // depth of the scratches, in units, 0 to 0.02
     float roughness; // 0 to 1
 };
-// GaborScratches gabor_scratches_default()
-// GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uint seed)
-// GaborMaterial gabor_scratches(vec2 p, uint seed)
-// GaborMaterial gabor_scratches_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
@@ -184,10 +156,6 @@ struct GaborZebra {
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
 };
-// GaborZebra gabor_zebra_default()
-// GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed)
-// GaborMaterial gabor_zebra(vec2 p, uint seed)
-// GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
@@ -199,10 +167,6 @@ struct GaborBark {
     float depth;     // depth of the furrows, in units, 0 to 0.4
     float roughness; // 0 to 1
 };
-// GaborBark gabor_bark_default()
-// GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, uint seed)
-// GaborMaterial gabor_bark(vec2 p, uint seed)
-// GaborMaterial gabor_bark_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
@@ -212,10 +176,6 @@ struct GaborCarbonFibre {
     float relief;    // height of the tows, relative to the default, 0 to 3
     float roughness; // 0 to 1
 };
-// GaborCarbonFibre gabor_carbon_fibre_default()
-// GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, uint seed)
-// GaborMaterial gabor_carbon_fibre(vec2 p, uint seed)
-// GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
@@ -228,10 +188,6 @@ struct GaborStrata {
     float relief;    // height of the layers, relative to the default, 0 to 3
     float roughness; // 0 to 1
 };
-// GaborStrata gabor_strata_default()
-// GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed)
-// GaborMaterial gabor_strata(vec2 p, uint seed)
-// GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // ====================================================================================================================
 // Private implementation
@@ -243,69 +199,135 @@ struct GaborStrata {
 // zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
 // over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
 // unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+//
+// The slope f'(v + sqrt(r) z) g, where the noise's gradient g has a removed part of covariance C, has the covariance
+//     E[f'^2] (C + g g^T) - E[f']^2 g g^T
+// over what the filter removed. A height is a sum of such terms; their covariances add up.
+//
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and
+// one that shades them. The filtered ones are loops, because compilers inline the filter for each call.
 
-// ---- Noises --------------------------------------------------------------------------------------------------------
-
-GaborPlace gabor_impl_place(GaborPixel pixel, vec2 density) {
-    if (pixel.period.x > 0.0)
-        return gabor_place_tiled(density * pixel.p, density * pixel.period);
-    return gabor_place(ivec2(0), GABOR_RADIUS * density * pixel.p);
+// Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
+vec3 gabor_impl_times(vec3 a, vec3 b) {
+    return vec3(a.x * b.x, a.x * b.yz + b.x * a.yz);
 }
 
-// Returns two independent noises, the quadrature and noise of one field, and the share of the variance that the filter
-// removed. `density` is in kernel radii per unit along x and y.
-vec3 gabor_impl_layer(GaborPixel pixel, vec2 density, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_impl_place(pixel, density);
-    GaborKernel kernel = gabor_kernel(frequency, orientation);
-    if (!pixel.filtered)
-        return vec3(gabor_field(place, kernel, seed).value, 0.0);
-    float removed;
-    density *= place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
-    vec2 value = gabor_field_filtered(place, kernel, footprint, seed, removed).value;
-    return vec3(value, removed);
+// The matrix v v^T: xx, yy, xy.
+vec3 gabor_impl_square(vec2 v) {
+    return vec3(v * v, v.x * v.y);
 }
 
-// A layer of frequency 0: spots as large as a kernel.
-vec3 gabor_impl_spots(GaborPixel pixel, vec2 density, uint seed) {
-    return gabor_impl_layer(pixel, density, 0.0, 0.0, seed);
+// (x y)^T M (x y), where M has the elements xx, yy, xy.
+vec3 gabor_impl_turned_square(vec3 m, vec2 x, vec2 y) {
+    vec2 a = m.xy * x + m.z * x.yx, b = m.xy * y + m.z * y.yx;
+    return vec3(dot(x, a), dot(y, b), dot(x, b));
 }
 
-// A sum of octaves of spots. Each octave has spots of about half the previous size, and `gain` times the amplitude.
-vec3 gabor_impl_octaves(GaborPixel pixel, vec2 density, int count, float gain, uint seed) {
-    vec3 sum = vec3(0.0);
-    float power = 0.0;
-    float amplitude = 1.0;
-    for (int i = 0; i < count; ++i) {
-        sum += vec3(amplitude, amplitude, amplitude * amplitude)
-               * gabor_impl_spots(pixel, density, gabor_lobe_seed(seed, i));
-        power += amplitude * amplitude;
-        amplitude *= gain;
-        density *= 2.03;
-    }
-    return sum / vec3(vec2(sqrt(power)), power);
+// ---- Positions -----------------------------------------------------------------------------------------------------
+
+// A position, and the pixel around it if there is a filter; `period` is 0 for none.
+struct GaborPixel {
+    vec2 p;
+    vec2 dx;
+    vec2 dy;
+    vec2 period;
+};
+
+GaborPixel gabor_impl_pixel_at(vec2 p, vec2 dx, vec2 dy, vec2 period) {
+    return GaborPixel(period.x > 0.0 ? p - period * floor(p / period) : p, dx, dy, period);
 }
 
-// Displaces p by two noises, and changes dx and dy accordingly.
-GaborPixel gabor_impl_warp(GaborPixel pixel, vec2 density, vec2 amplitude, uint seed) {
-    GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0, 0.0), seed);
-    vec2 along_x = amplitude * density.x * field.slope_x;
-    vec2 along_y = amplitude * density.y * field.slope_y;
-    return GaborPixel(pixel.p + amplitude * field.value, pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
-                      pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period);
+// A position that warps have moved, and its derivatives along x and y of p.
+struct GaborWarped {
+    vec2 p;
+    vec2 x;
+    vec2 y;
+    vec2 period;
+};
+
+GaborWarped gabor_impl_unwarped(GaborPixel pixel) {
+    return GaborWarped(pixel.p, vec2(1.0, 0.0), vec2(0.0, 1.0), pixel.period);
+}
+
+// A position along the warped x or y axis, with derivatives.
+vec3 gabor_impl_along_x(GaborWarped at) {
+    return vec3(at.p.x, at.x.x, at.y.x);
+}
+vec3 gabor_impl_along_y(GaborWarped at) {
+    return vec3(at.p.y, at.x.y, at.y.y);
+}
+
+// The place of a layer with `density` kernel radii per unit along x and y.
+GaborPlace gabor_impl_place(GaborWarped at, vec2 density) {
+    if (at.period.x > 0.0)
+        return gabor_place_tiled(density * at.p, density * at.period);
+    return gabor_place_at(density * at.p);
+}
+
+uvec3 gabor_impl_three_line_words(int index, int period, uint salt) {
+    int first = gabor_impl_wrap(index, period), second = gabor_impl_next_node(first, period);
+    return uvec3(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(gabor_impl_next_node(second, period), salt));
+}
+
+// Adds a row of nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
+void gabor_impl_add_spots(inout vec2 value, inout vec4 slope, uvec3 words, vec4 x, vec4 slope_x, float y,
+                          float slope_y) {
+    vec2 a = gabor_impl_amplitude(words.x), b = gabor_impl_amplitude(words.y), c = gabor_impl_amplitude(words.z);
+    vec2 row = x.x * a + x.y * b + x.z * c;
+    value += y * row;
+    slope += vec4(y * (slope_x.x * a + slope_x.y * b + slope_x.z * c), slope_y * row);
+}
+
+// Noise of frequency 0, which needs no waves: spots as large as a kernel. The same as gabor_field.
+GaborField gabor_impl_spots(GaborPlace place, uint seed) {
+    vec2 zero = floor(place.local + 0.5), offset = clamp(place.local - zero, -0.5, 0.5);
+    uint salt = gabor_impl_salt(seed);
+    uvec3 columns = gabor_impl_three_line_words(place.cell.x + int(zero.x) - 1, place.period.x, salt);
+    uvec3 rows = gabor_impl_three_line_words(place.cell.y + int(zero.y) - 1, place.period.y, salt ^ GABOR_IMPL_ROWS);
+    vec4 x, y, slope_x, slope_y;
+    gabor_impl_windows(offset.x, x, slope_x);
+    gabor_impl_windows(offset.y, y, slope_y);
+    vec2 value = vec2(0.0);
+    vec4 slope = vec4(0.0);
+    gabor_impl_add_spots(value, slope, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    vec2 stretch = scale * place.radius / GABOR_RADIUS;
+    return GaborField(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
+}
+
+// The step in the warped position that a step in p makes.
+vec2 gabor_impl_step_of(GaborWarped at, vec2 step) {
+    return step.x * at.x + step.y * at.y;
+}
+
+// Moves the position by two noises, and less where they are finer than the pixel: as much as a filter keeps of their
+// slopes.
+GaborWarped gabor_impl_warp(GaborPixel pixel, GaborWarped at, vec2 density, vec2 amplitude, uint seed, int index) {
+    vec2 dx = density * gabor_impl_step_of(at, pixel.dx), dy = density * gabor_impl_step_of(at, pixel.dy);
+    amplitude /= 1.0 + 0.82246703 * min(dot(dx, dx) + dot(dy, dy), 1.0e6);
+    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    vec2 along_x = amplitude * density.x * vec2(field.quadrature_gradient.x, field.gradient.x);
+    vec2 along_y = amplitude * density.y * vec2(field.quadrature_gradient.y, field.gradient.y);
+    return GaborWarped(at.p + amplitude * vec2(field.quadrature, field.noise),
+                       at.x + at.x.x * along_x + at.x.y * along_y,
+                       at.y + at.y.x * along_x + at.y.y * along_y, at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
+GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
     vec2 turn = gabor_impl_wave(0.15915494 * angle);
     vec2 x = turn;
     vec2 y = vec2(-turn.y, turn.x);
     vec2 period = vec2(0.0);
-    if (pixel.period.x > 0.0) {
-        vec2 whole = floor(3.0 * normalize(turn / pixel.period) + 0.5);
+    if (at.period.x > 0.0) {
+        vec2 whole = floor(3.0 * normalize(turn / at.period) + 0.5);
         vec2 size = abs(whole);
         vec2 signs = vec2(whole.x < 0.0 ? -1.0 : 1.0, whole.y < 0.0 ? -1.0 : 1.0);
         if (size.x == size.y || size.x * size.y == 0.0) // (2, 2), (3, 0), (0, 3) become (1, 1), (1, 0), (0, 1)
@@ -314,13 +336,14 @@ GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
         vec2 other = size.x > 1.0 && size.y > 1.0 ? (size.x > size.y ? signs : -signs)
                      : size.x == 1.0              ? vec2(0.0, whole.x)
                                                   : vec2(-whole.y, 0.0);
-        period.x = length(whole * pixel.period);
-        period.y = pixel.period.x * pixel.period.y / period.x;
-        x = period.x * vec2(other.y, -other.x) / pixel.period;
-        y = period.y * vec2(-whole.y, whole.x) / pixel.period;
+        period.x = length(whole * at.period);
+        period.y = at.period.x * at.period.y / period.x;
+        x = period.x * vec2(other.y, -other.x) / at.period;
+        y = period.y * vec2(-whole.y, whole.x) / at.period;
     }
-    return GaborPixel(vec2(dot(x, pixel.p), dot(y, pixel.p)), vec2(dot(x, pixel.dx), dot(y, pixel.dx)),
-                      vec2(dot(x, pixel.dy), dot(y, pixel.dy)), pixel.filtered, period);
+    return GaborWarped(vec2(dot(x, at.p), dot(y, at.p)), vec2(dot(x, at.x), dot(y, at.x)), vec2(dot(x, at.y), dot(y,
+                                                                                                                  at.y)),
+                       period);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -331,498 +354,1208 @@ vec2 gabor_impl_repeated(GaborPixel pixel, float count, float whole) {
     return vec2(count);
 }
 
+// The squared length of a pixel along an axis of a repeated pattern; `a` is the position along it, with derivatives.
+float gabor_impl_steps(GaborPixel pixel, vec3 a) {
+    vec2 steps = vec2(dot(a.yz, pixel.dx), dot(a.yz, pixel.dy));
+    return dot(steps, steps);
+}
+
+// ---- Layers --------------------------------------------------------------------------------------------------------
+
+// A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
+// `amplitude`, to pair `slot` of a material.
+struct GaborLayer {
+    int slot;
+    GaborWarped at;
+    vec2 density;
+    vec2 wave;
+    float amplitude;
+    uint seed;
+};
+
+// A layer of frequency 0.
+GaborLayer gabor_impl_spots_layer(int slot, GaborWarped at, vec2 density, uint seed, int index) {
+    return GaborLayer(slot, at, density, vec2(0.0), 1.0, gabor_lobe_seed(seed, index));
+}
+
+GaborLayer gabor_impl_waves_layer(int slot, GaborWarped at, vec2 density, float frequency, float orientation, uint seed,
+                                  int index) {
+    return GaborLayer(slot, at, density, gabor_wave_vector(frequency, orientation), 1.0, gabor_lobe_seed(seed, index));
+}
+
+// Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
+GaborLayer gabor_impl_octave(GaborWarped at, vec2 density, int i, int count, float gain, uint seed) {
+    float power = (1.0 - pow(gain, 2.0 * float(count))) / (1.0 - gain * gain);
+    return GaborLayer(0, at, density * exp2(1.0214797 * float(i)), vec2(0.0), pow(gain, float(i)) * inversesqrt(power),
+                      gabor_lobe_seed(seed, i));
+}
+
+// Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
+// share of their variance that a filter removed, and the covariance of their derivatives that it removed.
+struct GaborPair {
+    vec3 first;
+    vec3 second;
+    float removed;
+    vec3 lost;
+};
+
+// The pairs of a material.
+struct GaborPairs {
+    GaborPair a;
+    GaborPair b;
+    GaborPair c;
+    GaborPair d;
+    GaborPair e;
+};
+
+GaborPair gabor_impl_no_pair() {
+    return GaborPair(vec3(0.0), vec3(0.0), 0.0, vec3(0.0));
+}
+
+GaborPairs gabor_impl_no_pairs() {
+    GaborPair none = gabor_impl_no_pair();
+    return GaborPairs(none, none, none, none, none);
+}
+
+GaborPair gabor_impl_pair(GaborLayer layer, GaborField field, vec3 lost) {
+    vec2 x = layer.density * layer.at.x, y = layer.density * layer.at.y;
+    return GaborPair(vec3(field.quadrature, dot(field.quadrature_gradient, x), dot(field.quadrature_gradient, y)),
+                     vec3(field.noise, dot(field.gradient, x), dot(field.gradient, y)), field.removed,
+                     gabor_impl_turned_square(lost, x, y));
+}
+
+GaborPair gabor_impl_plus(GaborPair sum, GaborPair pair, float amplitude) {
+    return GaborPair(sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
+                     sum.removed + amplitude * amplitude * pair.removed, sum.lost + amplitude * amplitude * pair.lost);
+}
+
+GaborPair gabor_impl_spots_pair(GaborLayer layer) {
+    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), vec3(0.0));
+}
+
+// A sum and an octave of it.
+GaborPair gabor_impl_plus_octave(GaborPair sum, GaborLayer layer) {
+    return gabor_impl_plus(sum, gabor_impl_spots_pair(layer), layer.amplitude);
+}
+
+GaborPair gabor_impl_waves_pair(GaborLayer layer) {
+    return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
+                           vec3(0.0));
+}
+
+#ifdef GABOR_FILTER_GLSL
+// ---- Filtered spots: see gabor_filter.glsl, with real windows ------------------------------------------------------
+
+// A node's window with three waves and its fade: the window, the part of its derivative that couples the axes, and the
+// derivatives of both.
+vec4 gabor_impl_spots_node(float value, float slope, float damped, vec2 fade) {
+    float window = 0.5 + damped * (value - 0.5);
+    return vec4(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
+                -9.8696044 * fade.x * (window - 0.5));
+}
+
+// The nodes of an axis with its words.
+struct GaborSpotsAxis {
+    uvec3 word;
+    vec4 first;
+    vec4 middle;
+    vec4 last;
+};
+
+GaborSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint salt, float variance) {
+    float zero = floor(local + 0.5), offset = clamp(local - zero, -0.5, 0.5);
+    float damped = exp(-4.934802 * variance), width = clamp(0.5 * sqrt(variance), 0.001, 0.05);
+    vec2 t = clamp((0.33333333 + 0.66666667 * vec2(-offset, offset)) / width, 0.0, 1.0);
+    vec2 fade = t * t * (3.0 - 2.0 * t), change = 6.0 / width * t * (1.0 - t) * vec2(-1.0, 1.0);
+    vec4 value, slope;
+    gabor_impl_windows(offset, value, slope);
+    return GaborSpotsAxis(gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
+                          gabor_impl_spots_node(value.x, slope.x, damped, vec2(fade.x, change.x)),
+                          gabor_impl_spots_node(value.y, slope.y, damped, vec2(1.0, 0.0)),
+                          gabor_impl_spots_node(value.z, slope.z, damped, vec2(fade.y, change.y)));
+}
+
+// Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
+void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborSpotsAxis x, uint word, vec4 y, float coupling) {
+    vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
+    vec2 c = gabor_impl_amplitude(x.word.z * word);
+    vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
+                * c.y;
+    sum += y.x * vec4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * vec4(real.y, imaginary.y, real.w, imaginary.w);
+    along_y += y.z * vec2(real.x, imaginary.x) + coupling * y.w * vec2(real.y, imaginary.y);
+}
+
+// A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
+struct GaborSpotsLine {
+    uint word;
+    vec3 window;
+    vec2 fade;
+};
+
+GaborSpotsLine gabor_impl_spots_line(GaborFilteredAxis b, int index) {
+    vec2 turn = gabor_impl_wave(0.5 / b.reach * (b.offset - float(index)));
+    vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
+    float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
+    return GaborSpotsLine(gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
+                          vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
+}
+
+// The sums of a row over its columns: the factors times both parts of the amplitudes, and those with the derivative of
+// the
+// fade.
+struct GaborSpotsRow {
+    vec3 real;
+    vec3 imaginary;
+    vec2 edge;
+};
+
+void gabor_impl_add_spot(inout GaborSpotsRow row, GaborSpotsLine x, uint row_word) {
+    vec2 a = gabor_impl_amplitude(x.word * row_word);
+    row.real += x.fade.x * a.x * x.window;
+    row.imaginary += x.fade.x * a.y * x.window;
+    row.edge += x.fade.y * x.window.x * a;
+}
+
+GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint salt) {
+    vec2 m = s.xy + 0.13069097;
+    float rho = s.z * inversesqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
+    float mixed = 78.956835 * s.z * r / (1.0 + r);
+    GaborFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
+                                                        place.period.x,
+                                                        salt, vec2(1.0, 0.0));
+    GaborFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
+                                                       place.period.y,
+                                                       salt ^ GABOR_IMPL_ROWS, vec2(1.0, 0.0));
+    GaborSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
+    GaborSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
+    if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
+    vec2 value = vec2(0.0), next_x = vec2(0.0), next_y = vec2(0.0), edge_x = vec2(0.0), edge_y = vec2(0.0);
+    int rows = wanted ? along.count : 0, j = 0; // see gabor_impl_filtered_wide
+    do {
+        GaborSpotsLine y = gabor_impl_spots_line(along, j);
+        GaborSpotsRow row = GaborSpotsRow(vec3(0.0), vec3(0.0), vec2(0.0));
+        gabor_impl_add_spot(row, x_0, y.word);
+        gabor_impl_add_spot(row, x_1, y.word);
+        gabor_impl_add_spot(row, x_2, y.word);
+        gabor_impl_add_spot(row, x_3, y.word);
+        if (across.count == 5) gabor_impl_add_spot(row, x_4, y.word);
+        vec3 w = vec3(1.0, mixed, 0.5 * mixed * mixed) * y.window;
+        vec2 sum = vec2(dot(w, row.real), dot(w, row.imaginary));
+        value += y.fade.x * sum;
+        next_x += y.fade.x * (w.x * vec2(row.real.y, row.imaginary.y) - w.y * vec2(row.real.z, row.imaginary.z));
+        next_y += y.fade.x * (y.window.y * vec2(row.real.x, row.imaginary.x)
+                              - mixed * y.window.z * vec2(row.real.y, row.imaginary.y));
+        edge_x += y.fade.x * w.x * row.edge;
+        edge_y += y.fade.y * sum;
+    } while (++j < rows);
+    vec2 before = lambda * sqrt(m.yx / m);
+    vec2 x = edge_x - 6.2831853 * (next_x - before.x * next_y), y = edge_y - 6.2831853 * (next_y - before.y * next_x);
+    float scale = sqrt(1.0 - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField(scale * value.y, scale * vec2(x.y, y.y), scale * value.x, scale * vec2(x.x, y.x), 0.0);
+}
+
+GaborField gabor_impl_spots_narrow(GaborPlace place, vec3 s, uint salt) {
+    GaborSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
+    GaborSpotsAxis y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    vec4 sum = vec4(0.0);
+    vec2 along_y = vec2(0.0);
+    gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
+    gabor_impl_add_spots_row(sum, along_y, x, y.word.y, y.middle, s.z);
+    gabor_impl_add_spots_row(sum, along_y, x, y.word.z, y.last, s.z);
+    float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField(scale * sum.y, scale * vec2(sum.w, along_y.y), scale * sum.x, scale * vec2(sum.z, along_y.x),
+                      0.0);
+}
+
+// The same as gabor_field_filtered with the wave vector 0.
+GaborField gabor_impl_spots_filtered(GaborPlace place, vec2 dx, vec2 dy, uint seed) {
+    vec2 stretch = place.radius / GABOR_RADIUS;
+    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(vec2(0.0), footprint.covariance);
+    float amplitude = sqrt(kept / gabor_impl_transmitted(vec2(0.0), footprint.resolved));
+    GaborField sum = GaborField(0.0, vec2(0.0), 0.0, vec2(0.0), 0.0);
+    uint salt = gabor_impl_salt(seed);
+    if (wide < 1.0)
+        gabor_impl_add_field(sum, gabor_impl_spots_narrow(place, footprint.resolved, salt), (1.0 - wide) * amplitude,
+                             stretch);
+    if (wide > 0.0)
+        gabor_impl_add_field(sum, gabor_impl_spots_wide(place, footprint.resolved, wide > 0.0, salt), wide * amplitude,
+                             stretch);
+    sum.removed = 1.0 - kept;
+    return sum;
+}
+
+// The share of a layer's variance that a filter removes, and the covariance of its gradient that it removes: see
+// gabor_impl_transmitted. The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave
+// vector (1 + 2/3 pi^2 S)^-1 F.
+GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, vec3 s) {
+    vec3 a = 6.5797363 * s, inverse = vec3(1.0 + a.y, 1.0 + a.x, -a.z);
+    inverse /= inverse.x * inverse.y - a.z * a.z;
+    vec3 whole = vec3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave);
+    vec3 left = 3.2898681 * inverse + 39.478418 * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
+    return gabor_impl_pair(layer, field, whole - (1.0 - field.removed) * left);
+}
+
+GaborPair gabor_impl_filtered_waves(GaborLayer layer, GaborPixel pixel) {
+    vec2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
+                                                                                                              pixel.dy);
+    GaborField field = gabor_field_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.wave, layer.seed);
+    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+}
+
+GaborPair gabor_impl_filtered_spots(GaborLayer layer, GaborPixel pixel) {
+    vec2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
+                                                                                                              pixel.dy);
+    GaborField field = gabor_impl_spots_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.seed);
+    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+}
+
+void gabor_impl_add_filtered_spots(inout GaborPairs pairs, GaborLayer layer, GaborPixel pixel) {
+    GaborPair pair = gabor_impl_filtered_spots(layer, pixel);
+    if (layer.slot == 0) pairs.a = gabor_impl_plus(pairs.a, pair, layer.amplitude);
+    else if (layer.slot == 1) pairs.b = gabor_impl_plus(pairs.b, pair, layer.amplitude);
+    else if (layer.slot == 2) pairs.c = gabor_impl_plus(pairs.c, pair, layer.amplitude);
+    else if (layer.slot == 3) pairs.d = gabor_impl_plus(pairs.d, pair, layer.amplitude);
+    else pairs.e = gabor_impl_plus(pairs.e, pair, layer.amplitude);
+}
+#endif
+
 // ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
-// A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
-float gabor_impl_above(float noise, float removed, float threshold, float softness) {
-    float scale = inversesqrt(softness * softness + removed);
-    float x = clamp(scale * noise - scale * threshold, -8.0, 8.0);
+// The normal distribution function, within 2e-5.
+float gabor_impl_below(float x) {
+    x = clamp(x, -8.0, 8.0);
     return 1.0 / (1.0 + exp2(-x * (2.301726 + x * x * (0.1061787 - 0.00091164 * x * x))));
 }
 
+// A soft threshold: the normal distribution function of (noise - threshold) / softness.
+vec3 gabor_impl_above(vec3 noise, float removed, float threshold, float softness) {
+    float scale = inversesqrt(softness * softness + removed);
+    float x = scale * noise.x - scale * threshold;
+    return vec3(gabor_impl_below(x), 0.39894228 * scale * exp(-0.5 * min(x * x, 100.0)) * noise.yz);
+}
+
+// The covariance of its slopes that the filter removed.
+vec3 gabor_impl_above_lost(vec3 noise, float removed, vec3 lost, float threshold, float softness) {
+    float scale = inversesqrt(softness * softness + removed), variance = 0.5 * softness * softness + removed;
+    float d = (noise.x - threshold) * (noise.x - threshold);
+    float mean = 0.39894228 * scale * exp(-0.5 * min(d * scale * scale, 100.0));
+    float square = 0.11253954 / softness * inversesqrt(variance) * exp(-0.5 * min(d / variance, 100.0));
+    return square * lost + (square - mean * mean) * gabor_impl_square(noise.yz);
+}
+
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
-float gabor_impl_line(float noise, float removed, float width) {
+vec3 gabor_impl_line(vec3 noise, float removed, float width) {
     float variance = width * width + removed;
-    return width * inversesqrt(variance) * exp(-0.5 * noise * noise / variance);
+    float line = width * inversesqrt(variance) * exp(-0.5 * min(noise.x * noise.x / variance, 100.0));
+    return line * vec3(1.0, -noise.x / variance * noise.yz);
 }
 
-// A factor of mean 1: exp(contrast noise - contrast^2 / 2).
-float gabor_impl_tone(float noise, float removed, float contrast) {
-    return exp(contrast * (noise - 0.5 * contrast * (1.0 - removed)));
+// The covariance of its slopes that the filter removed.
+vec3 gabor_impl_line_lost(vec3 noise, float removed, vec3 lost, float width) {
+    float half_square = 0.5 * width * width, variance = half_square + removed;
+    float mean = noise.x * half_square / variance, spread = half_square * removed / variance;
+    float square = sqrt(half_square / variance) * exp(-0.5 * min(noise.x * noise.x / variance,
+                                                                 100.0)) * (mean * mean + spread)
+                 / (4.0 * half_square * half_square);
+    vec3 slope = gabor_impl_line(vec3(noise.x, 1.0, 0.0), removed, width);
+    return square * lost + (square - slope.y * slope.y) * gabor_impl_square(noise.yz);
 }
 
-// The phase of a complex noise as a vector: of length 1, or shorter where the filter averages over phases.
-vec2 gabor_impl_phase(vec3 layer) {
-    return layer.xy * inversesqrt(dot(layer.xy, layer.xy) + 2.5 * layer.z + 1.0e-6);
+// A factor of mean 1, exp(contrast noise - contrast^2 / 2), as its logarithm and the variance of the logarithm that the
+// filter removed. A product of factors is the sum of their vectors.
+vec2 gabor_impl_tone(float noise, float removed, float contrast) {
+    return vec2(contrast * noise - 0.5 * contrast * contrast, contrast * contrast * removed);
 }
 
-// The integral of the square of a sawtooth that rises from 0 to 1.
-float gabor_impl_rise_integral(float x) {
-    float turns = floor(x), t = x - turns;
-    return 0.33333333 * (turns + t * t * t);
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
+vec3 gabor_impl_toned(vec3 colour, vec2 tone) {
+    vec3 mean = colour * exp(tone.x + 0.5 * tone.y);
+    if (tone.y > 0.0) {
+        float s = sqrt(tone.y);
+        vec3 d = (-tone.x - log(max(colour, 1.0e-6))) / s;
+        if (min(min(d.x, d.y), d.z) < 3.0)
+            for (int i = 0; i < 3; ++i)
+                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0 - gabor_impl_below(d[i]);
+    }
+    return min(mean, 1.0);
 }
 
-// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
-float gabor_impl_rise(vec2 phase) {
-    vec3 ends = gabor_impl_ends(phase.x, phase.y);
-    return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see
+// gabor_impl_ends_at. `phase` is in turns.
+vec3 gabor_impl_rise(vec3 phase, vec3 span) {
+    vec3 ends = gabor_impl_ends_at(phase.x, span.x);
+    vec2 turns = floor(ends.xy), t = ends.xy - turns, integral = 0.33333333 * (turns + t * t * t);
+    float mean = ends.z * (integral.y - integral.x), change = ends.z * (t.y * t.y - t.x * t.x);
+    // The change with the width, which is about 0.78 sqrt(1 - span).
+    float widen = ends.z * (0.5 * (t.y * t.y + t.x * t.x) - mean) * (-0.5 / (ends.z * max(1.0 - span.x, 0.001)));
+    return vec3(mean, change * phase.yz + widen * span.yz);
 }
 
-// Clamps the colour to [0, 1], which a product of tones can exceed.
-GaborMaterial gabor_impl_material(vec3 colour, float height, float roughness, float metalness) {
-    return GaborMaterial(clamp(colour, 0.0, 1.0), height, roughness, metalness);
+// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. Where
+// the sawtooth rises, over a share 1 - w of the phases, its slope is 2 t; where it falls, over w, it is
+// -(1 - w) (1 - w + 2 t) / w, with t from 0 to w.
+float gabor_impl_rise_lost(float phase, float span, float full) {
+    vec3 ends = gabor_impl_ends_at(phase, span);
+    vec2 turns = floor(ends.xy), t = ends.xy - turns;
+    float w = 1.0 / gabor_impl_ends_at(0.0, full).z, rise = 1.0 - w;
+    float risen = 1.3333333 - w * (2.0 - w + 0.33333333 * w * w), fallen = rise * rise * (1.0 / w + 0.33333333 * w);
+    vec2 integral = risen * (turns + t * t * t) + fallen * turns;
+    float change = ends.z * (t.y * t.y - t.x * t.x);
+    return max(ends.z * (integral.y - integral.x) - change * change, 0.0)
+         * max(1.0 - span * span / (full * full), 0.0);
 }
 
-// ---- Materials -----------------------------------------------------------------------------------------------------
+// A smoothstep from `low` to `high`.
+vec3 gabor_impl_step(vec3 low, vec3 high, vec3 x) {
+    float width = high.x - low.x, t = clamp((x.x - low.x) / width, 0.0, 1.0);
+    vec2 slope = (x.yz - low.yz - t * (high.yz - low.yz)) / width;
+    return vec3(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) * slope);
+}
 
+GaborMaterial gabor_impl_material(vec3 colour, vec3 height, vec3 lost, float roughness, float metalness) {
+    return GaborMaterial(clamp(colour, 0.0, 1.0), height.x, height.yz, roughness, metalness, lost);
+}
+
+// ---- Wood ----------------------------------------------------------------------------------------------------------
+//
 // Rings are lines of constant x that noise of low frequency bends until they close.
-GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed) {
+
+GaborWarped gabor_impl_board(GaborPixel pixel, GaborWood wood, uint seed) {
     vec2 bends = vec2(0.43, 0.018) * wood.waviness;
-    GaborPixel board = gabor_impl_warp(pixel, vec2(1.1, 0.24), vec2(bends.x, 0.0), gabor_lobe_seed(seed, 0));
-    board = gabor_impl_warp(board, vec2(4.0, 0.9), vec2(bends.y, 0.0), gabor_lobe_seed(seed, 1));
-    GaborPixel years = gabor_impl_warp(board, vec2(6.5, 0.08), vec2(0.455 / wood.rings, 0.0), gabor_lobe_seed(seed, 2));
-    float rings = gabor_impl_repeated(pixel, wood.rings, 1.0).x;
-    float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
-    float kept = 0.97 * exp(-min(4.9348022 * steps, 40.0)); // amplitude of the rings' wave after a Gaussian filter
-    float ring = gabor_impl_rise(vec2(rings * years.p.x, gabor_impl_phase_of(vec2(kept, 0.0)).y));
-    vec3 pore = gabor_impl_spots(pixel, vec2(90.0, 4.5), gabor_lobe_seed(seed, 3));
-    vec3 fibre = gabor_impl_spots(pixel, vec2(150.0, 2.0), gabor_lobe_seed(seed, 4));
-    vec3 tone = gabor_impl_spots(board, vec2(3.5, 0.35), gabor_lobe_seed(seed, 5));
-
-    float tones = gabor_impl_tone(fibre.y, fibre.z, 0.11) * gabor_impl_tone(tone.y, tone.z, 0.13);
-    float pores = wood.pores * gabor_impl_above(pore.y, pore.z, 1.1, 0.25); // a quarter as deep in late wood
-    float early = (1.0 - ring) * (1.0 - pores);
-    float late = ring * (1.0 - 0.25 * pores);
-    float deep = 1.0 - early - late;
-    vec3 colour = tones * early * wood.early + (tones * late + 0.45 * deep) * wood.late;
-    float height = 0.0006 * ring - 0.0024 * deep + 0.0002 * fibre.y;
-    return gabor_impl_material(colour, height, wood.roughness * (1.0 - 0.2 * ring), 0.0);
+    GaborWarped board = gabor_impl_unwarped(pixel);
+    board = gabor_impl_warp(pixel, board, vec2(1.1, 0.24), vec2(bends.x, 0.0), seed, 0);
+    return gabor_impl_warp(pixel, board, vec2(4.0, 0.9), vec2(bends.y, 0.0), seed, 1);
 }
 
-GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed) {
-    vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0);
-    GaborPixel cloth = gabor_impl_warp(pixel, vec2(0.7), vec2(0.02 * fabric.unevenness), gabor_lobe_seed(seed, 0));
-    vec3 upright = gabor_impl_spots(cloth, vec2(0.7 * count.x, 1.1), gabor_lobe_seed(seed, 1)); // for threads along y
-    vec3 level = gabor_impl_spots(cloth, vec2(1.1, 0.7 * count.y), gabor_lobe_seed(seed, 2));
-    vec3 upright_fibre = gabor_impl_spots(cloth, vec2(14.0, 2.0) * count, gabor_lobe_seed(seed, 3));
-    vec3 level_fibre = gabor_impl_spots(cloth, vec2(2.0, 14.0) * count, gabor_lobe_seed(seed, 4));
+// Pores, fibres and tone.
+GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborWarped board, uint seed) {
+    if (i == 2) return gabor_impl_spots_layer(2, board, vec2(3.5, 0.35), seed, 5);
+    return gabor_impl_spots_layer(i, gabor_impl_unwarped(pixel), i == 0 ? vec2(90.0, 4.5) : vec2(150.0, 2.0), seed,
+                                  3 + i);
+}
 
-    // A thread has a round profile, and goes over one crossing thread and under the next.
-    vec2 at = count * cloth.p + 0.13 * fabric.unevenness * vec2(upright.x, level.x);
-    vec2 thread = floor(at);
-    vec2 within = at - thread - 0.5;
-    float parity = fract(0.5 * (thread.x + thread.y)) > 0.25 ? -1.0 : 1.0;
-    vec2 thick = 1.0 + 0.16 * fabric.unevenness * vec2(upright.y, level.y);
-    vec2 inside = 1.0 - 4.2 * within * within / (thick * thick);
-    vec2 crest = thick * sqrt(max(inside, 0.0)) - 1.0
-                 + 0.55 * parity * cos(3.1415927 * within.yx) * vec2(1.0, -1.0) - (1.0 - step(0.0, inside));
-    bool first = crest.x > crest.y;
-    float top = max(max(crest.x, crest.y), -1.3);
-    vec3 tone = first ? upright : level;
-    vec3 fibre = first ? upright_fibre : level_fibre;
+GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, GaborWood wood, GaborPairs of, uint seed) {
+    board = gabor_impl_warp(pixel, board, vec2(6.5, 0.08), vec2(0.455 / wood.rings, 0.0), seed, 2);
+    // the number of rings up to here
+    vec3 years = gabor_impl_repeated(pixel, wood.rings, 1.0).x * gabor_impl_along_x(board);
+    float kept = 0.97 * exp(-min(4.9348022 * gabor_impl_steps(pixel, years), 40.0)); // amplitude of the rings' wave
+    vec3 ring = gabor_impl_rise(years, vec3(kept, 0.0, 0.0));
+    vec3 pores = wood.pores * gabor_impl_above(of.a.second, of.a.removed, 1.1, 0.25);
+    vec3 within = vec3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
+    vec3 deep = gabor_impl_times(pores, within);
+    float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
+    vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11) + gabor_impl_tone(of.c.second.x, of.c.removed,
+                                                                                      0.13);
+    vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
+                + 0.45 * deep.x * wood.late;
+    vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.b.second;
+    float depth = 5.76e-6 * wood.pores * wood.pores * (within.x * within.x + 0.05 * (1.0 - kept * kept)); // mean square
+    vec3 lost = 3.6e-7 * gabor_impl_rise_lost(years.x, kept, 0.97) * gabor_impl_square(years.yz) + 4.0e-8 * of.b.lost
+              + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1, 0.25);
+    return gabor_impl_material(colour, height, lost, wood.roughness * (1.0 - 0.2 * ring.x), 0.0);
+}
 
-    // `kept` is the part of the weave that the filter keeps. The rest becomes the mean, which was measured and depends
-    // on the unevenness.
-    vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
-    float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
-    float uneven = fabric.unevenness;
-    float light = mix(0.8572 + uneven * (0.005 + 0.0083 * uneven), smoothstep(-1.3, 0.5, top), kept);
-    float share = mix(0.5, first ? 1.0 : 0.0, kept);
-    vec3 colour = mix(fabric.weft, fabric.warp, share) * mix(0.18, 1.0, light);
-    colour *= gabor_impl_tone(tone.y, tone.z, 0.09 * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12);
-    top = mix(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top, kept);
-    float height = fabric.relief / fabric.threads * (0.3 * top + 0.035 * fibre.y);
+GaborMaterial gabor_wood_at(vec2 p, vec2 period, GaborWood wood, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped board = gabor_impl_board(pixel, wood, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    of.a = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
+    of.c = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
+    return gabor_impl_wood(pixel, board, wood, of, seed);
+}
+
+// ---- Weaves --------------------------------------------------------------------------------------------------------
+
+// The part of a weave that the filter keeps; x and y are positions along its axes, in threads.
+float gabor_impl_weave_kept(GaborPixel pixel, vec3 x, vec3 y) {
+    return exp(-min(2.5 * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)), 40.0));
+}
+
+GaborWarped gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, uint seed) {
+    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), vec2(0.7), vec2(0.02 * fabric.unevenness), seed, 0);
+}
+
+// The thickness and course of threads along y and x, and their fibres.
+GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, vec2 count, uint seed) {
+    vec2 density = i == 0 ? vec2(0.7 * count.x, 1.1) : i == 1 ? vec2(1.1, 0.7 * count.y)
+                 : i == 2 ? vec2(14.0, 2.0) * count : vec2(2.0, 14.0) * count;
+    return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
+}
+
+// The height of a thread: a circle of radius `thick` that goes over a crossing thread if `bend` is 1 and under it if
+// -1.
+vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend) {
+    float square = thick.x * thick.x - 4.2 * across.x * across.x, side = sqrt(max(square,
+                                                                                  0.0)), turn = 3.1415927 * along.x;
+    vec2 slope = (thick.x * thick.yz - 4.2 * across.x * across.yz) / max(side, 0.05);
+    return vec3(side - (square < 0.0 ? 2.0 : 1.0) + 0.55 * bend * cos(turn),
+                (square < 0.0 ? vec2(0.0) : slope) - 1.7278760 * bend * sin(turn) * along.yz);
+}
+
+// The means to which the filter fades the weave were measured; they depend on the unevenness.
+GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count, GaborFabric fabric, GaborPairs of) {
+    float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
+    vec3 one = vec3(1.0, 0.0, 0.0), x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
+    float kept = gabor_impl_weave_kept(pixel, x, y);
+    x += 0.13 * uneven * of.a.first;
+    y += 0.13 * uneven * of.b.first;
+    float parity = fract(0.5 * (floor(x.x) + floor(y.x))) > 0.25 ? -1.0 : 1.0;
+    x.x -= floor(x.x) + 0.5;
+    y.x -= floor(y.x) + 0.5;
+    vec3 along_y = gabor_impl_thread(x, one + 0.16 * uneven * of.a.second, y, parity);
+    vec3 along_x = gabor_impl_thread(y, one + 0.16 * uneven * of.b.second, x, -parity);
+    bool first = along_y.x > along_x.x;
+    vec3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second, lost = first ? of.c.lost
+               : of.d.lost;
+    if (top.x < -1.3) top = vec3(-1.3, 0.0, 0.0);
+    vec2 tones = gabor_impl_tone(first ? of.a.second.x : of.b.second.x, first ? of.a.removed : of.b.removed,
+                                 0.09 * uneven)
+               + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12);
+    float light = mix(0.8572 + uneven * (0.005 + 0.0083 * uneven), smoothstep(-1.3, 0.5, top.x), kept);
+    vec3 colour = mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
+                      mix(0.5, first ? 1.0 : 0.0, kept)) * mix(0.18, 1.0, light);
+    vec3 height = vec3(mix(0.1352 + uneven * (0.0045 + 0.0062 * uneven), top.x, kept), kept * top.yz);
+    height = unit * (0.3 * height + 0.035 * fibre);
+    lost = unit * unit * (0.29 * (1.0 - kept * kept) * vec3(count * count, 0.0) + 0.001225 * lost);
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
-        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
-        float damped = exp(-min(4.9348022 * cords * cords * (cloth.dx.x * cloth.dx.x + cloth.dy.x * cloth.dy.x), 20.0));
-        float turn = 6.2831853 * fract(cords * cloth.p.x);
-        float cord = 0.625 - damped * (0.5 * cos(turn) + 0.125 * damped * damped * damped * cos(2.0 * turn));
+        vec3 at = gabor_impl_repeated(pixel, fabric.cords, 1.0).x * gabor_impl_along_x(cloth);
+        float damped = exp(-min(4.9348022 * gabor_impl_steps(pixel, at), 20.0)), half_cord = 0.5 * damped;
+        float second = 0.125 * damped * damped * damped * damped, turn = 6.2831853 * fract(at.x);
+        float cord = 0.625 - half_cord * cos(turn) - second * cos(2.0 * turn);
+        float depth = 0.3 * fabric.relief / gabor_impl_repeated(pixel, fabric.cords, 1.0).x, swing = depth * 6.2831853;
         colour *= mix(0.3, 1.0, cord);
-        height += 0.3 * fabric.relief / cords * cord;
+        height += vec3(depth * cord, swing * (half_cord * sin(turn) + 2.0 * second * sin(2.0 * turn)) * at.yz);
+        lost += swing * swing * (0.15625 - 0.5 * half_cord * half_cord - 2.0 * second * second)
+                * gabor_impl_square(at.yz);
     }
-    return gabor_impl_material(colour, height, fabric.roughness, 0.0);
+    return gabor_impl_material(colour, height, lost, fabric.roughness, 0.0);
 }
 
-// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
-GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed) {
-    GaborPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(0.07 * leather.wrinkles), gabor_lobe_seed(seed, 0));
-    skin = gabor_impl_warp(skin, vec2(4.0), vec2(0.014 * leather.wrinkles), gabor_lobe_seed(seed, 1));
-    vec2 density = vec2(leather.cells / 1.6);
-    vec3 one = gabor_impl_layer(skin, density, 1.6, 0.2, gabor_lobe_seed(seed, 2));
-    vec3 other = gabor_impl_layer(skin, density, 1.6, 2.2944, gabor_lobe_seed(seed, 3));
-    vec3 fine = gabor_impl_octaves(pixel, vec2(18.0), 3, 0.75, gabor_lobe_seed(seed, 4));
-    vec3 tone = gabor_impl_spots(pixel, vec2(0.8), gabor_lobe_seed(seed, 5));
-
-    vec2 powers = vec2(dot(one.xy, one.xy), dot(other.xy, other.xy));
-    vec2 a = one.xy * inversesqrt(powers.x + 0.12);
-    vec2 b = other.xy * inversesqrt(powers.y + 0.12);
-    float cells = a.x + b.x + gabor_impl_product(a, b).x; // 3 in the middle of a cell, -1.5 in a corner
-    vec2 shares = powers / (powers + 2.5 * vec2(one.z, other.z));
-    float kept = sqrt(shares.x * shares.y);
-    float blur = 1.0 - kept;
-    float pebble = mix(0.806, smoothstep(-1.45 - blur, -0.55 + blur, cells + 0.1 * fine.y), kept);
-    vec3 colour = mix(leather.crease, leather.pebble, pebble);
-    colour *= gabor_impl_tone(tone.y, tone.z, 0.14) * gabor_impl_tone(fine.x, fine.z, 0.08);
-    float dome = mix(0.236, smoothstep(-1.0, 3.0, cells), kept);
-    float height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * fine.y);
-    return gabor_impl_material(colour, height, leather.roughness + 0.15 * (1.0 - pebble), 0.0);
+GaborMaterial gabor_fabric_at(vec2 p, vec2 period, GaborFabric fabric, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
+    vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0);
+    GaborPairs of = gabor_impl_no_pairs();
+    of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of.c = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of.d = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
+    return gabor_impl_fabric(pixel, cloth, count, fabric, of);
 }
 
-// Adds veins: lines along the zeros of layer.x, drawn only where layer.y exceeds a threshold, so they have
-// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
-vec3 gabor_impl_vein(vec3 colour, vec3 layer, float threshold, vec3 halo, vec3 core, vec2 width, vec2 strength) {
-    float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5);
-    strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
-    strength.x *= open * gabor_impl_line(layer.x, layer.z, width.x) - strength.y;
-    return colour + strength.x * (halo - colour) + strength.y * (core - colour);
+GaborWarped gabor_impl_twill(GaborPixel pixel, uint seed) {
+    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), vec2(0.8), vec2(0.008), seed, 0);
 }
 
-GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, uint seed) {
-    vec4 bends = vec4(0.17, 0.038, 0.010, 0.003) * marble.turbulence;
-    GaborPixel stone = gabor_impl_warp(pixel, vec2(1.1), vec2(bends.x), gabor_lobe_seed(seed, 0));
-    stone = gabor_impl_warp(stone, vec2(4.0), vec2(bends.y), gabor_lobe_seed(seed, 1));
-    stone = gabor_impl_warp(stone, vec2(13.0), vec2(bends.z), gabor_lobe_seed(seed, 2));
-    stone = gabor_impl_warp(stone, vec2(40.0), vec2(bends.w), gabor_lobe_seed(seed, 3));
-    vec3 large = gabor_impl_layer(stone, vec2(0.95), 0.85, 0.65, gabor_lobe_seed(seed, 4));
-    vec3 middle = gabor_impl_layer(stone, vec2(1.9), 0.95, -0.45, gabor_lobe_seed(seed, 5));
-    vec3 thin = gabor_impl_layer(stone, vec2(4.5), 0.95, 0.95, gabor_lobe_seed(seed, 6));
-    vec3 hair = gabor_impl_layer(stone, vec2(13.0), 0.9, 0.2, gabor_lobe_seed(seed, 7));
-    vec3 cloud = gabor_impl_octaves(stone, vec2(1.5), 3, 0.6, gabor_lobe_seed(seed, 8));
-    vec3 crystal = gabor_impl_spots(pixel, vec2(75.0), gabor_lobe_seed(seed, 9));
-
-    vec3 colour = marble.stone * (1.0 - marble.clouds * gabor_impl_above(cloud.y, cloud.z, 0.5, 0.8));
-    colour *= gabor_impl_tone(crystal.x, crystal.z, 0.02);
-    vec3 grey = mix(marble.stone, marble.vein, 0.65);
-    colour = gabor_impl_vein(colour, middle, 0.5, grey, mix(marble.stone, marble.vein, 0.9), vec2(0.25, 0.035),
-                             vec2(0.6, 0.6) * marble.veins);
-    colour = gabor_impl_vein(colour, large, -0.4, grey, marble.vein, vec2(0.35, 0.05), vec2(0.55, 0.75) * marble.veins);
-    colour = gabor_impl_vein(colour, thin, 0.8, grey, grey, vec2(1.0, 0.04), vec2(0.0, 0.45) * marble.veins);
-    colour = gabor_impl_vein(colour, hair, 1.1, grey, mix(marble.stone, marble.vein, 0.45), vec2(1.0, 0.05),
-                             vec2(0.0, 0.45) * marble.veins);
-    return gabor_impl_material(colour, 0.00012 * crystal.y, marble.roughness, 0.0);
-}
-
-GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed) {
-    GaborPixel dune = gabor_impl_warp(pixel, vec2(0.8), vec2(0.15), gabor_lobe_seed(seed, 0));
-    dune = gabor_impl_warp(dune, vec2(3.0), vec2(0.02), gabor_lobe_seed(seed, 1));
-    vec2 density = vec2(0.9, 1.7) / 3.87 * sand.ripples;
-    vec3 wind = gabor_impl_layer(dune, density, 2.3, 1.4, gabor_lobe_seed(seed, 2));
-    vec3 grain = gabor_impl_spots(pixel, vec2(75.0), gabor_lobe_seed(seed, 3));
-    vec3 large = gabor_impl_octaves(pixel, vec2(0.6), 3, 0.5, gabor_lobe_seed(seed, 4));
-
-    float ripple = gabor_impl_rise(gabor_impl_phase_of(0.9 * gabor_impl_phase(wind)));
-    vec3 colour = mix(sand.trough, sand.crest, ripple);
-    colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06);
-    colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9, 0.15));
-    vec3 bright = mix(sand.crest, vec3(1.0), 0.6);
-    colour = mix(colour, bright, 3.0 * sand.grain * gabor_impl_above(-grain.y, grain.z, 1.9, 0.15));
-    float height = sand.relief * ripple * (1.0 + 0.2 * large.x) + 0.03 * large.x + 0.00875 * sand.grain * grain.x;
-    return gabor_impl_material(colour, height, sand.roughness, 0.0);
-}
-
-// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
-// the filter removed does not change the mean of the harmonic.
-GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed) {
-    float height = 0.0;
-    float crest = 0.0;
-    float removed = 0.0;
-    float power = 0.0;
-    for (int i = 0; i < 14; ++i) {
-        float waves = ripples.waves * exp2(0.27 * float(i)); // waves per unit
-        float angle = ripples.direction + ripples.spread * (fract(0.618034 * float(i) + 0.1) - 0.5);
-        vec3 wave = gabor_impl_layer(pixel, vec2(waves / 2.2), 2.2, angle, gabor_lobe_seed(seed, i));
-        float amplitude = exp2(-0.351 * float(i));
-        height += amplitude * (wave.x + 0.2 * (wave.x * wave.x - wave.y * wave.y));
-        crest += amplitude * wave.x;
-        removed += amplitude * amplitude * wave.z;
-        power += amplitude * amplitude;
-    }
-    float light = gabor_impl_above(crest * inversesqrt(power), removed / power, 0.5, 1.0);
-    vec3 colour = mix(ripples.deep, ripples.shallow, light);
-    return gabor_impl_material(colour, ripples.relief * height, ripples.roughness, 0.0);
-}
-
-GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
-    float height = 0.0;
-    vec2 tone = vec2(0.0);
-    for (int i = 0; i < 5; ++i) {
-        float fine = exp2(float(i));
-        vec2 density = vec2(0.3 + 0.12 * fine, metal.streaks * fine);
-        vec3 streak = gabor_impl_spots(pixel, density, gabor_lobe_seed(seed, i));
-        height += metal.relief / fine * streak.x;
-        tone += vec2(0.4472136, 0.2) * streak.yz;
-    }
-    vec3 colour = metal.colour * gabor_impl_tone(tone.x, tone.y, metal.contrast);
-    return gabor_impl_material(colour, height, metal.roughness, 1.0);
-}
-
-// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
-GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uint seed) {
-    float whole = 1.0;
-    float height = 0.0;
-    float size = 1.0;
-    float turn = 0.0955;
-    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
-    for (int i = 0; i < 14; ++i) {
-        GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5));
-        turned = gabor_impl_warp(turned, vec2(0.3, 0.1), vec2(0.0, 0.17), gabor_lobe_seed(seed, 2 * i));
-        vec2 density = vec2(1.0 / scratches.reach, 42.0) / size;
-        vec3 noise = gabor_impl_spots(turned, density, gabor_lobe_seed(seed, 2 * i + 1));
-        float scratch = gabor_impl_above(noise.x, noise.z, threshold, 0.2);
-        scratch *= gabor_impl_above(noise.y, noise.z, 0.3, 0.7);
-        whole *= 1.0 - (0.25 + 0.7 * size) * scratch;
-        height -= scratches.depth * size * scratch;
-        size *= 0.9138315;
-        turn = fract(turn + 0.763932);
-    }
-    return gabor_impl_material(mix(scratches.scratch, scratches.lacquer, whole), height, scratches.roughness, 0.0);
-}
-
-GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed) {
-    GaborPixel skin = gabor_impl_warp(pixel, vec2(0.9), vec2(0.14), gabor_lobe_seed(seed, 0));
-    GaborPlace place = gabor_impl_place(pixel, vec2(0.6));
-    float lean = gabor_field(place, gabor_kernel(0.0, 0.0), gabor_lobe_seed(seed, 1)).value.x;
-    vec3 stripe = gabor_impl_layer(skin, vec2(zebra.stripes / 1.4), 1.4, zebra.direction + zebra.bends * lean,
-                                   gabor_lobe_seed(seed, 2));
-    vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), gabor_lobe_seed(seed, 3));
-    vec3 tone = gabor_impl_spots(pixel, vec2(1.2), gabor_lobe_seed(seed, 4));
-
-    float intensity = length(stripe.xy); // small where stripe.x is flat, where a constant softness would blur the edge
-    float ragged = 0.1 * zebra.hair;
-    float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0,
-                                  0.01 + 0.09 * intensity);
-    vec3 colour = mix(zebra.bright, zebra.stripe, dark);
-    colour *= gabor_impl_tone(hair.y, hair.z, 0.14 * zebra.hair) * gabor_impl_tone(tone.y, tone.z, 0.08);
-    return gabor_impl_material(colour, 0.002 * zebra.hair * hair.x, zebra.roughness, 0.0);
-}
-
-GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, uint seed) {
-    GaborPixel trunk = gabor_impl_warp(pixel, vec2(0.8, 0.35), vec2(0.22, 0.1), gabor_lobe_seed(seed, 0));
-    trunk = gabor_impl_warp(trunk, vec2(3.0, 1.6), vec2(0.05, 0.05), gabor_lobe_seed(seed, 1));
-    trunk = gabor_impl_warp(trunk, vec2(10.0), vec2(0.013), gabor_lobe_seed(seed, 2));
-    vec2 density = vec2(1.7, 0.55) / 2.21 * bark.furrows;
-    vec3 furrow = gabor_impl_layer(trunk, density, 1.3, 0.1, gabor_lobe_seed(seed, 3));
-    vec3 crack = gabor_impl_layer(trunk, vec2(1.2, 1.3), 0.9, 1.5, gabor_lobe_seed(seed, 4));
-    vec3 rough = gabor_impl_octaves(trunk, vec2(7.0, 3.0), 5, 0.75, gabor_lobe_seed(seed, 5));
-    vec3 moss = gabor_impl_spots(pixel, vec2(1.1, 0.7), gabor_lobe_seed(seed, 6));
-
-    float shape = furrow.x + 0.2 * rough.x;
-    float plate = gabor_impl_above(shape, furrow.z + 0.04 * rough.z, -0.15, 0.35)
-                  * (1.0 - 0.55 * gabor_impl_line(crack.x, crack.z, 0.13));
-    // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
-    float worn = 0.5 * gabor_impl_above(rough.y + 0.25 * rough.z, rough.z, 0.5, 0.4);
-    float covered = bark.cover * gabor_impl_above(moss.y, moss.z, 0.9, 0.5);
-    vec3 top = mix(bark.plate, mix(bark.plate, vec3(1.0), 0.13), worn);
-    vec3 colour = mix(mix(bark.furrow, bark.moss, covered), mix(top, bark.moss, 0.6 * covered), plate);
-    colour *= gabor_impl_tone(rough.y, rough.z, 0.25);
-    float height = bark.depth * plate + 0.018 * rough.x * (0.4 + 0.6 * plate);
-    return gabor_impl_material(colour, height, bark.roughness, 0.0);
+// The fibres of tows along y and x.
+GaborLayer gabor_impl_tow_layer(int i, GaborWarped cloth, vec2 count, uint seed) {
+    return gabor_impl_spots_layer(i, cloth, (i == 0 ? vec2(20.0, 0.6) : vec2(0.6, 20.0)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, uint seed) {
-    vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
-    GaborPixel cloth = gabor_impl_warp(pixel, vec2(0.8), vec2(0.008), gabor_lobe_seed(seed, 0));
-    vec3 upright = gabor_impl_spots(cloth, vec2(20.0, 0.6) * count, gabor_lobe_seed(seed, 1));
-    vec3 level = gabor_impl_spots(cloth, vec2(0.6, 20.0) * count, gabor_lobe_seed(seed, 2));
-    vec2 tow = floor(count * cloth.p);
-    vec2 within = count * cloth.p - tow;
-    float turn = 4.0 * fract(0.25 * (tow.x + tow.y) + 0.125) - 0.5; // 0 to 3
+GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, vec2 count, GaborCarbonFibre fibres,
+                                      GaborPairs of) {
+    vec3 x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
+    float kept = gabor_impl_weave_kept(pixel, x, y), unit = fibres.relief / fibres.tows;
+    float turn = 4.0 * fract(0.25 * (floor(x.x) + floor(y.x)) + 0.125) - 0.5; // 0 to 3
+    x.x -= floor(x.x);
+    y.x -= floor(y.x);
     bool first = turn < 1.5;
-    vec3 fibre = first ? upright : level;
-    vec2 along_across = first ? within.yx : within;
-    float along = 0.5 * (along_across.x + (fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 1.0)); // from 0 to 1 over two rows
-    float across = 2.0 * along_across.y - 1.0;
-
-    vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
-    float kept = exp(-min(2.5 * (steps.x + steps.y), 40.0));
-    float bulge = mix(0.5093, sin(3.1415927 * along) * (1.0 - across * across * across * across), kept);
-    vec3 colour = fibres.colour * (0.35 + 0.65 * bulge) * gabor_impl_tone(fibre.x, fibre.z, fibres.contrast);
-    float height = fibres.relief / fibres.tows * (0.16 * bulge + 0.006 * fibre.x);
-    return gabor_impl_material(colour, height, fibres.roughness, 0.0);
+    vec3 fibre = first ? of.a.first : of.b.first, lost = first ? of.a.lost : of.b.lost;
+    vec3 along = 0.5 * (first ? y : x), across = 2.0 * (first ? x : y);
+    along.x += fract(0.5 * turn + 0.25) < 0.5 ? 0.0 : 0.5; // from 0 to 1 over two rows
+    across.x -= 1.0;
+    float cube = across.x * across.x * across.x, arch = 1.0 - cube * across.x;
+    vec2 wave = vec2(cos(3.1415927 * along.x), sin(3.1415927 * along.x));
+    vec3 bulge = vec3(mix(0.5093, wave.y * arch, kept),
+                      kept * (3.1415927 * arch * wave.x * along.yz - 4.0 * cube * wave.y * across.yz));
+    vec2 tone = gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast);
+    vec3 colour = (0.35 + 0.65 * bulge.x) * gabor_impl_toned(fibres.colour, tone);
+    // The mean square of the bulge's slope, over tows along x and y, is 2.72.
+    lost = unit * unit * (0.0256 * 2.72 * (1.0 - kept * kept) * vec3(count * count, 0.0) + 3.6e-5 * lost);
+    return gabor_impl_material(colour, unit * (0.16 * bulge + 0.006 * fibre), lost, fibres.roughness, 0.0);
 }
 
-GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed) {
+GaborMaterial gabor_carbon_fibre_at(vec2 p, vec2 period, GaborCarbonFibre fibres, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped cloth = gabor_impl_twill(pixel, seed);
+    vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
+    GaborPairs of = gabor_impl_no_pairs();
+    of.a = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
+    return gabor_impl_carbon_fibre(pixel, cloth, count, fibres, of);
+}
+
+// ---- Leather -------------------------------------------------------------------------------------------------------
+//
+// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
+
+GaborWarped gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
+    vec2 bends = vec2(0.07, 0.014) * leather.wrinkles;
+    GaborWarped skin = gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), vec2(0.9), vec2(bends.x), seed, 0);
+    return gabor_impl_warp(pixel, skin, vec2(4.0), vec2(bends.y), seed, 1);
+}
+
+// Three octaves of fine grain, the tone, and the first two waves.
+GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborWarped skin, GaborLeather leather, uint seed) {
+    if (i < 3) return gabor_impl_octave(gabor_impl_unwarped(pixel), vec2(18.0), i, 3, 0.75, gabor_lobe_seed(seed, 4));
+    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), vec2(0.8), seed, 5);
+    return gabor_impl_waves_layer(i - 2, skin, vec2(leather.cells / 1.6), 1.6, i == 4 ? 0.2 : 2.2944, seed, i - 2);
+}
+
+// A wave of a pair, brought near length 1: its cosine, its sine, and the share of its power that the filter kept.
+struct GaborCrest {
+    vec3 cosine;
+    vec3 sine;
+    vec3 share;
+};
+
+GaborCrest gabor_impl_crest(GaborPair wave) {
+    float power = wave.first.x * wave.first.x + wave.second.x * wave.second.x, whole = power + 2.5 * wave.removed;
+    vec2 change = 2.0 * (wave.first.x * wave.first.yz + wave.second.x * wave.second.yz);
+    vec3 unit = inversesqrt(power + 0.12) * vec3(1.0, -0.5 / (power + 0.12) * change);
+    return GaborCrest(gabor_impl_times(wave.first, unit), gabor_impl_times(wave.second, unit),
+                      vec3(power, 2.5 * wave.removed / whole * change) / whole);
+}
+
+// The means to which the filter fades, and the mean squares of the slopes, were measured.
+GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
+    GaborCrest a = gabor_impl_crest(of.c), b = gabor_impl_crest(of.d);
+    vec3 one = vec3(1.0, 0.0, 0.0), shares = gabor_impl_times(a.share, b.share);
+    vec3 cells = a.cosine + b.cosine + gabor_impl_times(a.cosine, b.cosine) - gabor_impl_times(a.sine, b.sine);
+    float root = sqrt(shares.x); // `cells` is 3 in the middle of a cell, -1.5 in a corner
+    vec3 kept = vec3(root, 0.5 / max(root, 1.0e-6) * shares.yz), blur = one - kept;
+    vec3 pebble = gabor_impl_step(-1.45 * one - blur, -0.55 * one + blur, cells + 0.1 * of.a.second) - 0.806 * one;
+    vec3 dome = gabor_impl_step(-one, 3.0 * one, cells) - 0.236 * one;
+    pebble = 0.806 * one + gabor_impl_times(kept, pebble);
+    dome = 0.236 * one + gabor_impl_times(kept, dome);
+    vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
+    vec3 height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * of.a.second);
+    float gone = leather.cells * leather.cells * (1.0 - root * root / (1.0 + blur.x));
+    vec3 lost = gone * vec3(0.00287, 0.0026, 0.0) + 2.56e-6 * of.a.lost;
+    vec3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
+    return gabor_impl_material(colour, height,
+                               leather.relief * leather.relief * lost, leather.roughness + 0.15 * (1.0
+                                                                                                   - pebble.x), 0.0);
+}
+
+GaborMaterial gabor_leather_at(vec2 p, vec2 period, GaborLeather leather, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped skin = gabor_impl_skin(pixel, leather, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
+    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    return gabor_impl_leather(leather, of);
+}
+
+// ---- Marble --------------------------------------------------------------------------------------------------------
+
+GaborWarped gabor_impl_stone(GaborPixel pixel, GaborMarble marble, uint seed) {
+    vec4 bends = vec4(0.17, 0.038, 0.010, 0.003) * marble.turbulence;
+    GaborWarped stone = gabor_impl_unwarped(pixel);
+    stone = gabor_impl_warp(pixel, stone, vec2(1.1), vec2(bends.x), seed, 0);
+    stone = gabor_impl_warp(pixel, stone, vec2(4.0), vec2(bends.y), seed, 1);
+    stone = gabor_impl_warp(pixel, stone, vec2(13.0), vec2(bends.z), seed, 2);
+    return gabor_impl_warp(pixel, stone, vec2(40.0), vec2(bends.w), seed, 3);
+}
+
+// Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
+GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborWarped stone, uint seed) {
+    if (i < 3) return gabor_impl_octave(stone, vec2(1.5), i, 3, 0.6, gabor_lobe_seed(seed, 8));
+    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), vec2(75.0), seed, 9);
+    vec3 vein = i == 4 ? vec3(1.9, 0.95, -0.45) : i == 5 ? vec3(0.95, 0.85, 0.65)
+              : i == 6 ? vec3(4.5, 0.95, 0.95) : vec3(13.0, 0.9, 0.2);
+    return gabor_impl_waves_layer(2, stone, vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
+}
+
+GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
+    float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
+    vec3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds), gabor_impl_tone(crystal.first.x, crystal.removed,
+                                                                                  0.02));
+    return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
+}
+
+// Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
+// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
+void gabor_impl_add_veins(inout GaborMaterial stone, GaborMarble marble, int i, GaborPair vein) {
+    vec2 width = i == 4 ? vec2(0.25, 0.035) : i == 5 ? vec2(0.35, 0.05) : vec2(1.0, i == 6 ? 0.04 : 0.05);
+    vec2 strength = marble.veins * (i == 4 ? vec2(0.6, 0.6) : i == 5 ? vec2(0.55, 0.75) : vec2(0.0, 0.45));
+    float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5 : i == 5 ? -0.4 : i == 6 ? 0.8 : 1.1, 0.5).x;
+    strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
+    strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
+    vec3 halo = mix(marble.stone, marble.vein, 0.65);
+    vec3 core = mix(marble.stone, marble.vein, i == 4 ? 0.9 : i == 5 ? 1.0 : i == 6 ? 0.65 : 0.45);
+    stone.colour += strength.x * (halo - stone.colour) + strength.y * (core - stone.colour);
+    stone.colour = clamp(stone.colour, 0.0, 1.0);
+}
+
+GaborMaterial gabor_marble_at(vec2 p, vec2 period, GaborMarble marble, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped stone = gabor_impl_stone(pixel, marble, seed);
+    GaborPair cloud = gabor_impl_no_pair();
+    for (int i = 0; i < 3; ++i)
+        cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
+    GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
+    GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
+    for (int i = 4; i < 8; ++i)
+        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(gabor_impl_marble_layer(i, pixel, stone,
+                                                                                                seed)));
+    return material;
+}
+
+// ---- Sand ----------------------------------------------------------------------------------------------------------
+
+GaborWarped gabor_impl_dune(GaborPixel pixel, uint seed) {
+    GaborWarped dune = gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), vec2(0.8), vec2(0.15), seed, 0);
+    return gabor_impl_warp(pixel, dune, vec2(3.0), vec2(0.02), seed, 1);
+}
+
+// Three octaves of large shapes, grains, and ripples.
+GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborWarped dune, GaborSand sand, uint seed) {
+    if (i < 3) return gabor_impl_octave(gabor_impl_unwarped(pixel), vec2(0.6), i, 3, 0.5, gabor_lobe_seed(seed, 4));
+    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), vec2(75.0), seed, 3);
+    return gabor_impl_waves_layer(2, dune, vec2(0.9, 1.7) / 3.87 * sand.ripples, 2.3, 1.4, seed, 2);
+}
+
+GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of) {
+    vec2 z = vec2(of.c.first.x, of.c.second.x);
+    float power = max(dot(z, z), 1.0e-6), whole = power + 2.5 * of.c.removed, span = 0.9 * sqrt(power / whole);
+    vec2 change = z.x * of.c.first.yz + z.y * of.c.second.yz; // half the derivative of the power
+    vec3 phase = vec3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.c.second.yz - z.y * of.c.first.yz));
+    vec3 ripple = gabor_impl_rise(phase, span * vec3(1.0, (1.0 / power - 1.0 / whole) * change));
+    vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain) + gabor_impl_tone(of.a.second.x, of.a.removed,
+                                                                                           0.06);
+    vec3 colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
+    float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9, 0.15).x;
+    float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9, 0.15).x;
+    colour = mix(colour, 0.23 * sand.trough, 3.75 * sand.grain * dark);
+    colour = mix(colour, mix(sand.crest, vec3(1.0), 0.6), 3.0 * sand.grain * bright);
+    vec3 tall = vec3(sand.relief, 0.0, 0.0) + 0.2 * sand.relief * of.a.first;
+    vec3 height = gabor_impl_times(ripple, tall) + 0.03 * of.a.first + 0.00875 * sand.grain * of.b.first;
+    vec2 wave = ripples.density * ripples.wave; // per unit of the dune
+    wave = vec2(dot(wave, ripples.at.x), dot(wave, ripples.at.y));
+    // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
+    vec3 bent = vec3(0.4 * ripples.density * ripples.density, 0.0);
+    vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
+    vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9) * square
+              + 0.0009 * of.a.lost + 7.65625e-5 * sand.grain * sand.grain * of.b.lost;
+    return gabor_impl_material(colour, height, lost, sand.roughness, 0.0);
+}
+
+GaborMaterial gabor_sand_at(vec2 p, vec2 period, GaborSand sand, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped dune = gabor_impl_dune(pixel, seed);
+    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        of.a = gabor_impl_plus_octave(of.a, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
+    of.c = gabor_impl_waves_pair(ripples);
+    return gabor_impl_sand(sand, ripples, of);
+}
+
+// ---- Ripples -------------------------------------------------------------------------------------------------------
+//
+// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
+// the filter removed does not change the mean of the harmonic.
+
+GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborRipples ripples, uint seed) {
+    float density = ripples.waves * exp2(0.27 * float(i)) / 2.2;
+    float angle = ripples.direction + ripples.spread * (fract(0.618034 * float(i) + 0.1) - 0.5);
+    return gabor_impl_waves_layer(0, gabor_impl_unwarped(pixel), vec2(density), 2.2, angle, seed, i);
+}
+
+// Adds a wave: the first sum is the height, the second a noise.
+void gabor_impl_add_ripple(inout GaborPair sum, int i, GaborPair wave) {
+    float amplitude = exp2(-0.351 * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0 - wave.removed;
+    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power, and x^2 by the square
+    sum.first += amplitude * vec3(x + harmonic * (x * x - y * y),
+                                  (1.0 + 2.0 * harmonic * x) * wave.first.yz - 2.0 * harmonic * y * wave.second.yz);
+    sum.second += amplitude * wave.first;
+    sum.removed += amplitude * amplitude * wave.removed;
+    // The derivatives of x and y are in proportion to -y and x.
+    float harmonics = x * x + y * y + 1.0 - kept + kept * kept * (1.0 + kept);
+    sum.lost += amplitude * amplitude * (1.0 + 1.6 * x + 0.64 * harmonics) * wave.lost;
+}
+
+GaborMaterial gabor_impl_ripples(GaborRipples ripples, GaborPair sum) {
+    const float power = 2.592656; // of all waves
+    float light = gabor_impl_above(inversesqrt(power) * sum.second, sum.removed / power, 0.5, 1.0).x;
+    return gabor_impl_material(mix(ripples.deep, ripples.shallow, light), ripples.relief * sum.first,
+                               ripples.relief * ripples.relief * sum.lost, ripples.roughness, 0.0);
+}
+
+GaborMaterial gabor_ripples_at(vec2 p, vec2 period, GaborRipples ripples, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborPair sum = gabor_impl_no_pair();
+    for (int i = 0; i < 14; ++i)
+        gabor_impl_add_ripple(sum, i, gabor_impl_waves_pair(gabor_impl_ripples_layer(i, pixel, ripples, seed)));
+    return gabor_impl_ripples(ripples, sum);
+}
+
+// ---- Brushed metal -------------------------------------------------------------------------------------------------
+
+GaborLayer gabor_impl_streaks_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
+    vec2 density = vec2(0.3 + 0.12 * exp2(float(i)), metal.streaks * exp2(float(i)));
+    return gabor_impl_spots_layer(0, gabor_impl_unwarped(pixel), density, seed, i);
+}
+
+// Adds streaks: the first sum is the height, the second the tone.
+void gabor_impl_add_streaks(inout GaborPair sum, int i, GaborPair pair) {
+    float size = exp2(-float(i));
+    sum.first += size * pair.first;
+    sum.second += 0.4472136 * pair.second;
+    sum.removed += 0.2 * pair.removed;
+    sum.lost += size * size * pair.lost;
+}
+
+GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPair sum) {
+    vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(sum.second.x, sum.removed, metal.contrast));
+    return gabor_impl_material(colour, metal.relief * sum.first, metal.relief * metal.relief * sum.lost,
+                               metal.roughness, 1.0);
+}
+
+GaborMaterial gabor_brushed_metal_at(vec2 p, vec2 period, GaborBrushedMetal metal, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborPair sum = gabor_impl_no_pair();
+    for (int i = 0; i < 5; ++i)
+        gabor_impl_add_streaks(sum, i, gabor_impl_spots_pair(gabor_impl_streaks_layer(i, pixel, metal, seed)));
+    return gabor_impl_brushed_metal(metal, sum);
+}
+
+// ---- Scratches -----------------------------------------------------------------------------------------------------
+//
+// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
+
+GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, uint seed) {
+    float angle = scratches.direction + scratches.spread * (fract(0.0955 + 0.763932 * float(i)) - 0.5);
+    GaborWarped at = gabor_impl_turned(gabor_impl_unwarped(pixel), angle);
+    at = gabor_impl_warp(pixel, at, vec2(0.3, 0.1), vec2(0.0, 0.17), seed, 2 * i);
+    return gabor_impl_spots_layer(0, at, vec2(1.0 / scratches.reach, 42.0) * exp2(0.13 * float(i)), seed, 2 * i + 1);
+}
+
+// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
+void gabor_impl_add_scratches(inout GaborMaterial sum, GaborScratches scratches, int i, GaborPair noise) {
+    float size = exp2(-0.13 * float(i));
+    float threshold = sqrt(5.76 - 2.0 * log(scratches.amount)); // the area above it is about proportional to amount
+    vec3 open = gabor_impl_above(noise.second, noise.removed, 0.3, 0.7);
+    vec3 scratch = gabor_impl_times(gabor_impl_above(noise.first, noise.removed, threshold, 0.2), open);
+    sum.colour *= 1.0 - (0.25 + 0.7 * size) * scratch.x;
+    sum.height -= size * scratch.x;
+    sum.slope -= size * scratch.yz;
+    float change = gabor_impl_above(vec3(noise.second.x, 1.0, 0.0), noise.removed, 0.3, 0.7).y;
+    // The mean square of `open`; its own slope, which we leave out, would add a seventh.
+    sum.lost += 1.15 * size * size * (open.x * open.x + change * change * noise.removed)
+              * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2);
+}
+
+GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
+    vec3 height = scratches.depth * vec3(sum.height, sum.slope), lost = scratches.depth * scratches.depth * sum.lost;
+    return gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), height, lost, scratches.roughness,
+                               0.0);
+}
+
+GaborMaterial gabor_scratches_at(vec2 p, vec2 period, GaborScratches scratches, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborMaterial sum = GaborMaterial(vec3(1.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
+    for (int i = 0; i < 14; ++i)
+        gabor_impl_add_scratches(sum, scratches, i,
+                                 gabor_impl_spots_pair(gabor_impl_scratches_layer(i, pixel, scratches, seed)));
+    return gabor_impl_scratches(scratches, sum);
+}
+
+// ---- Zebra ---------------------------------------------------------------------------------------------------------
+
+GaborWarped gabor_impl_hide(GaborPixel pixel, uint seed) {
+    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), vec2(0.9), vec2(0.14), seed, 0);
+}
+
+float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, uint seed) {
+    GaborPlace place = gabor_impl_place(gabor_impl_unwarped(pixel), vec2(0.6));
+    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
+}
+
+// Hair, tone and stripes.
+GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborWarped skin, float direction, GaborZebra zebra,
+                                  uint seed) {
+    if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963), vec2(6.0, 80.0), seed, 3);
+    if (i == 1) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), vec2(1.2), seed, 4);
+    return gabor_impl_waves_layer(2, skin, vec2(zebra.stripes / 1.4), 1.4, direction, seed, 2);
+}
+
+GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
+    float ragged = 0.1 * zebra.hair, relief = 0.002 * zebra.hair;
+    // where it is small, a constant softness would blur the edge
+    float intensity = length(vec2(of.c.first.x, of.c.second.x));
+    float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
+                                  of.c.removed + ragged * ragged * of.a.removed, 0.0,
+                                  0.01 + 0.09 * intensity).x;
+    vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair) + gabor_impl_tone(of.b.second.x,
+                                                                                                   of.b.removed, 0.08);
+    vec3 colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
+    return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0);
+}
+
+GaborMaterial gabor_zebra_at(vec2 p, vec2 period, GaborZebra zebra, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped skin = gabor_impl_hide(pixel, seed);
+    float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    of.a = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
+    of.c = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    return gabor_impl_zebra(zebra, of);
+}
+
+// ---- Bark ----------------------------------------------------------------------------------------------------------
+
+GaborWarped gabor_impl_trunk(GaborPixel pixel, uint seed) {
+    GaborWarped trunk = gabor_impl_unwarped(pixel);
+    trunk = gabor_impl_warp(pixel, trunk, vec2(0.8, 0.35), vec2(0.22, 0.1), seed, 0);
+    trunk = gabor_impl_warp(pixel, trunk, vec2(3.0, 1.6), vec2(0.05, 0.05), seed, 1);
+    return gabor_impl_warp(pixel, trunk, vec2(10.0), vec2(0.013), seed, 2);
+}
+
+// Five octaves of roughness, moss, furrows, and cracks.
+GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborWarped trunk, GaborBark bark, uint seed) {
+    if (i < 5) return gabor_impl_octave(trunk, vec2(7.0, 3.0), i, 5, 0.75, gabor_lobe_seed(seed, 5));
+    if (i == 5) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), vec2(1.1, 0.7), seed, 6);
+    if (i == 6) return gabor_impl_waves_layer(2, trunk, vec2(1.7, 0.55) / 2.21 * bark.furrows, 1.3, 0.1, seed, 3);
+    return gabor_impl_waves_layer(3, trunk, vec2(1.2, 1.3), 0.9, 1.5, seed, 4);
+}
+
+GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
+    vec3 shape = of.c.first + 0.2 * of.a.first;
+    float removed = of.c.removed + 0.04 * of.a.removed;
+    vec3 whole = vec3(1.0, 0.0, 0.0) - 0.55 * gabor_impl_line(of.d.first, of.d.removed, 0.13);
+    vec3 risen = gabor_impl_above(shape, removed, -0.15, 0.35), plate = gabor_impl_times(risen, whole);
+    // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
+    vec3 weighted = of.a.second + vec3(0.25 * of.a.removed, 0.0, 0.0);
+    float worn = 0.5 * gabor_impl_above(weighted, of.a.removed, 0.5, 0.4).x;
+    float covered = bark.cover * gabor_impl_above(of.b.second, of.b.removed, 0.9, 0.5).x;
+    vec2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25);
+    vec3 top = mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(mix(bark.plate, vec3(1.0), 0.13), tone), worn);
+    vec3 moss = gabor_impl_toned(bark.moss, tone);
+    vec3 colour = mix(mix(gabor_impl_toned(bark.furrow, tone), moss, covered), mix(top, moss, 0.6 * covered), plate.x);
+    vec3 coarse = vec3(0.4, 0.0, 0.0) + 0.6 * plate;
+    vec3 height = bark.depth * plate + 0.018 * gabor_impl_times(of.a.first, coarse);
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width.
+    float wholes = 2.0 * whole.x - 1.0 + 0.3025 * gabor_impl_line(of.d.first, of.d.removed, 0.0919239).x;
+    float rises = risen.x * risen.x + risen.x * (1.0 - risen.x) * removed / (removed + 0.18);
+    float both = 0.0072 * bark.depth * whole.x * gabor_impl_above(vec3(shape.x, 1.0, 0.0), removed, -0.15, 0.35).y;
+    vec3 lost = bark.depth * bark.depth
+              * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04 * of.a.lost, -0.15, 0.35)
+                 + 0.3025 * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13))
+              + coarse.x * (0.000324 * coarse.x + both) * of.a.lost;
+    return gabor_impl_material(colour, height, lost, bark.roughness, 0.0);
+}
+
+GaborMaterial gabor_bark_at(vec2 p, vec2 period, GaborBark bark, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped trunk = gabor_impl_trunk(pixel, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 5; ++i)
+        of.a = gabor_impl_plus_octave(of.a, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of.c = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of.d = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
+    return gabor_impl_bark(bark, of);
+}
+
+// ---- Strata --------------------------------------------------------------------------------------------------------
+
+GaborWarped gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
+    GaborWarped rock = gabor_impl_unwarped(pixel);
     vec4 folds = vec4(0.2, 0.016, 0.022, 0.004) * strata.folds;
-    GaborPixel rock = gabor_impl_warp(pixel, vec2(0.35, 0.6), vec2(0.0, folds.x), gabor_lobe_seed(seed, 0));
-    rock = gabor_impl_warp(rock, vec2(1.6, 2.6), vec2(folds.y, folds.z), gabor_lobe_seed(seed, 1));
-    rock = gabor_impl_warp(rock, vec2(7.0, 10.0), vec2(folds.w), gabor_lobe_seed(seed, 2));
-    vec2 layers = vec2(1.0, strata.layers);
-    vec3 broad = gabor_impl_spots(rock, vec2(0.1, 0.33333333) * layers, gabor_lobe_seed(seed, 3));
-    vec3 band = gabor_impl_spots(rock, vec2(0.14, 1.0) * layers, gabor_lobe_seed(seed, 4));
-    vec3 thin = gabor_impl_spots(rock, vec2(0.25, 2.8333333) * layers, gabor_lobe_seed(seed, 5));
-    vec3 lamina = gabor_impl_spots(rock, vec2(0.6, 8.3333333) * layers, gabor_lobe_seed(seed, 6));
-    vec3 grain = gabor_impl_octaves(pixel, vec2(16.0, 24.0), 4, 0.8, gabor_lobe_seed(seed, 7));
-
-    float soft = gabor_impl_above(band.x, band.z, 0.5, 0.22); // the soft layers, which erode
-    vec3 colour = mix(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0, 0.5));
-    colour = mix(colour, strata.red, 0.8 * soft);
-    colour = mix(colour, strata.pale, 0.75 * gabor_impl_above(thin.x, thin.z, 1.0, 0.2));
-    colour = mix(colour, 0.75 * strata.red, 0.6 * gabor_impl_above(thin.y, thin.z, 1.3, 0.15));
-    colour *= gabor_impl_tone(lamina.x, lamina.z, 0.13) * gabor_impl_tone(grain.x, grain.z, 0.11);
-    float height = 0.02 * broad.y - 0.012 * soft + 0.006 * thin.x + 0.0015 * lamina.x + 0.003 * grain.y;
-    return gabor_impl_material(colour, strata.relief * height, strata.roughness, 0.0);
+    rock = gabor_impl_warp(pixel, rock, vec2(0.35, 0.6), vec2(0.0, folds.x), seed, 0);
+    rock = gabor_impl_warp(pixel, rock, vec2(1.6, 2.6), folds.yz, seed, 1);
+    return gabor_impl_warp(pixel, rock, vec2(7.0, 10.0), vec2(folds.w), seed, 2);
 }
 
-// ---- Definitions of the public functions ---------------------------------------------------------------------------
-
-GaborPixel gabor_pixel(vec2 p) {
-    return GaborPixel(p, vec2(0.0), vec2(0.0), false, vec2(0.0));
+// Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
+GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWarped rock, GaborStrata strata, uint seed) {
+    if (i < 4) return gabor_impl_octave(gabor_impl_unwarped(pixel), vec2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed,
+                                                                                                                 7));
+    vec2 density = i == 4 ? vec2(0.1, 0.33333333) : i == 5 ? vec2(0.14, 1.0) : i == 6 ? vec2(0.25,
+                                                                                             2.8333333)
+                                                                                                 : vec2(0.6, 8.3333333);
+    return gabor_impl_spots_layer(i - 3, rock, density * vec2(1.0, strata.layers), seed, i - 1);
 }
 
-GaborPixel gabor_pixel_filtered(vec2 p, vec2 dx, vec2 dy) {
-    return GaborPixel(p, dx, dy, true, vec2(0.0));
+GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
+    vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5, 0.22); // the soft layers, which erode
+    vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
+    vec3 colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+                      gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
+    colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
+    colour = mix(colour, gabor_impl_toned(strata.pale, tones),
+                 0.75 * gabor_impl_above(of.d.first, of.d.removed, 1.0, 0.2).x);
+    colour = mix(colour, gabor_impl_toned(0.75 * strata.red, tones),
+                 0.6 * gabor_impl_above(of.d.second, of.d.removed, 1.3, 0.15).x);
+    vec3 height = 0.02 * of.b.second - 0.012 * soft + 0.006 * of.d.first + 0.0015 * of.e.first + 0.003 * of.a.second;
+    vec3 lost = 0.0004 * of.b.lost + 3.6e-5 * of.d.lost + 2.25e-6 * of.e.lost + 9.0e-6 * of.a.lost
+              + 0.000144 * gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5, 0.22);
+    return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,
+                               0.0);
 }
 
-GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period) {
-    return GaborPixel(pixel.p - period * floor(pixel.p / period), pixel.dx, pixel.dy, pixel.filtered, period);
+GaborMaterial gabor_strata_at(vec2 p, vec2 period, GaborStrata strata, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, vec2(0.0), vec2(0.0), period);
+    GaborWarped rock = gabor_impl_rock(pixel, strata, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        of.a = gabor_impl_plus_octave(of.a, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of.c = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of.d = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of.e = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
+    return gabor_impl_strata(strata, of);
+}
+
+// ---- The same, filtered --------------------------------------------------------------------------------------------
+
+#ifdef GABOR_FILTER_GLSL
+GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborWood wood, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped board = gabor_impl_board(pixel, wood, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed), pixel);
+    return gabor_impl_wood(pixel, board, wood, of, seed);
+}
+
+GaborMaterial gabor_fabric_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborFabric fabric, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
+    vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);
+    return gabor_impl_fabric(pixel, cloth, count, fabric, of);
+}
+
+GaborMaterial gabor_carbon_fibre_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborCarbonFibre fibres,
+                                             uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped cloth = gabor_impl_twill(pixel, seed);
+    vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 2; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed), pixel);
+    return gabor_impl_carbon_fibre(pixel, cloth, count, fibres, of);
+}
+
+GaborMaterial gabor_leather_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborLeather leather, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped skin = gabor_impl_skin(pixel, leather, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
+    for (int i = 4; i < 6; ++i) {
+        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
+        if (i == 4) of.c = pair;
+        else of.d = pair;
+    }
+    return gabor_impl_leather(leather, of);
+}
+
+GaborMaterial gabor_marble_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborMarble marble, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped stone = gabor_impl_stone(pixel, marble, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed), pixel);
+    GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
+    for (int i = 4; i < 8; ++i)
+        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(gabor_impl_marble_layer(i, pixel, stone,
+                                                                                                    seed), pixel));
+    return material;
+}
+
+GaborMaterial gabor_sand_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborSand sand, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped dune = gabor_impl_dune(pixel, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed), pixel);
+    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    of.c = gabor_impl_filtered_waves(ripples, pixel);
+    return gabor_impl_sand(sand, ripples, of);
+}
+
+GaborMaterial gabor_ripples_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborRipples ripples, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborPair sum = gabor_impl_no_pair();
+    for (int i = 0; i < 14; ++i)
+        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(gabor_impl_ripples_layer(i, pixel, ripples, seed),
+                                                                pixel));
+    return gabor_impl_ripples(ripples, sum);
+}
+
+GaborMaterial gabor_brushed_metal_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBrushedMetal metal,
+                                              uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborPair sum = gabor_impl_no_pair();
+    for (int i = 0; i < 5; ++i)
+        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(gabor_impl_streaks_layer(i, pixel, metal, seed),
+                                                                 pixel));
+    return gabor_impl_brushed_metal(metal, sum);
+}
+
+GaborMaterial gabor_scratches_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborScratches scratches, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborMaterial sum = GaborMaterial(vec3(1.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
+    for (int i = 0; i < 14; ++i)
+        gabor_impl_add_scratches(sum, scratches, i,
+                                 gabor_impl_filtered_spots(gabor_impl_scratches_layer(i, pixel, scratches, seed),
+                                                           pixel));
+    return gabor_impl_scratches(scratches, sum);
+}
+
+GaborMaterial gabor_zebra_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborZebra zebra, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped skin = gabor_impl_hide(pixel, seed);
+    float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 2; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed), pixel);
+    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed), pixel);
+    return gabor_impl_zebra(zebra, of);
+}
+
+GaborMaterial gabor_bark_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborBark bark, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped trunk = gabor_impl_trunk(pixel, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 6; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed), pixel);
+    for (int i = 6; i < 8; ++i) {
+        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(i, pixel, trunk, bark, seed), pixel);
+        if (i == 6) of.c = pair;
+        else of.d = pair;
+    }
+    return gabor_impl_bark(bark, of);
+}
+
+GaborMaterial gabor_strata_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborStrata strata, uint seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped rock = gabor_impl_rock(pixel, strata, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 8; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed), pixel);
+    return gabor_impl_strata(strata, of);
+}
+#endif
+
+// ---- Definitions of the other public functions ---------------------------------------------------------------------
+
+float gabor_roughness(GaborMaterial material) {
+    float alpha = material.roughness * material.roughness;
+    return sqrt(sqrt(min(alpha * alpha + material.lost.x + material.lost.y, 1.0)));
 }
 
 GaborWood gabor_wood_default() {
     return GaborWood(vec3(0.50, 0.275, 0.115), vec3(0.20, 0.078, 0.027), 13.0, 1.0, 0.75, 0.5);
 }
-
 GaborFabric gabor_fabric_default() {
     return GaborFabric(vec3(0.50, 0.43, 0.33), vec3(0.60, 0.53, 0.42), 12.0, 1.0, 1.0, 0.85, 0.0);
 }
-
 GaborLeather gabor_leather_default() {
     return GaborLeather(vec3(0.20, 0.068, 0.026), vec3(0.04, 0.014, 0.007), 6.88, 1.0, 1.0, 0.4);
 }
-
 GaborMarble gabor_marble_default() {
     return GaborMarble(vec3(0.80, 0.79, 0.77), vec3(0.13, 0.135, 0.145), 1.0, 1.0, 0.25, 0.2);
 }
-
 GaborSand gabor_sand_default() {
     return GaborSand(vec3(0.43, 0.30, 0.17), vec3(0.60, 0.44, 0.265), 3.87, 0.055, 0.16, 0.9);
 }
-
 GaborRipples gabor_ripples_default() {
     return GaborRipples(vec3(0.004, 0.06, 0.085), vec3(0.03, 0.25, 0.27), 0.6, 0.8726646, 1.0471976, 0.035, 0.1);
 }
-
 GaborBrushedMetal gabor_brushed_metal_default() {
     return GaborBrushedMetal(vec3(0.55, 0.555, 0.565), 9.0, 0.09, 0.0012, 0.36);
 }
-
 GaborScratches gabor_scratches_default() {
     return GaborScratches(vec3(0.035, 0.042, 0.05), vec3(0.60, 0.61, 0.62), 1.0, 3.0, 1.5707963, 3.1415927, 0.0025,
                           0.3);
 }
-
 GaborZebra gabor_zebra_default() {
     return GaborZebra(vec3(0.70, 0.64, 0.54), vec3(0.018, 0.014, 0.012), 1.96, 0.2967060, 0.3490659, 1.0, 0.7);
 }
-
 GaborBark gabor_bark_default() {
     return GaborBark(vec3(0.20, 0.145, 0.10), vec3(0.025, 0.014, 0.008), vec3(0.10, 0.13, 0.045), 2.21, 0.35, 0.13,
                      0.9);
 }
-
 GaborCarbonFibre gabor_carbon_fibre_default() {
     return GaborCarbonFibre(vec3(0.028, 0.029, 0.031), 4.0, 0.3, 1.0, 0.3);
 }
-
 GaborStrata gabor_strata_default() {
     return GaborStrata(vec3(0.50, 0.22, 0.09), vec3(0.60, 0.35, 0.18), vec3(0.28, 0.075, 0.035), vec3(0.74, 0.58, 0.40),
                        6.0, 1.0, 1.0, 0.9);
 }
 
-GaborMaterial gabor_wood(vec2 p, uint seed) {
-    return gabor_wood_at(gabor_pixel(p), gabor_wood_default(), seed);
-}
+GaborMaterial gabor_wood(vec2 p, uint seed) { return gabor_wood_at(p, vec2(0.0), gabor_wood_default(), seed); }
+GaborMaterial gabor_fabric(vec2 p, uint seed) { return gabor_fabric_at(p, vec2(0.0), gabor_fabric_default(), seed); }
+GaborMaterial gabor_leather(vec2 p, uint seed) { return gabor_leather_at(p, vec2(0.0), gabor_leather_default(), seed); }
+GaborMaterial gabor_marble(vec2 p, uint seed) { return gabor_marble_at(p, vec2(0.0), gabor_marble_default(), seed); }
+GaborMaterial gabor_sand(vec2 p, uint seed) { return gabor_sand_at(p, vec2(0.0), gabor_sand_default(), seed); }
+GaborMaterial gabor_ripples(vec2 p, uint seed) { return gabor_ripples_at(p, vec2(0.0), gabor_ripples_default(), seed); }
+GaborMaterial gabor_brushed_metal(vec2 p, uint seed) { return gabor_brushed_metal_at(p, vec2(0.0),
+                                                                                     gabor_brushed_metal_default(), seed); }
+GaborMaterial gabor_scratches(vec2 p, uint seed) { return gabor_scratches_at(p, vec2(0.0), gabor_scratches_default(),
+                                                                             seed); }
+GaborMaterial gabor_zebra(vec2 p, uint seed) { return gabor_zebra_at(p, vec2(0.0), gabor_zebra_default(), seed); }
+GaborMaterial gabor_bark(vec2 p, uint seed) { return gabor_bark_at(p, vec2(0.0), gabor_bark_default(), seed); }
+GaborMaterial gabor_carbon_fibre(vec2 p, uint seed) { return gabor_carbon_fibre_at(p, vec2(0.0),
+                                                                                   gabor_carbon_fibre_default(), seed); }
+GaborMaterial gabor_strata(vec2 p, uint seed) { return gabor_strata_at(p, vec2(0.0), gabor_strata_default(), seed); }
 
-GaborMaterial gabor_fabric(vec2 p, uint seed) {
-    return gabor_fabric_at(gabor_pixel(p), gabor_fabric_default(), seed);
-}
-
-GaborMaterial gabor_leather(vec2 p, uint seed) {
-    return gabor_leather_at(gabor_pixel(p), gabor_leather_default(), seed);
-}
-
-GaborMaterial gabor_marble(vec2 p, uint seed) {
-    return gabor_marble_at(gabor_pixel(p), gabor_marble_default(), seed);
-}
-
-GaborMaterial gabor_sand(vec2 p, uint seed) {
-    return gabor_sand_at(gabor_pixel(p), gabor_sand_default(), seed);
-}
-
-GaborMaterial gabor_ripples(vec2 p, uint seed) {
-    return gabor_ripples_at(gabor_pixel(p), gabor_ripples_default(), seed);
-}
-
-GaborMaterial gabor_brushed_metal(vec2 p, uint seed) {
-    return gabor_brushed_metal_at(gabor_pixel(p), gabor_brushed_metal_default(), seed);
-}
-
-GaborMaterial gabor_scratches(vec2 p, uint seed) {
-    return gabor_scratches_at(gabor_pixel(p), gabor_scratches_default(), seed);
-}
-
-GaborMaterial gabor_zebra(vec2 p, uint seed) {
-    return gabor_zebra_at(gabor_pixel(p), gabor_zebra_default(), seed);
-}
-
-GaborMaterial gabor_bark(vec2 p, uint seed) {
-    return gabor_bark_at(gabor_pixel(p), gabor_bark_default(), seed);
-}
-
-GaborMaterial gabor_carbon_fibre(vec2 p, uint seed) {
-    return gabor_carbon_fibre_at(gabor_pixel(p), gabor_carbon_fibre_default(), seed);
-}
-
-GaborMaterial gabor_strata(vec2 p, uint seed) {
-    return gabor_strata_at(gabor_pixel(p), gabor_strata_default(), seed);
-}
-
+#ifdef GABOR_FILTER_GLSL
 GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_wood_at(gabor_pixel_filtered(p, dx, dy), gabor_wood_default(), seed);
+    return gabor_wood_filtered_at(p, dx, dy, vec2(0.0), gabor_wood_default(), seed);
 }
-
 GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_fabric_at(gabor_pixel_filtered(p, dx, dy), gabor_fabric_default(), seed);
+    return gabor_fabric_filtered_at(p, dx, dy, vec2(0.0), gabor_fabric_default(), seed);
 }
-
 GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_leather_at(gabor_pixel_filtered(p, dx, dy), gabor_leather_default(), seed);
+    return gabor_leather_filtered_at(p, dx, dy, vec2(0.0), gabor_leather_default(), seed);
 }
-
 GaborMaterial gabor_marble_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_marble_at(gabor_pixel_filtered(p, dx, dy), gabor_marble_default(), seed);
+    return gabor_marble_filtered_at(p, dx, dy, vec2(0.0), gabor_marble_default(), seed);
 }
-
 GaborMaterial gabor_sand_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_sand_at(gabor_pixel_filtered(p, dx, dy), gabor_sand_default(), seed);
+    return gabor_sand_filtered_at(p, dx, dy, vec2(0.0), gabor_sand_default(), seed);
 }
-
 GaborMaterial gabor_ripples_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_ripples_at(gabor_pixel_filtered(p, dx, dy), gabor_ripples_default(), seed);
+    return gabor_ripples_filtered_at(p, dx, dy, vec2(0.0), gabor_ripples_default(), seed);
 }
-
 GaborMaterial gabor_brushed_metal_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_brushed_metal_at(gabor_pixel_filtered(p, dx, dy), gabor_brushed_metal_default(), seed);
+    return gabor_brushed_metal_filtered_at(p, dx, dy, vec2(0.0), gabor_brushed_metal_default(), seed);
 }
-
 GaborMaterial gabor_scratches_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_scratches_at(gabor_pixel_filtered(p, dx, dy), gabor_scratches_default(), seed);
+    return gabor_scratches_filtered_at(p, dx, dy, vec2(0.0), gabor_scratches_default(), seed);
 }
-
 GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_zebra_at(gabor_pixel_filtered(p, dx, dy), gabor_zebra_default(), seed);
+    return gabor_zebra_filtered_at(p, dx, dy, vec2(0.0), gabor_zebra_default(), seed);
 }
-
 GaborMaterial gabor_bark_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_bark_at(gabor_pixel_filtered(p, dx, dy), gabor_bark_default(), seed);
+    return gabor_bark_filtered_at(p, dx, dy, vec2(0.0), gabor_bark_default(), seed);
 }
-
 GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_carbon_fibre_at(gabor_pixel_filtered(p, dx, dy), gabor_carbon_fibre_default(), seed);
+    return gabor_carbon_fibre_filtered_at(p, dx, dy, vec2(0.0), gabor_carbon_fibre_default(), seed);
 }
-
 GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {
-    return gabor_strata_at(gabor_pixel_filtered(p, dx, dy), gabor_strata_default(), seed);
+    return gabor_strata_filtered_at(p, dx, dy, vec2(0.0), gabor_strata_default(), seed);
 }
+#endif
 
 #endif // GABOR_MATERIALS_GLSL

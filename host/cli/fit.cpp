@@ -89,7 +89,7 @@ void add_fit_command(CLI::App& app) {
                            fit::most_lobes, options->lobes));
     add_option(*command, "--glsl", options->glsl, "FILE",
                "Also write NAME.glsl with vec3 NAME(vec2 p) and its filtered form, to include after "
-               "gabor_noise.glsl and gabor_spectrum.glsl");
+               "gabor_noise.glsl and gabor_filter.glsl");
     command->callback([options] { fit_picture(*options); });
 }
 

@@ -25,6 +25,7 @@ struct RenderOptions {
     std::optional<std::string> png;
     std::optional<std::string> maps;
     bool directx = false;
+    std::optional<std::string> normal_bits;
     std::optional<std::string> size;
     std::optional<std::string> region;
     std::optional<std::string> like;
@@ -174,6 +175,9 @@ void render_map_set(const RenderOptions& options) {
         throw RequestError(
             "--maps writes a whole set of maps: it cannot be combined with -o, --png, --heightmap, "
             "--elevation, --region, --frames or --level");
+    const std::string bits = options.normal_bits.value_or("16");
+    if (bits != "8" && bits != "16")
+        refuse("--normal-bits", bits, "8 or 16");
     Work work = make_work(options);
     const bool terrain = render::has_terrain(work.request);
     if (!work.scaled)
@@ -184,7 +188,7 @@ void render_map_set(const RenderOptions& options) {
     {
         Progress progress("rendering", work.region.pixels());
         render::render_maps(device, work.request, *options.maps,
-                            {options.directx, options.texture, options.half},
+                            {options.directx, options.texture, options.half, bits == "8" ? 8 : 16},
                             [&](std::uint64_t done) { progress.advance(done); });
     }
     fmt::print("{}: maps of {} x {} pixels, {}, on {}\n", *options.maps, work.request.width,
@@ -199,8 +203,8 @@ void render_pictures(const RenderOptions& options) {
         return render_map_set(options);
     if (!options.output && !options.png && !options.heightmap)
         throw RequestError("--output is missing: give -o FILE, or --maps FOLDER for a material or terrain");
-    if (options.directx)
-        throw RequestError("--directx requires --maps");
+    if (options.directx || options.normal_bits)
+        throw RequestError(options.directx ? "--directx requires --maps" : "--normal-bits requires --maps");
     const Work work = make_work(options);
     const image::Rect& region = work.region;
     const render::Files files = files_of(options);
@@ -290,6 +294,8 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
            "normals, height, roughness, metalness and occlusion, one EXR with all of them, material.mtlx "
            "and material.gltf");
     command->add_flag("--directx", options->directx, "With --maps: also write normals for DirectX");
+    option("--normal-bits", options->normal_bits, "BITS",
+           "With --maps: 8 dithers normals to 8 bits, for programs that do not read all 16");
     command->add_flag(
         "--texture", options->texture,
         "Write a tiled, mip-mapped texture for renderers, filtered at every level; both sides must be powers "

@@ -120,41 +120,41 @@ std::string glsl_of(const std::string& name, const std::filesystem::path& image,
             [&](std::size_t c) { return variances[c] / variance * degree_shares(colour.histogram[c])[n]; });
     };
     return fmt::format(
-        R"(// {name}.glsl: Gabor noise after {image}, by gabor fit. Paste it after gabor_noise.glsl and gabor_spectrum.glsl.
+        R"(// {name}.glsl: Gabor noise after {image}, by gabor fit. Paste it after gabor_noise.glsl and, to filter it, gabor_filter.glsl.
 //     vec3 {name}(vec2 p): colour at p, in pixels of the photograph, {width} x {height}. Costs about {count} times gabor_noise.
 //     vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy): its mean over a screen pixel, dx = dFdx(p), dy = dFdy(p); w: removed variance.
-#ifndef GABOR_SPECTRUM_GLSL
-#error Include gabor_noise.glsl and gabor_spectrum.glsl before {name}.glsl
+#ifndef GABOR_NOISE_GLSL
+#error Include gabor_noise.glsl before {name}.glsl
 #elif !defined(GABOR_TEXTURE_{name}_GLSL)
 #define GABOR_TEXTURE_{name}_GLSL
 const uint {name}_seed = 0u; // another seed gives another piece of the same texture
 // Adds lobe i. k: its radii along x and y in pixels and its waves per radius; {weights}.
 void {name}_lobe(inout vec3 z, inout vec3 removed, vec2 p, vec4 d, bool filtered, int i, vec4 k, {parameters}) {{
-    {type} n;
-    float share = 0.0;
-#if GABOR_TAPS == 3 // other recipes have no filter
-    if (filtered)
-        n = gabor_field_filtered(gabor_place(ivec2(0), p / k.xy * GABOR_RADIUS), gabor_kernel_wave(k.zw), gabor_footprint(d.xy / k.xy, d.zw / k.xy), gabor_lobe_seed({name}_seed, i), share).value{part};
+    GaborPlace place = gabor_place_at(p / k.xy);
+    GaborField n;
+#ifdef GABOR_FILTER_GLSL
+    if (filtered) n = gabor_field_filtered(place, d.xy / k.xy, d.zw / k.xy, k.zw, gabor_lobe_seed({name}_seed, i));
     else
 #endif
-        n = {noise}(p / k.xy, k.zw, gabor_lobe_seed({name}_seed, i));
+    n = gabor_field(place, k.zw, gabor_lobe_seed({name}_seed, i));
     z += {sum};
-    removed += share * {squares};
+    removed += n.removed * {squares};
 }}
-vec3 {name}_sum(vec2 p, vec4 d, bool filtered, out vec3 removed) {{
-    vec3 z = vec3(0.0);
-    removed = z;{lobes}
-    return z;
+void {name}_sum(inout vec3 z, inout vec3 removed, vec2 p, vec4 d, bool filtered) {{{lobes}
 }}
 {colour}vec3 {name}(vec2 p) {{
-    vec3 removed, z = {name}_sum(p, vec4(0.0), false, removed);
+    vec3 z = vec3(0.0), removed = z;
+    {name}_sum(z, removed, p, vec4(0.0), false);
     return {name}_colour(z, removed);
 }}
+#ifdef GABOR_FILTER_GLSL
 vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy) {{
-    vec3 removed, z = {name}_sum(p, vec4(dx, dy), true, removed), k = 1.0 - min(removed, vec3(1.0));
-    vec3 left = k * ({s1} + k * ({s2} + k * ({s3} + k * ({s4} + k * {s5}))));
+    vec3 z = vec3(0.0), removed = z;
+    {name}_sum(z, removed, p, vec4(dx, dy), true);
+    vec3 k = 1.0 - min(removed, vec3(1.0)), left = k * ({s1} + k * ({s2} + k * ({s3} + k * ({s4} + k * {s5}))));
     return vec4({name}_colour(z, removed), 1.0 - min(dot(left, vec3(1.0)), 1.0));
 }}
+#endif
 #endif
 )",
         fmt::arg("name", name), fmt::arg("image", comment), fmt::arg("width", exemplar.width),
@@ -162,10 +162,8 @@ vec4 {name}_filtered(vec2 p, vec2 dx, vec2 dy) {{
         fmt::arg("weights",
                  complex ? "a, b: weights of its noise and quadrature" : "a: weights of its noise"),
         fmt::arg("parameters", complex ? "vec3 a, vec3 b" : "vec3 a"),
-        fmt::arg("type", complex ? "vec2" : "float"), fmt::arg("part", complex ? "" : ".y"),
         fmt::arg("squares", complex ? "(a * a + b * b)" : "a * a"),
-        fmt::arg("noise", complex ? "gabor_noise_wave_complex" : "gabor_noise_wave"),
-        fmt::arg("sum", complex ? "n.y * a + n.x * b" : "n * a"), fmt::arg("lobes", lobes),
+        fmt::arg("sum", complex ? "n.noise * a + n.quadrature * b" : "n.noise * a"), fmt::arg("lobes", lobes),
         fmt::arg("colour", colour_function(name, colour)), fmt::arg("s1", share(1)), fmt::arg("s2", share(2)),
         fmt::arg("s3", share(3)), fmt::arg("s4", share(4)), fmt::arg("s5", share(5)));
 }

@@ -14,9 +14,10 @@ std::string function_name(const std::filesystem::path& file);
 /// a filter has removed the shares `removed` of their variance.
 std::string colour_function(const std::string& name, const noise::Colour& colour);
 
-/// GLSL to put after gabor_noise.glsl and gabor_spectrum.glsl:
+/// GLSL to put after gabor_noise.glsl:
 ///     vec3 NAME(vec2 p)                             the colour, p in the exemplar's pixels
-///     vec4 NAME_filtered(vec2 p, vec2 dx, vec2 dy)  its mean over a pixel, and the removed variance
+///     vec4 NAME_filtered(vec2 p, vec2 dx, vec2 dy)  its mean over a pixel, and the removed variance, if
+///                                                   gabor_filter.glsl comes before
 std::string glsl_of(const std::string& name, const std::filesystem::path& image, const Exemplar& exemplar,
                     const FittedNoise& fitted);
 

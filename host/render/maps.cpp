@@ -167,24 +167,19 @@ struct Png {
     std::string_view name;
     std::vector<std::size_t> channels;
     int bits = 8;
-    float (*shown)(float) = [](float value) { return value; };
 };
 
-constexpr std::string_view directx_normal = "normal_directx";
-
 std::vector<Png> pngs_of(const MapFormat& format) {
-    const auto unit_to_colour = [](float part) { return 0.5f + 0.5f * part; };
     const std::vector<std::size_t> normal{normal_channel, normal_channel + 1, normal_channel + 2};
-    const std::size_t metalness = passes::material_metalness;
-    std::vector<Png> pngs{{.name = "base_color", .channels = {0, 1, 2}, .shown = srgb},
-                          {.name = "normal", .channels = normal, .shown = unit_to_colour},
-                          {.name = "height", .channels = {height_channel}, .bits = 16},
-                          {.name = "roughness", .channels = {roughness_channel}},
-                          {.name = "metalness", .channels = {metalness}},
-                          {.name = "occlusion", .channels = {occlusion_channel}},
-                          {.name = "orm", .channels = {occlusion_channel, roughness_channel, metalness}}};
+    std::vector<Png> pngs{{"base_color", {0, 1, 2}},
+                          {"normal", normal, format.normal_bits},
+                          {"height", {height_channel}, 16},
+                          {"roughness", {roughness_channel}},
+                          {"metalness", {passes::material_metalness}},
+                          {"occlusion", {occlusion_channel}},
+                          {"orm", {occlusion_channel, roughness_channel, passes::material_metalness}}};
     if (format.directx)
-        pngs.push_back({.name = directx_normal, .channels = normal, .shown = unit_to_colour});
+        pngs.push_back({"normal_directx", normal, format.normal_bits});
     return pngs;
 }
 
@@ -204,17 +199,25 @@ image::ExrHeader header_of(const vulkan::Device& device, const Request& request,
     return header;
 }
 
-// Writes the rows of all channels to the EXR, and of each PNG's channels to it. Heights are from `low` to
-// `high`.
+// What to add before rounding to 8 bits, in steps, so that reflections have no bands: neighbours share evenly
+// between -1/2 and 1/2 (Jimenez, "Next generation post processing in Call of Duty", 2014).
+float dither(std::size_t x, std::size_t y) {
+    const double wave = 0.06711056 * static_cast<double>(x) + 0.00583715 * static_cast<double>(y);
+    return static_cast<float>(std::fmod(52.9829189 * std::fmod(wave, 1.0), 1.0) - 0.5);
+}
+
+// Writes all channels to the EXR, and each PNG's channels to it. Heights are from `low` to `high`.
 void write_rows(const Maps& maps, image::ExrWriter& exr, const std::vector<Png>& pngs,
                 std::vector<image::PngWriter>& writers, float low, float high,
                 const image::Advance& advance) {
     const auto shown = [&](const Png& png, std::size_t channel, float value) {
+        if (channel < height_channel)
+            return srgb(value);
         if (channel == height_channel)
-            value = high > low ? (value - low) / (high - low) : 0.5f;
-        if (channel == normal_channel + 1 && png.name == directx_normal)
-            value = -value;
-        return png.shown(value);
+            return high > low ? (value - low) / (high - low) : 0.5f;
+        if (channel < normal_channel || channel == occlusion_channel)
+            return value;
+        return 0.5f + (channel == normal_channel + 1 && png.name != "normal" ? -0.5f : 0.5f) * value;
     };
     std::vector<float> colours;
     for (std::size_t at = 0; at < maps.values.size(); at += maps.row_values()) {
@@ -226,6 +229,9 @@ void write_rows(const Maps& maps, image::ExrWriter& exr, const std::vector<Png>&
             for (std::size_t i = 0; i < row.size(); i += map_channels.size())
                 for (const std::size_t channel : pngs[k].channels)
                     colours.push_back(shown(pngs[k], channel, row[i + channel]));
+            if (pngs[k].channels.front() == normal_channel && pngs[k].bits == 8)
+                for (std::size_t i = 0; i < colours.size(); ++i)
+                    colours[i] += dither(i / 3 + 32 * (i % 3), at / maps.row_values()) / 255;
             writers[k].write_rows(colours);
         }
     }

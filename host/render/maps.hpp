@@ -17,6 +17,7 @@ struct MapFormat {
     bool directx = false; ///< also write normal_directx.png
     bool texture = false; ///< write mip levels to maps.exr; slopes that averaging removes become roughness
     bool half = false;    ///< store the texture as 16-bit floats
+    int normal_bits = 16; ///< of normal.png; 8 bits are dithered
 };
 
 /// The fmt templates of material.mtlx and of material.gltf, which shows a square. Their files are in
@@ -30,11 +31,11 @@ bool has_maps(const Request& request);
 std::vector<std::filesystem::path> map_paths(const std::filesystem::path& folder, const MapFormat& format);
 
 /// Writes a checked request's material, or terrain from above, as images for other programs: base_color.png
-/// (sRGB), normal.png (OpenGL), height.png (16 bits, from the lowest to the highest point), roughness.png,
-/// metalness.png, occlusion.png, orm.png (occlusion, roughness and metalness, as glTF packs them), maps.exr
-/// with all of them, material.mtlx and material.gltf. The files appear together when all are complete; the
-/// folder is created if there is none. Calls `advance` with the number of pixels in each band. Throws
-/// RequestError if the request has no maps or is too large.
+/// (sRGB), normal.png (OpenGL, 16 bits), height.png (16 bits, from the lowest to the highest point),
+/// roughness.png, metalness.png, occlusion.png, orm.png (occlusion, roughness and metalness, as glTF packs
+/// them), maps.exr with all of them, material.mtlx and material.gltf. The files appear together when all are
+/// complete; the folder is created if there is none. Calls `advance` with the number of pixels in each band.
+/// Throws RequestError if the request has no maps or is too large.
 void render_maps(const vulkan::Device& device, const Request& request, const std::filesystem::path& folder,
                  const MapFormat& format, const image::Advance& advance);
 

@@ -155,7 +155,7 @@ void choose_filters(Constants& constants, const std::vector<passes::PixelsWave>&
         const passes::PixelsWave& wave = waves[i];
         const float deviation =
             0.5f * pixel / radius * std::max(wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y);
-        const float wide_share = 100 * deviation - 9; // as in gabor_impl_wide_share of gabor_spectrum.glsl
+        const float wide_share = 100 * deviation - 9; // as in gabor_impl_wide_share of gabor_filter.glsl
         constants[passes::narrow_waves_id] |= std::uint32_t{wide_share < -margin} << i;
         constants[passes::wide_waves_id] |= std::uint32_t{wide_share > 1 + margin} << i;
     }

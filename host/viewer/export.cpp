@@ -40,7 +40,7 @@ std::vector<NoiseMap> noise_maps(const Document& document, bool coloured) {
         maps[0].shown.output = stripes && !coloured ? Output::phasor : Output::value;
     if (coloured)
         return maps;
-    maps.push_back({"normal.png", document, true});
+    maps.push_back({"normal.png", document, true, 3, 16});
     maps.push_back({"height.png", document, false, 1, 16});
     maps[1].shown.output = stripes ? Output::lit_phasor : Output::lit;
     maps[2].shown.output = stripes ? Output::phasor : Output::value;

@@ -11,459 +11,338 @@
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
 #include "passes/terrain_interface.h"
-#include "viewer/display_interface.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace gabor::viewer {
 
 namespace {
 
-// A document, and the size in pixels of the view that shows it.
+using noise::glsl, noise::literal;
+
+// A document, the size in pixels of the view that shows it, the plan of this view, and how it is displayed.
 struct View : Document {
     Extent extent;
+    render::Plan plan;
+    passes::DisplayPush display;
 
     bool in_space() const { return render::in_space(request); }
     bool shows_body() const { return std::holds_alternative<render::Body>(request.view); }
+    template <typename Push>
+    Push push() const {
+        return render::values_of<Push>(plan.steps.front().push).front();
+    }
+    template <typename Value>
+    std::vector<Value> table(std::size_t index) const {
+        return render::values_of<Value>(plan.tables.at(index));
+    }
 };
 
-// A number or a vector as a GLSL literal; other values unchanged.
-template <typename T>
-decltype(auto) written(const T& value) {
-    if constexpr (std::is_same_v<T, passes::vec2>)
-        return noise::literal(std::array{value.x, value.y});
-    else if constexpr (std::is_integral_v<T> || std::is_convertible_v<T, std::string_view>)
-        return (value);
-    else
-        return noise::literal(value);
-}
-
-// Formats GLSL, with `values` written as literals.
-template <typename... Values>
-std::string glsl(std::string_view text, const Values&... values) {
-    return fmt::format(fmt::runtime(text), written(values)...);
-}
-
-// The value of a material's or an erosion's parameter.
-std::string value_of(const render::Parameter& parameter, const render::Request& request) {
-    const render::Value value = *parameter.get(request);
-    if (const auto* colour = std::get_if<std::array<double, 3>>(&value))
-        return noise::literal(*colour);
-    const double number = std::get<double>(value);
-    return parameter.kind == render::Parameter::Kind::integer ? fmt::format("{}", number)
-           : parameter.kind == render::Parameter::Kind::angle ? noise::literal(noise::radians(number))
-                                                              : noise::literal(number);
-}
-
-// A shader that passes and copied code share.
-std::string shader(std::string_view name) {
-    const std::span<const unsigned char> bytes = embedded(name);
-    return fmt::format("\n{}", std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-}
-
-std::string lighting(const render::Request& request) {
-    return fmt::format("\nconst int environment = {};\n{}{}", request.environment, shader("srgb.glsl"),
-                       shader("light.glsl"));
-}
-
-// Includes of drop-ins, for those who have the files.
-std::string includes(const std::vector<std::string_view>& drop_ins) {
+// Sets the members of the struct `m` whose parameters differ from their defaults.
+std::string members_of(const View& view, render::Parameter::Group group) {
     std::string text;
-    for (const std::string_view name : drop_ins)
-        text += fmt::format("#include \"{}\" // or paste it here\n", name);
+    for (const render::Parameter& p : render::parameters())
+        if (p.group == group && render::is_set(view.request, p.name)) {
+            const render::Value value = *p.get(view.request);
+            const auto* colour = std::get_if<std::array<double, 3>>(&value);
+            double number = colour ? 0 : std::get<double>(value);
+            if (p.kind == render::Parameter::Kind::angle)
+                number = noise::radians(number);
+            text += glsl("    m.{} = {};\n", p.name.substr(p.name.find('.') + 1),
+                         colour                                       ? literal(*colour)
+                         : p.kind == render::Parameter::Kind::integer ? fmt::format("{}", number)
+                                                                      : literal(number));
+        }
     return text;
 }
 
-// The push constants of the pass that draws the window's picture.
-template <typename Push>
-Push push_of(const View& view) {
-    const Drawing drawing = drawing_of(view);
-    const render::Plan plan = render::plan(drawing.request, viewport_of(drawing, view.camera, view.extent));
-    return render::values_of<Push>(plan.steps.front().push).front();
+// Shaders that passes and copied code share.
+std::string shaders(std::initializer_list<std::string_view> names) {
+    std::string text;
+    for (const std::string_view name : names) {
+        const std::span<const unsigned char> bytes = embedded(name);
+        text.append(1, '\n').append(bytes.begin(), bytes.end());
+    }
+    return text;
 }
 
-// What the parameters of the copied functions mean.
-std::string parameters_are(const View& view, std::string_view unit) {
-    if (view.in_space())
-        return fmt::format("// p: a point on or in the body, in {}. normal: the unit normal there.\n", unit);
-    return fmt::format("// pixel: a position in a picture of {} x {}, in pixels from the upper left corner, "
-                       "with y pointing down.\n",
-                       view.extent.width, view.extent.height);
+std::string lighting(const View& view) {
+    return glsl("\nconst int environment = {};\n", view.request.environment) +
+           shaders({"srgb.glsl", "light.glsl"});
 }
 
-// The head of a copied function.
+// Includes of drop-ins, for those who have the files. Empty names are skipped.
+std::string includes(std::initializer_list<std::string_view> drop_ins) {
+    std::string text;
+    for (const std::string_view name : drop_ins)
+        text += name.empty() ? "" : glsl("#include \"gabor_{}.glsl\" // or paste it here\n", name);
+    return text;
+}
+
+// The head of a copied function, whose parameters snippet() describes.
 std::string head(const View& view, std::string_view name) {
     return glsl("{}_of_{}\n{{\n", name, view.in_space() ? "body(vec3 p, vec3 normal)" : "view(vec2 pixel)");
 }
 
+// If there is a horizon, returns `sky` above it, and declares the offset `at` of a pixel from its middle.
+std::string below_horizon(const View& view, std::string_view sky) {
+    if (!render::in_perspective(view.request))
+        return {};
+    return glsl("    vec2 at = pixel - {};\n    if (at.y <= 0.0)\n        return {};\n",
+                std::array{view.extent.width / 2.0, render::sky_rows(view.extent.height)}, sky);
+}
+
+std::string axes_of(const View& view, passes::vec2 yaw, passes::vec2 pitch) {
+    return view.shows_body() ? glsl("camera_axes({}, {})", yaw, pitch) : "flat_axes()";
+}
+
 // ---- The noise ----
 
-// The waves in a table of the plan that draws pixel by pixel.
+// GLSL for one of the noises: its place, the radius of its kernels, and the function that returns its field,
+// with the arguments that describe its waves and {} for a filter.
+struct Term {
+    std::string place, radius, field;
+};
+
+Term term_of(const View& view, const passes::PixelsWave& wave) {
+    const auto table = static_cast<std::size_t>(wave.table);
+    const passes::Line x = view.table<passes::Line>(0)[table], y = view.table<passes::Line>(1)[table];
+    const float ratio = wave.radius.y / wave.radius.x;
+    return {glsl("GaborPlace(ivec2({}, {}), {} + here.p * {}, {}, ivec2({}, {}), 0.0)", x.cell, y.cell,
+                 render::in_perspective(view.request) ? wave.camera : passes::vec2{x.local, y.local},
+                 std::array{wave.nodes.x / wave.radius.x, wave.nodes.y / wave.radius.y}, wave.nodes,
+                 wave.period.x, wave.period.y),
+            glsl("{}", wave.radius),
+            glsl("gabor_field{{}}, gabor_{}({}, {}){}",
+                 view.request.recipe.is_lattice() ? "wave_vector" : "kernel", wave.frequency,
+                 wave.orientation, ratio == 1 ? "" : glsl(" * vec2(1.0, {})", ratio))};
+}
+
+Term term_of(const View& view, const passes::SolidWave& wave) {
+    const bool surface = render::along_surface(view.request);
+    const std::string direction = glsl("{}vec3({}, 0.0)", surface ? ", " : " * ", wave.direction);
+    return {glsl("gabor_place_3d_at(p / {})", wave.radius), glsl("{}", wave.radius),
+            glsl("gabor_field_{}{}{{}}, {}{}{}", surface ? "surface" : "3d",
+                 wave.isotropic ? "_isotropic" : "", surface ? "normal, " : "", wave.frequency,
+                 wave.isotropic ? "" : direction)};
+}
+
+// Sums the noises of a table of the plan.
 template <typename Wave>
-std::vector<Wave> waves_of(const render::Request& request, std::size_t table) {
-    render::Viewport viewport = viewport_of(request, {0, 0, 1, 1});
-    viewport.blocks = render::Blocks::none;
-    return render::values_of<Wave>(render::plan(request, viewport).tables.at(table));
-}
-
-// Adds a GaborField or GaborField3d, `field`, to the sum. `radii` is a GLSL vec3.
-template <typename Wave>
-std::string added(const render::Request& request, const Wave& wave, std::string_view field,
-                  std::string_view radii) {
-    const auto& [a, b, c] = wave.weights;
-    return request.colour ? glsl("    add_weighted(sum, {}, vec2[3]({}, {}, {}));\n", field, a, b, c)
-                          : glsl("    add_noise(sum, {}, {}, {});\n", field, wave.amplitude, radii);
-}
-
-// The horizon or the flat plane that `pixel` shows, as a Footprint `here`.
-std::string footprint_of(const View& view) {
-    const double pixel = 1 / (view.request.scale * view.camera.zoom); // in kernel radii
-    if (!render::in_perspective(view.request))
-        return glsl(
-            "    Footprint here = footprint_from_above((pixel - 0.5) * {0}, {0}); // from the first pixel\n",
-            pixel);
-    const double sky = render::sky_rows(view.extent.height);
-    return glsl("    vec2 at = pixel - {};\n"
-                "    if (at.y <= 0.0)\n"
-                "        return {};\n"
-                "    Footprint here = footprint_below_horizon(at, {}, {}); // from the camera\n",
-                std::array{view.extent.width / 2.0, sky},
-                view.request.colour ? "noise_colour(vec3(0.0), vec3(1.0))"
-                                    : "Noise(vec2(0.0), vec3(0.0), 1.0)",
-                (view.extent.height - 0.5 - sky) * pixel, double(view.extent.width));
-}
-
-// Sets the place of a wave and the following ones with the same kernel radii.
-std::string plane_place(const View& view, const passes::PixelsWave& wave) {
-    const render::Request& request = view.request;
-    const double time = render::wrapped_time(request);
-    const std::array cells{double{wave.nodes.x} / wave.radius.x, // per kernel radius of the picture
-                           double{wave.nodes.y} / wave.radius.y};
-    // The middle of the first pixel or, in perspective, the position of the camera.
-    const auto corner = [&](const Coordinate& middle, int pixels, double cells_per_radius) {
-        const double from_middle = (0.5 - pixels / 2.0) / (request.scale * view.camera.zoom);
-        return render::cell_at(render::in_perspective(request) ? middle : middle.moved(from_middle),
-                               cells_per_radius);
-    };
-    const auto [x, x_place] = corner(view.camera.x, view.extent.width, cells[0]);
-    const auto [y, y_place] = corner(view.camera.y, view.extent.height, cells[1]);
-    std::string text =
-        glsl("    place = GaborPlace(ivec2({}, {}), {} + here.p * {}, {}, ivec2({}, {}), {}{});\n", x, y,
-             std::array{x_place, y_place}, cells, wave.nodes, wave.period.x, wave.period.y,
-             !request.recipe.is_lattice() ? ""
-             : time != 0                  ? "true, "
-                                          : "false, ",
-             time);
-    if (request.filter)
-        text += glsl("    footprint = gabor_footprint(here.dx * {0}, here.dy * {0});\n",
-                     std::array{cells[0] / request.recipe.radius, cells[1] / request.recipe.radius});
-    return text;
-}
-
-// Sums the waves in the plane.
-std::string plane_waves(const View& view) {
-    const render::Request& request = view.request;
-    std::string text =
-        footprint_of(view) + "    GaborPlace place;\n    GaborField field;\n    float removed = 0.0;\n";
-    if (request.filter)
-        text += "    GaborFootprint footprint;\n";
-    int table = -1;
-    for (const passes::PixelsWave& wave : waves_of<passes::PixelsWave>(request, 2)) {
-        if (wave.table != table)
-            text += plane_place(view, wave);
-        table = wave.table;
-        // The wave vector per kernel radius along each axis.
-        const double x = std::cos(double{wave.orientation});
-        const double y = std::sin(double{wave.orientation}) * wave.radius.y / wave.radius.x;
-        const std::string kernel =
-            glsl("gabor_kernel({}, {})", wave.frequency * std::hypot(x, y), std::atan2(y, x));
-        text += request.filter
-                    ? glsl("    field = gabor_field_filtered(place, {}, footprint, {}u, removed);\n", kernel,
-                           wave.seed)
-                    : glsl("    field = gabor_field(place, {}, {}u);\n", kernel, wave.seed);
-        text += added(request, wave, "noise_of(field, removed)", glsl("vec3({}, 1.0)", wave.radius));
+std::string terms(const View& view, std::size_t table) {
+    const double time = render::wrapped_time(view.request);
+    const std::string_view filter = !view.request.filter ? "(place"
+                                    : view.in_space()    ? "_filtered(place, dFdx(p) / {0}, dFdy(p) / {0}"
+                                                         : "_filtered(place, here.dx / {0}, here.dy / {0}";
+    std::string text = glsl("    GaborPlace{} place;\n", view.in_space() ? "3d" : ""), place;
+    for (const Wave& wave : view.table<Wave>(table)) {
+        const Term term = term_of(view, wave);
+        if (std::exchange(place, term.place) != term.place)
+            text +=
+                glsl("    place = {};\n{}", place, time == 0 ? "" : glsl("    place.moment = {};\n", time));
+        const std::string noise = glsl("noise_of({}, {}u), {})", glsl(term.field, glsl(filter, term.radius)),
+                                       wave.seed, term.radius);
+        const auto& [a, b, c] = wave.weights;
+        text += view.request.colour
+                    ? glsl("    add_weighted(sum, {}, vec2[3]({}, {}, {}));\n", noise, a, b, c)
+                    : glsl("    add_noise(sum, {}, {});\n", noise, wave.amplitude);
     }
     return text;
 }
 
-// Sums the waves in space.
-std::string space_waves(const render::Request& request) {
-    std::string text = "    GaborPlace3d place;\n    GaborField3d field;\n";
-    const double time = render::wrapped_time(request);
-    const bool surface = render::along_surface(request);
-    float radius = 0;
-    for (const passes::SolidWave& wave : waves_of<passes::SolidWave>(request, 0)) {
-        if (wave.radius != radius) {
-            text += glsl("    place = gabor_place_3d(ivec3(0), p * GABOR_RADIUS / {});\n", wave.radius);
-            if (time != 0)
-                text += glsl("    place.animated = true;\n    place.moment = {};\n", time);
-            if (request.filter)
-                text += glsl("    place.filtered = true;\n"
-                             "    place.dx = dFdx(p) / {0}; // in a fragment shader\n"
-                             "    place.dy = dFdy(p) / {0};\n",
-                             wave.radius);
-        }
-        radius = wave.radius;
-        const bool isotropic = wave.isotropic == 1;
-        text += glsl("    field = gabor_field_{}{}(place, {}{}, {}{}u);\n", surface ? "surface" : "3d",
-                     isotropic ? "_isotropic" : "", surface ? "normal, " : "", wave.frequency,
-                     isotropic ? "" : glsl("vec3({}, 0.0), ", wave.direction), wave.seed);
-        text += added(request, wave, "noise_of(field)", glsl("vec3({})", radius));
-    }
-    return text;
+// Declares what `pixel` shows of the plane, `here`, in kernel radii from the first pixel or the camera.
+std::string footprint_of(const View& view, std::string_view sky) {
+    const auto push = view.push<passes::PixelsPush>();
+    return glsl(render::in_perspective(view.request)
+                    ? "{}    Footprint here = footprint_below_horizon(at, {}, {});\n"
+                    : "{0}    Footprint here = footprint_from_above((pixel - 0.5) * {1}, {1});\n",
+                below_horizon(view, sky), push.pixel, push.focal_length);
 }
 
 // The GLSL function that returns the noise or, if the request has colours, its colour.
 std::string of_noise(const View& view) {
-    const bool coloured = view.request.colour.has_value();
-    return glsl("\n{}{}    {};\n{}    return {};\n}}\n", parameters_are(view, "kernel radii"),
-                head(view, coloured ? "vec3 colour" : "Noise noise"),
-                coloured ? "Components sum = Components(vec3(0.0), vec3(0.0))"
-                         : "Noise sum = Noise(vec2(0.0), vec3(0.0), 0.0)",
-                view.in_space() ? space_waves(view.request) : plane_waves(view),
-                coloured ? "noise_colour(sum.value, sum.removed)" : "sum");
+    const auto [name, sum, seen, sky] =
+        view.request.colour
+            ? std::array{"vec3 colour", "Components sum = Components(vec3(0.0), vec3(0.0))",
+                         "noise_colour(sum.value, sum.removed)", "noise_colour(vec3(0.0), vec3(1.0))"}
+            : std::array{"Noise noise", "Noise sum = Noise(vec2(0.0), vec3(0.0), 0.0)", "sum",
+                         "Noise(vec2(0.0), vec3(0.0), 1.0)"};
+    return glsl("\n{}    {};\n{}    return {};\n}}\n", head(view, name), sum,
+                view.in_space() ? terms<passes::SolidWave>(view, 0)
+                                : footprint_of(view, sky) + terms<passes::PixelsWave>(view, 2),
+                seen);
 }
 
 // ---- Its colours ----
 
-// A GLSL function for the user's colour map. Its positions have 8 bits, as in the window's shader.
-std::string own_colours(const std::vector<ColourStop>& ramp) {
-    const auto place = [](const ColourStop& stop) { return std::round(255 * double{stop.at}) / 255; };
-    std::string text = glsl("vec3 viewer_own_colour(float t)\n{{\n    vec3 colour = {};\n", ramp[0].colour);
-    for (std::size_t i = 1; i < ramp.size(); ++i) {
-        const double from = place(ramp[i - 1]);
-        text += glsl("    colour = mix(colour, {}, clamp((t - {}) / {}, 0.0, 1.0));\n", ramp[i].colour, from,
-                     std::max(place(ramp[i]) - from, 0.001));
+// The stops of the user's colour map, whose positions have 8 bits, as in the window's shader.
+std::string stops_of(const View& view) {
+    std::vector<std::string> stops;
+    for (std::size_t i = 0; i < most_stops; ++i) {
+        const ColourStop& stop = view.ramp[std::min(i, view.ramp.size() - 1)];
+        stops.push_back(glsl("vec4({}, {})", stop.colour, std::round(255 * stop.at) / 255));
     }
-    return text + "    return colour;\n}\n";
-}
-
-// Declares the picture's `axes`.
-template <typename Push>
-std::string axes_of(const View& view, const Push& push) {
-    return view.shows_body() ? glsl("    Axes axes = camera_axes({}, {});\n", push.yaw, push.pitch)
-                             : "    Axes axes = flat_axes();\n";
-}
-
-// The position of `pixel` or `p` in the picture, measured from the picture's middle in units of its longer
-// side.
-std::string position_of(const View& view) {
-    const std::array half{view.extent.width / 2.0, view.extent.height / 2.0};
-    const double longer = std::max(view.extent.width, view.extent.height);
-    if (!view.in_space())
-        return glsl("(pixel - {}) / {}", half, longer);
-    const auto push = push_of<passes::SolidPush>(view);
-    const double pixel = double{push.pixel} * longer;
-    if (view.shows_body())
-        return glsl("in_picture(p, axes).xy / ({} * ({} * eye_distance - dot(p, axes.toward_eye)))", pixel,
-                    push.unit);
-    return glsl("p.xy / {} - {}", pixel,
-                std::array{(push.first_column + half[0]) / longer, (push.first_row + half[1]) / longer});
+    return glsl("vec4[8]({})", fmt::format("{}", fmt::join(stops, ", ")));
 }
 
 std::string stripes(const View& view, std::string_view noise) {
-    return glsl("viewer_stripes({}.complex, {}, {})", noise, view.profile,
-                stripe_turns(view.request) / view.camera.zoom);
-}
-
-// GLSL for the share of the colour map or, for gradients and phases, the colour that each Output shows of the
-// noise `seen`.
-constexpr std::array<std::string_view, output_names.size()> seen_as{
-    "viewer_value(seen.complex.y, {contrast})",
-    "viewer_gradient({slope}.xy, {deviation}, {contrast}, {green})",
-    "viewer_phase(seen.complex, {colours})",
-    "viewer_intensity(seen.complex, {contrast})",
-    "{left}",
-    "{stripes}",
-    "viewer_value(seen.complex.y, {contrast})",
-    "{stripes}"};
-
-// GLSL for the colour that each Look shows of the Sample `here`.
-constexpr std::array<std::string_view, look_names.size()> looks_as{
-    "srgb(lit_sample(here, {lamp}, {body}))",
-    "srgb(here.material.colour)",
-    "viewer_height(here.material.height, {contrast})",
-    "viewer_normal(normalize(vec3(-here.slope.xy, 1.0)), {green})",
-    "vec3(here.material.roughness)",
-    "vec3(here.material.metalness)"};
-
-// Fills in a text of one of these lists.
-std::string filled(std::string_view text, const View& view) {
-    return fmt::format(fmt::runtime(text), fmt::arg("contrast", noise::literal(view.contrast)),
-                       fmt::arg("slope", view.in_space() ? "in_picture(seen.slope, axes)" : "seen.slope"),
-                       fmt::arg("deviation", noise::literal(slope_deviation(view.request))),
-                       fmt::arg("green", view.directx_normals ? "-1.0" : "1.0"),
-                       fmt::arg("colours", view.colours),
-                       fmt::arg("left", view.in_space() ? "1.0" : "viewer_variance(seen.removed)"),
-                       fmt::arg("stripes", stripes(view, "seen")),
-                       fmt::arg("lamp", noise::literal(render::light_direction(view.request))),
-                       fmt::arg("body", view.shows_body()));
+    return glsl("viewer_stripes({}.complex, {}, {})", noise, view.profile, view.display.turns);
 }
 
 // GLSL for the colour of the noise `seen`.
 std::string shown(const View& view) {
-    const std::string text = filled(seen_as.at(static_cast<std::size_t>(view.output)), view);
-    if (view.output == Output::gradient || view.output == Output::phase)
-        return text;
-    return view.colours == passes::own_colours ? glsl("viewer_own_colour({})", text)
-                                               : glsl("viewer_colour({}, {})", view.colours, text);
+    const passes::DisplayPush& look = view.display;
+    if (view.output == Output::gradient)
+        return glsl("viewer_gradient(seen.slope.xy, {}, {}, {})", look.deviation, look.contrast, look.green);
+    if (view.output == Output::phase)
+        return glsl("viewer_phase(seen.complex, {})", view.colours);
+    const bool striped = view.output == Output::phasor || view.output == Output::lit_phasor;
+    const std::string share =
+        striped                            ? stripes(view, "seen")
+        : view.output == Output::intensity ? glsl("viewer_intensity(seen.complex, {})", look.contrast)
+        : view.output != Output::variance  ? glsl("viewer_value(seen.complex.y, {})", look.contrast)
+        : view.in_space()                  ? "1.0"
+                                           : "viewer_variance(seen.removed)";
+    return view.colours == passes::own_colours ? glsl("viewer_own_colour({}, {})", stops_of(view), share)
+                                               : glsl("viewer_colour({}, {})", view.colours, share);
 }
 
 // GLSL for the slope, along the picture's axes, of the surface that a lit output shows.
 std::string slope_of(const View& view) {
-    const double relief = 0.5 * view.contrast / slope_deviation(view.request);
+    const double relief = 0.5 * view.display.contrast / view.display.deviation;
     if (view.output == Output::lit)
-        return glsl("{} * {}", relief, filled("{slope}", view));
-    const auto [left, above] =
-        view.in_space()
-            ? std::pair("noise_of_body(p - dFdx(p), normal)",
-                        "noise_of_body(p + dFdy(p) * sign(dot(dFdy(p), axes.up)), normal)")
-            : std::pair("noise_of_view(pixel - vec2(1.0, 0.0))", "noise_of_view(pixel - vec2(0.0, 1.0))");
-    return glsl("{} * vec3({} - vec2({}, {}), 0.0)", 2 * relief * view.request.scale * view.camera.zoom,
-                stripes(view, "seen"), stripes(view, left), stripes(view, above));
+        return glsl("{} * seen.slope", relief);
+    const auto left = view.in_space() ? "body(p - dFdx(p), normal)" : "view(pixel - vec2(1.0, 0.0))";
+    const auto above = view.in_space() ? "body(p + dFdy(p) * sign(dot(dFdy(p), axes.up)), normal)"
+                                       : "view(pixel - vec2(0.0, 1.0))";
+    return glsl("{} * vec3({} - vec2({}, {}), 0.0)", 2 * relief / view.display.spacing, stripes(view, "seen"),
+                stripes(view, glsl("noise_of_{}", left)), stripes(view, glsl("noise_of_{}", above)));
+}
+
+// GLSL for the pixel that shows `p`.
+std::string pixel_of(const View& view) {
+    if (!view.in_space())
+        return "pixel";
+    const auto push = view.push<passes::SolidPush>();
+    return view.shows_body()
+               ? glsl("place_of_body(p, {}, axes) / {} + {}", push.unit, push.pixel, push.center)
+               : glsl("p.xy / {} - vec2({}, {})", push.pixel, push.first_column, push.first_row);
 }
 
 // The GLSL function for the colours that the window shows.
 std::string of_colours(const View& view) {
-    const bool space = view.in_space(), lit = is_lit(view);
-    std::string text = shader("colours.glsl");
-    if (view.colours == passes::own_colours)
-        text += "\n" + own_colours(view.ramp);
+    const bool lit = is_lit(view);
+    std::string colour = shown(view), seen = "view(pixel);\n", normal = "vec3(0.0, 0.0, 1.0)";
+    if (view.in_space()) {
+        const auto push = view.push<passes::SolidPush>();
+        seen = glsl("body(p, normal);\n    Axes axes = {};\n    seen.slope = in_picture(seen.slope, axes);\n",
+                    axes_of(view, push.yaw, push.pitch));
+        normal = "in_picture(normal, axes)";
+    }
     if (lit)
-        text += lighting(view.request) + shader("surface.glsl");
-    if (space)
-        text += shader("camera.glsl");
-    text += glsl("\n// The colour that the viewer showed there.\n{}    Noise seen = {};\n{}",
-                 head(view, "vec3 colour"), space ? "noise_of_body(p, normal)" : "noise_of_view(pixel)",
-                 space ? axes_of(view, push_of<passes::SolidPush>(view)) : "");
-    if (!lit)
-        return text + glsl("    return {};\n}}\n", shown(view));
-    return text + glsl("    vec3 facing = {};\n"
-                       "    return viewer_lit({}, bumped_normal(facing, {}), {}, {}, {});\n}}\n",
-                       space ? "in_picture(normal, axes)" : "vec3(0.0, 0.0, 1.0)", shown(view),
-                       slope_of(view), position_of(view), render::light_direction(view.request),
-                       view.shows_body());
+        colour = glsl("viewer_lit({}, bumped_normal({}, {}), picture_place({}, vec2({}, {})), {}, {})",
+                      colour, normal, slope_of(view), pixel_of(view), view.extent.width, view.extent.height,
+                      view.display.lamp, view.shows_body());
+    return shaders({"colours.glsl"}) + (lit ? lighting(view) + shaders({"surface.glsl"}) : "") +
+           glsl("\n// The colour that the viewer showed.\n{}    Noise seen = noise_of_{}    return {};\n}}\n",
+                head(view, "vec3 colour"), seen, colour);
 }
 
 // ---- Materials and terrain ----
 
-// Returns a GLSL function that sets the material's parameters and evaluates it.
-std::string material_function(const render::Request& request) {
-    std::string function, type = "Gabor";
-    bool begins = true; // a word of the name
-    for (const char letter : request.material) {
-        function += letter == '-' ? '_' : letter;
-        if (letter != '-')
-            type += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(letter))) : letter;
-        begins = letter == '-';
-    }
-    std::string text =
-        glsl("\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
-             "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    {} m = gabor_{}_default();\n",
-             type, function);
-    for (const render::Parameter& p : render::parameters())
-        if (p.group == render::Parameter::Group::material && render::is_set(request, p.name))
-            text += glsl("    m.{} = {};\n", p.name.substr(p.name.find('.') + 1), value_of(p, request));
-    text += glsl("    GaborPixel pixel = {};\n",
-                 request.filter ? "gabor_pixel_filtered(p, dx, dy)" : "gabor_pixel(p)");
-    if (render::is_tiled(request))
-        text += glsl("    pixel = gabor_pixel_tiled(pixel, {});\n",
-                     std::array{request.width / request.scale, request.height / request.scale});
-    return text + glsl("    return gabor_{}_at(pixel, m, {}u);\n}}\n\n", function, request.seed);
+// A GLSL function that sets the material's parameters and evaluates it.
+std::string material_function(const View& view) {
+    const render::Request& request = view.request;
+    std::string function = request.material, type = "-" + function; // brushed-metal: GaborBrushedMetal
+    std::ranges::replace(function, '-', '_');
+    for (std::size_t dash = 0; (dash = type.find('-', dash)) != std::string::npos;)
+        type.replace(dash, 2, 1, static_cast<char>(std::toupper(static_cast<unsigned char>(type[dash + 1]))));
+    return glsl(
+        "\n// The material at p, in its own units; dx and dy lead to the next pixels.\n"
+        "GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy)\n{{\n    Gabor{} m = gabor_{}_default();\n{}"
+        "    return gabor_{}{}, {}, m, {}u);\n}}\n\n",
+        type, function, members_of(view, render::Parameter::Group::material), function,
+        request.filter ? "_filtered_at(p, dx, dy" : "_at(p",
+        render::is_tiled(request)
+            ? literal(std::array{request.width / request.scale, request.height / request.scale})
+            : "vec2(0.0)",
+        request.seed);
 }
 
-// Declares the Sample `here`.
-std::string material_sample(const View& view) {
-    const auto push = push_of<passes::MaterialPush>(view);
-    if (view.in_space())
-        return axes_of(view, push) +
-               glsl("    vec3 to_eye = {} * eye_distance * axes.toward_eye - p;\n"
-                    "    SurfacePoint point = point_of_body(p, dFdx(p), dFdy(p), normal, to_eye, axes);\n"
-                    "    Sample here = sample_at(point, true, axes);\n",
-                    push.unit);
-    if (!render::in_perspective(view.request))
-        return glsl("    SurfacePoint point = point_from_above(pixel, {}, {}, {});\n"
-                    "    Sample here = sample_at(point, false, flat_axes());\n",
-                    push.center, push.corner, push.pixel);
-    return glsl("    vec2 at = pixel - {};\n"
-                "    if (at.y <= 0.0)\n"
-                "        return {};\n"
-                "    SurfacePoint point = point_below_horizon(at, {}, {}, {});\n"
-                "    Sample here = sample_at(point, false, flat_axes());\n",
-                passes::vec2{push.center.x, push.sky},
-                view.look == Look::lit ? glsl("srgb(sky_colour(-at.y / {}))", push.sky) : "vec3(0.0)",
-                push.corner, push.pixel, push.size.x);
-}
+// GLSL for the colour that each Look shows of the Sample `here`.
+constexpr std::array<std::string_view, look_names.size()> looks_as{
+    "srgb(lit_sample(here, {0}, {1}))",         "srgb(here.material.colour)",
+    "viewer_height(here.material.height, {2})", "viewer_normal(normalize(vec3(-here.slope.xy, 1.0)), {3})",
+    "vec3(gabor_roughness(here.material))",     "vec3(here.material.metalness)"};
 
 std::string material_snippet(const View& view) {
-    std::string text = "// A material of Gabor noise, as gabor-viewer showed it. Put this after #version.\n" +
-                       includes({"gabor_noise.glsl", "gabor_spectrum.glsl", "gabor_materials.glsl"}) +
-                       material_function(view.request) + lighting(view.request);
-    for (const std::string_view name : {"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"})
-        text += shader(name);
-    return text + glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"
-                       "{}{}{}    return {};\n}}\n",
-                       parameters_are(view, "units of the material"), head(view, "vec3 colour"),
-                       material_sample(view), filled(looks_as.at(static_cast<std::size_t>(view.look)), view));
+    const auto push = view.push<passes::MaterialPush>();
+    const bool lit = view.look == Look::lit;
+    const std::string sky = lit ? glsl("srgb(sky_colour(-at.y / {}))", push.sky) : "vec3(0.0)";
+    const std::string point =
+        glsl(view.in_space() ? "point_of_body(p / {5}, dFdx(p) / {5}, dFdy(p) / {5}, normal, {5}, axes)"
+                             : "point_of_pixel(pixel, {0}, {1}, {2}, {3}, {4})",
+             push.center, push.corner, push.pixel, push.sky, push.size.x, push.unit);
+    return includes({"noise", "spectrum", view.request.filter ? "filter" : "", "materials"}) +
+           material_function(view) + lighting(view) +
+           shaders({"plane.glsl", "camera.glsl", "relief.glsl", "colours.glsl"}) +
+           glsl("\n// The colour that the viewer showed there; on a body, for fragment shaders.\n"
+                "{}{}    Axes axes = {};\n    Sample here = sample_at({}, {}, axes);\n    return {};\n}}\n",
+                head(view, "vec3 colour"), below_horizon(view, sky), axes_of(view, push.yaw, push.pitch),
+                point, view.in_space(),
+                glsl(looks_as.at(static_cast<std::size_t>(view.look)), view.display.lamp, view.shows_body(),
+                     view.display.contrast, view.display.green));
 }
 
 std::string terrain_snippet(const View& view) {
-    const auto push = push_of<passes::TerrainPush>(view);
-    std::vector<std::string> members;
-    for (const render::Parameter& p : render::parameters())
-        if (p.group == render::Parameter::Group::erosion)
-            members.push_back(value_of(p, view.request));
-    const std::string hit =
-        std::get<render::Terrain>(view.request.view).perspective
-            ? glsl("seen_by_camera(ground, {}, {}, {}, {}, pixel - {}, {})", push.corner, push.distance,
-                   push.yaw, push.pitch, push.center, push.pixel)
-            : glsl("seen_from_above(ground, {} + {} * pixel, {})", push.corner, push.pixel, push.pixel);
-    return "// Eroded mountains, as gabor-viewer showed them. Put this after #version.\n" +
-           includes({"gabor_noise.glsl", "gabor_erosion.glsl"}) + shader("landscape.glsl") +
-           shader("srgb.glsl") +
-           glsl("\n// The colour for the screen.\n{}{}"
-                "    GaborErosion erosion = GaborErosion({});\n"
-                "    Ground ground = Ground(ivec2({}, {}), {}, {}u, erosion, {}, {});\n"
-                "    return srgb({}.light);\n}}\n",
-                parameters_are(view, ""), head(view, "vec3 colour"),
-                fmt::format("{}", fmt::join(members, ", ")), push.cell.x, push.cell.y, push.period, push.seed,
-                push.reach, push.sun, hit);
+    const auto push = view.push<passes::TerrainPush>();
+    return includes({"noise", "erosion"}) + shaders({"landscape.glsl", "srgb.glsl"}) +
+           glsl("\n// The colour for the screen.\n{}    GaborErosion m = gabor_erosion();\n{}"
+                "    Ground ground = Ground(ivec2({}, {}), {}, {}u, m, {}, {});\n"
+                "    return srgb(seen_in_pixel(ground, {}, {}, {}, {}, {}, {}, pixel).light);\n}}\n",
+                head(view, "vec3 colour"), members_of(view, render::Parameter::Group::erosion), push.cell.x,
+                push.cell.y, push.period, push.seed, push.reach, push.sun, push.corner, push.distance,
+                push.yaw, push.pitch, push.center, push.pixel);
+}
+
+std::string noise_snippet(const View& view) {
+    const bool space = view.in_space(), filter = view.request.filter;
+    const noise::Recipe recipe = render::drawing_recipe(view.request);
+    std::string text;
+    for (const noise::Macro& macro : noise::macros(recipe))
+        text += fmt::format("#define {} {}\n", macro.name, macro.value);
+    text += includes({recipe.is_lattice() ? "noise" : "sparse", filter ? "filter" : "",
+                      space ? "noise_3d" : "", space && filter ? "filter_3d" : ""}) +
+            shaders({"sum.glsl", space ? "camera.glsl" : "plane.glsl"});
+    if (view.request.colour)
+        return text + "\n" + fit::colour_function("noise", *view.request.colour) + of_noise(view);
+    return text + of_noise(view) + of_colours(view);
 }
 
 } // namespace
 
 std::string snippet(const Document& document, Extent extent) {
-    View view{document, extent};
-    render::Request& request = view.request;
-    if (render::has_terrain(request))
-        return terrain_snippet(view);
-    if (render::has_material(request))
-        return material_snippet(view);
-    std::string text = "// Gabor noise, as gabor-viewer showed it. Put this after #version.\n";
-    const noise::Recipe recipe = render::drawing_recipe(request);
-    for (const noise::Macro& macro : noise::macros(recipe))
-        text += fmt::format("#define {} {}\n", macro.name, macro.value);
-    if (!std::exchange(request.paint, {}).empty())
-        text += "// The paint is left out: frequency and orientation are the same everywhere.\n";
-    std::vector<std::string_view> drop_ins{noise::drop_in(recipe)};
-    if (view.in_space() || request.filter)
-        drop_ins.emplace_back("gabor_spectrum.glsl");
-    if (view.in_space())
-        drop_ins.emplace_back("gabor_noise_3d.glsl");
-    text += includes(drop_ins) + shader("sum.glsl");
-    if (!view.in_space())
-        text += shader("plane.glsl");
+    View view{document, extent, {}, display_push(document, 1, document.camera.zoom)};
+    const bool painted = !std::exchange(view.request.paint, {}).empty();
     if (view.output != Output::value) // a photograph's colours are those of its value
-        request.colour.reset();
-    if (request.colour)
-        return text + "\n" + fit::colour_function("noise", *request.colour) + of_noise(view);
-    return text + of_noise(view) + of_colours(view);
+        view.request.colour.reset();
+    const Drawing drawing = drawing_of(view);
+    render::Viewport viewport = viewport_of(drawing, view.camera, extent);
+    viewport.blocks = render::Blocks::none;
+    view.plan = render::plan(drawing.request, viewport);
+    const std::string text = render::has_terrain(view.request)    ? terrain_snippet(view)
+                             : render::has_material(view.request) ? material_snippet(view)
+                                                                  : noise_snippet(view);
+    return glsl(
+        "// What gabor-viewer showed in a view of {} x {} pixels. Put this after #version.\n{}"
+        "// pixel: in that view, from the upper left corner, with y pointing down.\n"
+        "// p: a point of the body, in kernel radii or units of the material. normal: the normal.\n{}",
+        extent.width, extent.height, painted ? "// The paint is left out.\n" : "", text);
 }
 
 } // namespace gabor::viewer

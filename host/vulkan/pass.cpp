@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <spirv-tools/optimizer.hpp>
 
+#include <ctime>
 #include <limits>
 #include <tuple>
 #include <unordered_map>
@@ -66,8 +67,14 @@ Pass::Pass(const Device& device, std::span<const std::uint32_t> spirv, Interface
     const auto flags = interface.statistics && device.state().executable_properties
                            ? vk::PipelineCreateFlagBits::eCaptureStatisticsKHR
                            : vk::PipelineCreateFlagBits{};
+    const std::clock_t start = std::clock();
     state_->pipeline =
         vk::raii::Pipeline(logical, nullptr, vk::ComputePipelineCreateInfo(flags, stage, *state_->layout));
+    state_->seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+double Pass::seconds() const {
+    return state_->seconds;
 }
 
 Pass::~Pass() = default;

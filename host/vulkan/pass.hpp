@@ -37,6 +37,9 @@ class Pass {
     /// "Instructions". Throws RequestError on a device without VK_KHR_pipeline_executable_properties.
     std::map<std::string, std::uint64_t> statistics(const Device& device) const;
 
+    /// Returns the CPU seconds that the driver took to compile the code.
+    double seconds() const;
+
     struct State;
     State& state() const { return *state_; }
 

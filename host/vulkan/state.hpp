@@ -48,6 +48,7 @@ struct Pass::State {
     vk::raii::PipelineLayout layout = nullptr;
     vk::raii::Pipeline pipeline = nullptr;
     Interface interface;
+    double seconds = 0;
 };
 
 } // namespace gabor::vulkan

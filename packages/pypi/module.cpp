@@ -5,6 +5,8 @@
 
 #include "gabor_spectrum.hpp"
 
+#include "gabor_filter.hpp"
+
 #include "gabor_noise_3d.hpp"
 
 #include "gabor_erosion.hpp"
@@ -107,12 +109,15 @@ struct Common {
 };
 
 // Choices that hold for all points are template parameters, so that the loop has no branches.
-template <bool tiled, bool animated, bool one_kernel, typename Store>
+template <bool tiled, bool animated, bool one_wave, typename Store>
 void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t end, const Values<double>& x,
                 const Values<double>& y, const Values<float>& frequency, const Values<float>& orientation,
                 const Common& common, const Store& store) {
     const GaborPlace origin = gabor_place_tiled({0.0f, 0.0f}, common.period);
-    const GaborKernel first = gabor_kernel(frequency[0], orientation[0]);
+    const gabor_vec2 first = gabor_wave_vector(frequency[0], orientation[0]);
+    const float time = animated ? common.time : 0.0f;
+    if (animated && time == 0.0f)
+        return; // never: it tells compilers that the time is not 0, so that they vectorize the loop
     for (std::size_t start = begin; start < end; start += Block::size) {
         const std::size_t count = std::min(Block::size, end - start);
         const Block block(x, y, start, count, origin.radius);
@@ -120,32 +125,30 @@ void fill_field(float* values, std::size_t total, std::size_t begin, std::size_t
             GaborPlace place = tiled ? origin : gabor_place({0, 0}, {0.0f, 0.0f});
             place.cell = {block.cell_x[i], block.cell_y[i]};
             place.local = {block.local_x[i], block.local_y[i]};
-            place.animated = animated;
-            place.moment = common.time;
-            store(values + start + i, total,
-                  gabor_field(place,
-                              one_kernel ? first : gabor_kernel(frequency[start + i], orientation[start + i]),
-                              common.seed));
+            place.moment = time;
+            const gabor_vec2 wave =
+                one_wave ? first : gabor_wave_vector(frequency[start + i], orientation[start + i]);
+            store(values + start + i, total, gabor_field(place, wave, common.seed));
         }
     }
 }
 
-// Returns what `store` keeps of the field at each point, with one kernel for all points or one per point.
+// Returns what `store` keeps of the field at each point, with one wave vector for all points or one per
+// point.
 template <std::size_t channels, typename Store>
 nb::object evaluate_field(const Doubles& x, const Doubles& y, const Floats& frequency,
-                          const Floats& orientation, const Common& common, bool animated,
-                          const Store& store) {
+                          const Floats& orientation, const Common& common, const Store& store) {
     const Values<double> across(x), down(y);
     const Values<float> frequencies(frequency), orientations(orientation);
-    const bool one_kernel = frequencies.step + orientations.step == 0;
+    const bool one_wave = frequencies.step + orientations.step == 0;
     const std::size_t count = x.size();
     return nb::cast(evaluate(count, channels, [=](float* values, std::size_t begin, std::size_t end) {
         const auto choose = [](bool flag, auto next) {
             flag ? next(std::true_type()) : next(std::false_type());
         };
         choose(common.period.x > 0 || common.period.y > 0, [&](auto tiled) {
-            choose(animated, [&](auto moving) {
-                choose(one_kernel, [&](auto one) {
+            choose(common.time != 0.0f, [&](auto moving) {
+                choose(one_wave, [&](auto one) {
                     fill_field<decltype(tiled)::value, decltype(moving)::value, decltype(one)::value>(
                         values, count, begin, end, across, down, frequencies, orientations, common, store);
                 });
@@ -157,27 +160,27 @@ nb::object evaluate_field(const Doubles& x, const Doubles& y, const Floats& freq
 } // namespace
 
 NB_MODULE(_native, module) {
-    module.def("field", [](const Doubles& x, const Doubles& y, const Floats& frequency,
-                           const Floats& orientation, std::uint32_t seed, float period_x, float period_y,
-                           bool animated, float time, int channels) {
-        const Common common{{period_x, period_y}, time, seed};
-        if (channels == 1)
-            return evaluate_field<1>(
-                x, y, frequency, orientation, common, animated,
-                [](float* out, std::size_t, const GaborField& field) { *out = field.value.y; });
-        if (channels == 2)
-            return evaluate_field<2>(x, y, frequency, orientation, common, animated,
-                                     [](float* out, std::size_t total, const GaborField& field) {
-                                         out[0] = field.value.x;
-                                         out[total] = field.value.y;
-                                     });
-        return evaluate_field<3>(x, y, frequency, orientation, common, animated,
-                                 [](float* out, std::size_t total, const GaborField& field) {
-                                     out[0] = field.value.y;
-                                     out[total] = field.slope_x.y;
-                                     out[2 * total] = field.slope_y.y;
-                                 });
-    });
+    module.def("field",
+               [](const Doubles& x, const Doubles& y, const Floats& frequency, const Floats& orientation,
+                  std::uint32_t seed, float period_x, float period_y, float time, int channels) {
+                   const Common common{{period_x, period_y}, time, seed};
+                   if (channels == 1)
+                       return evaluate_field<1>(
+                           x, y, frequency, orientation, common,
+                           [](float* out, std::size_t, const GaborField& field) { *out = field.noise; });
+                   if (channels == 2)
+                       return evaluate_field<2>(x, y, frequency, orientation, common,
+                                                [](float* out, std::size_t total, const GaborField& field) {
+                                                    out[0] = field.quadrature;
+                                                    out[total] = field.noise;
+                                                });
+                   return evaluate_field<3>(x, y, frequency, orientation, common,
+                                            [](float* out, std::size_t total, const GaborField& field) {
+                                                out[0] = field.noise;
+                                                out[total] = field.gradient.x;
+                                                out[2 * total] = field.gradient.y;
+                                            });
+               });
     module.def("spread", [](const Doubles& x, const Doubles& y, float frequency, float orientation,
                             float frequency_spread, float orientation_spread, std::uint32_t seed) {
         const Values<double> across(x), down(y);
@@ -185,21 +188,22 @@ NB_MODULE(_native, module) {
             for (std::size_t i = begin; i < end; ++i)
                 values[i] = gabor_field_spread(place_of(across[i], down[i]), frequency, orientation,
                                                frequency_spread, orientation_spread, seed)
-                                .value.y;
+                                .noise;
         });
     });
     module.def("filtered", [](const Doubles& x, const Doubles& y, float width_x, float width_y,
                               const Floats& frequency, const Floats& orientation, std::uint32_t seed) {
         const Values<double> across(x), down(y);
         const Values<float> frequencies(frequency), orientations(orientation);
-        const GaborFootprint footprint = gabor_footprint({width_x, 0.0f}, {0.0f, width_y});
         const std::size_t count = x.size();
         return evaluate(count, 2, [=](float* values, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                values[i] = gabor_field_filtered(place_of(across[i], down[i]),
-                                                 gabor_kernel(frequencies[i], orientations[i]), footprint,
-                                                 seed, values[count + i])
-                                .value.y;
+            for (std::size_t i = begin; i < end; ++i) {
+                const GaborField field =
+                    gabor_field_filtered(place_of(across[i], down[i]), {width_x, 0.0f}, {0.0f, width_y},
+                                         gabor_wave_vector(frequencies[i], orientations[i]), seed);
+                values[i] = field.noise;
+                values[count + i] = field.removed;
+            }
         });
     });
     module.def("stripes", [](const Doubles& x, const Doubles& y, const Floats& wave_x, const Floats& wave_y,
@@ -214,7 +218,8 @@ NB_MODULE(_native, module) {
                 GaborPlace place = origin;
                 place.cell = {right.cell, below.cell};
                 place.local = {right.local, below.local};
-                const gabor_vec3 stripes = gabor_stripes_at(place, {waves_x[i], waves_y[i]}, sharpness, seed);
+                const gabor_vec3 stripes =
+                    gabor_stripes_of(gabor_field(place, {waves_x[i], waves_y[i]}, seed), sharpness);
                 values[i] = stripes.x;
                 values[count + i] = stripes.y;
                 values[2 * count + i] = stripes.z;

@@ -26,7 +26,7 @@
 #include "noise_channels.glsl"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
-#include "gabor_spectrum.glsl"
+#include "gabor_noise_3d.glsl"
 #endif
 
 layout(constant_id = visited_id) const int visited = 3; // cells along an axis, ceil(2 R) + 1
@@ -115,12 +115,12 @@ vec2 node_amplitude(uint column, uint row, Depth depth) {
         vec2 sum = vec2(0.0);
         [[unroll]] for (int i = 0; i < 3; ++i) {
             uint word = column * gabor_impl_slice_word(row, depth.word[i]);
-            sum += depth.factor[i] * gabor_impl_amplitude_at(word, animated, time);
+            sum += depth.factor[i] * gabor_impl_amplitude_at(word, animated ? time : 0.0);
         }
         return sum;
     }
 #endif
-    return gabor_impl_amplitude_at(column * row, animated, time);
+    return gabor_impl_amplitude_at(column * row, animated ? time : 0.0);
 }
 
 // The waves of the nodes of row c at the block's first pixel.

@@ -19,7 +19,7 @@ struct Run {
 
 // One noise of the sum. Lengths are in its own kernel radii.
 struct BakeWave {
-    vec2 wave;        // like GaborKernel.wave
+    vec2 wave;        // like `wave` of gabor_field
     vec2 column_turn; // cos and sin of the phase change from one column to the next
     vec2 row_turn;    // cos and sin of the phase change from one row to the next
     float amplitude;  // factor of the noise, including the normalization of sparse noise

@@ -25,3 +25,8 @@ Axes flat_axes() {
 vec3 in_picture(vec3 v, Axes axes) {
     return vec3(dot(v, axes.right), -dot(v, axes.up), dot(v, axes.toward_eye));
 }
+
+// Where the eye sees the point p of a body, in the plane at distance 1 from the eye. `unit`: the radius of the sphere.
+vec2 place_of_body(vec3 p, float unit, Axes axes) {
+    return in_picture(p, axes).xy / (unit * eye_distance - dot(p, axes.toward_eye));
+}

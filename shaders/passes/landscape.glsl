@@ -147,3 +147,10 @@ RayHit seen_by_camera(Ground ground, vec2 target, float away, vec2 yaw, vec2 pit
     vec3 ray = normalize(at.x * right - at.y * up - toward_eye);
     return seen_along(ground, vec3(target.x, 0.0, target.y) + away * toward_eye, ray, wide, away);
 }
+
+// The ground that a pixel shows, from above or, if `away` is not 0, by a camera. The parameters are those of
+// passes/terrain_interface.h.
+RayHit seen_in_pixel(Ground ground, vec2 corner, float away, vec2 yaw, vec2 pitch, vec2 center, float pixel, vec2 pixel_at) {
+    if (away == 0.0) return seen_from_above(ground, corner + pixel * pixel_at, pixel);
+    return seen_by_camera(ground, corner, away, yaw, pitch, pixel_at - center, pixel);
+}

@@ -57,10 +57,10 @@ vec3 sky_colour(float up) {
                               : backdrop;
 }
 
-// The members of GaborMaterial that determine how a surface reflects light.
+// How a surface reflects light, from GaborMaterial.
 struct Surface {
     vec3 colour;
-    float roughness;
+    float roughness; // gabor_roughness
     float metalness;
 };
 

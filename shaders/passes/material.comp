@@ -1,13 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Draws the material of the function GABOR_MATERIAL, whose parameters have the type GABOR_PARAMETERS: its colour, height,
-// roughness and metalness, its lit colour, and its slopes or, for a body, the coverage.
+// Draws the material of the functions GABOR_MATERIAL and GABOR_FILTERED, whose parameters have the type GABOR_PARAMETERS:
+// its colour, height, gabor_roughness and metalness, its lit colour, and its slopes or, for a body, the coverage.
 
 #include "passes/channels.h"
 #include "passes/material_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_spectrum.glsl"
+#include "gabor_filter.glsl"
 #include "gabor_materials.glsl"
 
 layout(constant_id = filter_id) const bool filtered = false;
@@ -30,12 +31,10 @@ layout(std430, set = 0, binding = 1) readonly buffer Parameters { GABOR_PARAMETE
 GABOR_PARAMETERS look;
 
 GaborMaterial material_at(vec2 p, vec2 dx, vec2 dy) {
-    GaborPixel there = gabor_pixel(p);
+    vec2 period = tiled ? pixel * size : vec2(0.0);
     if (filtered)
-        there = gabor_pixel_filtered(p, dx, dy);
-    if (tiled)
-        there = gabor_pixel_tiled(there, pixel * size);
-    return GABOR_MATERIAL(there, look, seed);
+        return GABOR_FILTERED(p, dx, dy, period, look, seed);
+    return GABOR_MATERIAL(p, period, look, seed);
 }
 
 #include "relief.glsl"
@@ -49,7 +48,7 @@ void write_sample(int at, Sample here, float coverage) {
         picture[at + material_lit + i] = light[i];
     }
     picture[at + material_height] = here.material.height;
-    picture[at + material_roughness] = here.material.roughness;
+    picture[at + material_roughness] = gabor_roughness(here.material);
     picture[at + material_metalness] = here.material.metalness;
     if (body) {
         picture[at + material_coverage] = coverage;
@@ -85,17 +84,15 @@ void main() {
             return;
         }
         coverage = seen.coverage;
-        point = point_of_body(unit * seen.p, unit * seen.dx, unit * seen.dy, seen.normal,
-                              eye_distance * axes.toward_eye - seen.p, axes);
-    } else if (view == view_horizon) {
-        vec2 below = pixel_at + 0.5 - vec2(center.x, sky);
-        if (below.y <= 0.0) {
-            write_background(at, sky_colour(-below.y / sky));
+        point = point_of_body(seen.p, seen.dx, seen.dy, seen.normal, unit, axes);
+    } else {
+        float rows = view == view_horizon ? sky : 0.0;
+        float below = pixel_at.y + 0.5 - rows;
+        if (below <= 0.0) {
+            write_background(at, sky_colour(-below / rows));
             return;
         }
-        point = point_below_horizon(below, corner, pixel, size.x);
-    } else {
-        point = point_from_above(pixel_at + 0.5, center, corner, pixel);
+        point = point_of_pixel(pixel_at + 0.5, center, corner, pixel, rows, size.x);
     }
     write_sample(at, sample_at(point, body, axes), coverage);
 }

@@ -6,7 +6,7 @@
 #include "passes/pixels_interface.h"
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
-#include "gabor_spectrum.glsl"
+#include "gabor_filter.glsl"
 #endif
 const int colour_binding = 5;
 #include "values.glsl"
@@ -17,7 +17,7 @@ layout(constant_id = view_id) const uint view = view_flat;
 const bool horizon = view == view_horizon; // a plane in perspective
 layout(constant_id = painted_id) const bool painted = false;
 layout(constant_id = tiled_id) const bool tiled = false; // whether opposite edges match; divisions make this slow on CPUs
-layout(constant_id = animated_id) const bool animated = false; // whether time is not 0, for the lattice
+layout(constant_id = animated_id) const bool animated = false; // whether time is not 0
 layout(constant_id = few_waves_id) const int few_waves = 0; // the number of waves if their loop is unrolled, else 0
 // If the loop is unrolled, narrow_waves has a bit for each wave whose filter needs only its narrow form, and wide_waves for each
 // wave whose filter needs only its wide form.
@@ -57,30 +57,28 @@ void add_wave_at(inout Values sum, int index, ivec2 pixel_at, Footprint here) {
     vec2 local = horizon ? here.p * (wave.nodes / wave.radius) + wave.camera : vec2(column.local, row.local);
     ivec2 cell = ivec2(column.cell, row.cell);
     vec2 paint_here = painted ? painted_at(vec2(pixel_at)) : vec2(1.0, 0.0);
-    GaborKernel kernel = gabor_kernel(paint_here.x * wave.frequency, paint_here.y + wave.orientation);
-    ivec2 period = tiled ? wave.period : ivec2(0);
+    float frequency = paint_here.x * wave.frequency;
+    float orientation = paint_here.y + wave.orientation;
+    GaborPlace place = GaborPlace(cell, local, wave.nodes, tiled ? wave.period : ivec2(0), animated ? time : 0.0);
 #ifdef GABOR_TAPS
-    kernel.wave.y *= wave.radius.y / wave.radius.x;
-    GaborPlace place = GaborPlace(cell, local, wave.nodes, period, animated, time);
+    vec2 along = gabor_wave_vector(frequency, orientation);
+    along.y *= wave.radius.y / wave.radius.x;
 #else
-    GaborPlace place = GaborPlace(cell, local, wave.nodes, period, time);
+    GaborKernel along = gabor_kernel(frequency, orientation);
 #endif
+    GaborField field;
 #if GABOR_TAPS == 3
     vec2 nodes = wave.nodes / (GABOR_RADIUS * wave.radius);
-    GaborFootprint footprint = gabor_footprint(nodes * here.dx, nodes * here.dy);
+    GaborFootprint footprint = gabor_impl_footprint(nodes * here.dx, nodes * here.dy);
     bool narrow = few_waves > 0 && (narrow_waves >> index & 1u) == 1u;
     bool wide = few_waves > 0 && (wide_waves >> index & 1u) == 1u;
     float wide_share = narrow ? 0.0 : wide ? 1.0 : gabor_impl_wide_share(footprint);
-#endif
-    GaborField field;
-    float removed = 0.0;
-#if GABOR_TAPS == 3
     if (filtered)
-        field = gabor_impl_filtered(place, kernel, footprint, wide_share, wave.seed, removed);
+        field = gabor_impl_filtered(place, footprint, wide_share, along, wave.seed);
     else
 #endif
-        field = gabor_field(place, kernel, wave.seed);
-    add_wave(sum, noise_of(field, removed), wave.amplitude, vec3(wave.radius, 1.0), wave.weights);
+        field = gabor_field(place, along, wave.seed);
+    add_wave(sum, noise_of(field, wave.radius), wave.amplitude, wave.weights);
 }
 
 Values values_at(ivec2 pixel_at, Footprint here) {

@@ -25,33 +25,26 @@ vec2 on_plane(vec3 v, Plane plane) {
 }
 
 // The relief at p, in units of the material; dx and dy are the steps to the next pixels. For a body, the material is projected
-// from three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Slopes are
-// finite differences over a pixel's smaller side. The outer loop keeps compilers from inlining the material three times.
+// from three planes along the axes, weighted by how much the surface faces each; otherwise from the plane z = 0. Of `lost`, only
+// the sum of xx and yy is right. The loop keeps compilers from inlining the material three times.
 Relief relief_at(vec3 p, vec3 dx, vec3 dy, vec3 normal, bool body) {
     vec3 facing = body ? pow(abs(normal), vec3(8.0)) : vec3(0.0, 0.0, 1.0);
     facing /= facing.x + facing.y + facing.z;
-    GaborMaterial m = GaborMaterial(vec3(0.0), 0.0, 0.0, 0.0);
+    GaborMaterial m = GaborMaterial(vec3(0.0), 0.0, vec2(0.0), 0.0, 0.0, vec3(0.0));
     vec3 slope = vec3(0.0);
     for (int axis = body ? 0 : 2; axis < 3; ++axis) {
         float share = facing[axis];
         if (share < 0.01)
             continue;
         Plane plane = plane_along(axis);
-        vec2 step_x = on_plane(dx, plane);
-        vec2 step_y = on_plane(dy, plane);
-        float side = min(length(step_x), length(step_y));
-        for (int i = 0; i < 5; ++i) { // p, then half a side to the right, left, down and up
-            vec2 along = i == 0 ? vec2(0.0) : (i % 2 == 0 ? -0.5 : 0.5) * (i < 3 ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-            GaborMaterial there = material_at(plane.origin + on_plane(p, plane) + side * along, step_x, step_y);
-            if (i == 0) {
-                m.colour += share * there.colour;
-                m.height += share * there.height;
-                m.roughness += share * there.roughness;
-                m.metalness += share * there.metalness;
-            } else {
-                slope += share * there.height / side * (2.0 * along.x * plane.right + 2.0 * along.y * plane.down);
-            }
-        }
+        GaborMaterial there = material_at(plane.origin + on_plane(p, plane), on_plane(dx, plane), on_plane(dy, plane));
+        m.colour += share * there.colour;
+        m.height += share * there.height;
+        m.roughness += share * there.roughness;
+        m.metalness += share * there.metalness;
+        slope += share * (there.slope.x * plane.right + there.slope.y * plane.down);
+        vec2 n = on_plane(normal, plane); // slopes along the normal do not tilt the surface
+        m.lost.x += share * share * dot(there.lost, vec3(1.0 - n * n, -2.0 * n.x * n.y));
     }
     return Relief(m, slope);
 }
@@ -70,22 +63,23 @@ SurfacePoint point_of_plane(Footprint here, vec3 eye, vec2 place) {
     return SurfacePoint(vec3(here.p, 0.0), vec3(here.dx, 0.0), vec3(here.dy, 0.0), vec3(0.0, 0.0, 1.0), eye, place);
 }
 
-// `center`: the pixel in the middle of the picture. `corner`: p at the picture's corner.
-SurfacePoint point_from_above(vec2 pixel_at, vec2 center, vec2 corner, float pixel) {
+// The point of the plane that a pixel shows, from above or, if `sky` rows are above the horizon, in perspective. The parameters are
+// those of passes/material_interface.h.
+SurfacePoint point_of_pixel(vec2 pixel_at, vec2 center, vec2 corner, float pixel, float sky, float focal_length) {
+    if (sky > 0.0) {
+        vec2 at = pixel_at - vec2(center.x, sky);
+        Footprint here = footprint_below_horizon(at, pixel, focal_length);
+        here.p += corner;
+        return point_of_plane(here, eye_above_horizon(at, focal_length), vec2(0.0));
+    }
     vec2 place = (pixel_at - center) / (2.0 * max(center.x, center.y));
     return point_of_plane(footprint_from_above(corner + pixel * pixel_at, pixel), eye_above(place), place);
 }
 
-// The parameters are as for footprint_below_horizon; the camera is above p = `corner`.
-SurfacePoint point_below_horizon(vec2 at, vec2 corner, float height, float focal_length) {
-    Footprint here = footprint_below_horizon(at, height, focal_length);
-    here.p += corner;
-    return point_of_plane(here, eye_above_horizon(at, focal_length), vec2(0.0));
-}
-
-// `to_eye`: the vector from p to the eye, of any length.
-SurfacePoint point_of_body(vec3 p, vec3 dx, vec3 dy, vec3 normal, vec3 to_eye, Axes axes) {
-    return SurfacePoint(p, dx, dy, normal, normalize(in_picture(to_eye, axes)), vec2(0.0));
+// p, dx and dy are in radii of the sphere, which is `unit` units of the material.
+SurfacePoint point_of_body(vec3 p, vec3 dx, vec3 dy, vec3 normal, float unit, Axes axes) {
+    vec3 eye = normalize(in_picture(eye_distance * axes.toward_eye - p, axes));
+    return SurfacePoint(unit * p, unit * dx, unit * dy, normal, eye, vec2(0.0));
 }
 
 // A piece of the surface as it is seen, along the axes of the picture.
@@ -111,5 +105,5 @@ Sample sample_at(SurfacePoint here, bool body, Axes axes) {
 // The light of the sample to the eye: see lit() in light.glsl. `lamp` is as in lamp_above, `body` as in sky_above.
 vec3 lit_sample(Sample here, vec2 lamp, bool body) {
     GaborMaterial m = here.material;
-    return lit(Surface(m.colour, m.roughness, m.metalness), here.normal, here.eye, lamp_above(here.place, lamp), sky_above(body));
+    return lit(Surface(m.colour, gabor_roughness(m), m.metalness), here.normal, here.eye, lamp_above(here.place, lamp), sky_above(body));
 }

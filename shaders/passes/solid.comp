@@ -14,8 +14,9 @@ const int rays = 4; // rays along each axis of a pixel, to measure coverage
 layout(constant_id = animated_id) const bool animated = false; // whether time is not 0
 
 #include "gabor_noise.glsl"
-#include "gabor_spectrum.glsl"
+#include "gabor_filter.glsl"
 #include "gabor_noise_3d.glsl"
+#include "gabor_filter_3d.glsl"
 
 layout(local_size_x = solid_group, local_size_y = solid_group) in;
 
@@ -25,8 +26,7 @@ layout(std430, set = 0, binding = 1) readonly buffer Waves { SolidWave wave_tabl
 const int colour_binding = 2;
 #include "values.glsl"
 
-GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
-    bool isotropic = some_isotropic && (!some_directed || wave.isotropic == 1u);
+GaborField3d plain_wave(SolidWave wave, bool isotropic, GaborPlace3d place, vec3 normal) {
     vec3 along = vec3(wave.direction, 0.0);
 #ifdef GABOR_OF_surface
     if (isotropic)
@@ -35,7 +35,20 @@ GaborField3d wave_at(SolidWave wave, GaborPlace3d place, vec3 normal) {
 #else
     if (isotropic)
         return gabor_field_3d_isotropic(place, wave.frequency, wave.seed);
-    return gabor_field_3d(place, wave.frequency, along, wave.seed);
+    return gabor_field_3d(place, wave.frequency * along, wave.seed);
+#endif
+}
+
+GaborField3d filtered_wave(SolidWave wave, bool isotropic, GaborPlace3d place, vec3 dx, vec3 dy, vec3 normal) {
+    vec3 along = vec3(wave.direction, 0.0);
+#ifdef GABOR_OF_surface
+    if (isotropic)
+        return gabor_field_surface_isotropic_filtered(place, dx, dy, normal, wave.frequency, wave.seed);
+    return gabor_field_surface_filtered(place, dx, dy, normal, wave.frequency, along, wave.seed);
+#else
+    if (isotropic)
+        return gabor_field_3d_isotropic_filtered(place, dx, dy, wave.frequency, wave.seed);
+    return gabor_field_3d_filtered(place, dx, dy, wave.frequency * along, wave.seed);
 #endif
 }
 
@@ -43,14 +56,15 @@ Values values_at(vec3 p, vec3 normal, vec3 dx, vec3 dy) {
     Values sum = no_values;
     for (int i = 0; i < waves; ++i) {
         SolidWave wave = wave_table[i];
-        GaborPlace3d place = gabor_place_3d(ivec3(0), p * (GABOR_RADIUS / wave.radius));
-        place.animated = animated;
-        place.moment = time;
-        place.filtered = filtered;
-        place.dx = dx / wave.radius;
-        place.dy = dy / wave.radius;
-        Noise one = noise_of(wave_at(wave, place, normal));
-        add_wave(sum, one, wave.amplitude, vec3(wave.radius), wave.weights);
+        bool isotropic = some_isotropic && (!some_directed || wave.isotropic == 1u);
+        GaborPlace3d place = gabor_place_3d_at(p / wave.radius);
+        place.moment = animated ? time : 0.0;
+        GaborField3d field;
+        if (filtered)
+            field = filtered_wave(wave, isotropic, place, dx / wave.radius, dy / wave.radius, normal);
+        else
+            field = plain_wave(wave, isotropic, place, normal);
+        add_wave(sum, noise_of(field, wave.radius), wave.amplitude, wave.weights);
     }
     return sum;
 }

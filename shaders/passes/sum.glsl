@@ -1,26 +1,31 @@
 // Sums of noises. The passes and copied code include it after the drop-ins.
 
-// A noise or a sum of noises: its quadrature and itself, its derivatives, and the variance that a filter removed.
+// A noise or a sum of noises: its quadrature and itself, its derivatives in the picture's kernel radii, and the variance that a
+// filter removed.
 struct Noise {
     vec2 complex;
     vec3 slope;
     float removed;
 };
 
-Noise noise_of(GaborField field, float removed) {
-    return Noise(field.value, vec3(field.slope_x.y, field.slope_y.y, 0.0), removed);
+// `radius`: the radii of the noise's kernels.
+Noise noise_of(GaborField field, vec2 radius) {
+#ifdef GABOR_SPARSE_GLSL
+    return Noise(field.value, vec3(vec2(field.slope_x.y, field.slope_y.y) / radius, 0.0), 0.0);
+#else
+    return Noise(vec2(field.quadrature, field.noise), vec3(field.gradient / radius, 0.0), field.removed);
+#endif
 }
 
 #ifdef GABOR_NOISE_3D_GLSL
-Noise noise_of(GaborField3d field) {
-    return Noise(vec2(field.quadrature, field.noise), field.gradient, field.removed);
+Noise noise_of(GaborField3d field, float radius) {
+    return Noise(vec2(field.quadrature, field.noise), field.gradient / radius, field.removed);
 }
 #endif
 
-// Adds a noise of variance 1. `radius`: the radii of its kernels.
-void add_noise(inout Noise sum, Noise one, float amplitude, vec3 radius) {
+void add_noise(inout Noise sum, Noise one, float amplitude) {
     sum.complex += amplitude * one.complex;
-    sum.slope += amplitude / radius * one.slope;
+    sum.slope += amplitude * one.slope;
     sum.removed += amplitude * amplitude * one.removed;
 }
 

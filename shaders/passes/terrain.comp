@@ -25,12 +25,7 @@ void main() {
     int at = (before + here.y * width + here.x) * channels;
     vec2 place = vec2(here + ivec2(first_column, first_row)) + 0.5;
     Ground ground = Ground(cell, period, seed, table, reach, sun);
-    RayHit hit;
-    if (view == view_terrain) {
-        hit = seen_from_above(ground, corner + pixel * place, pixel);
-    } else {
-        hit = seen_by_camera(ground, corner, distance, yaw, pitch, place - center, pixel);
-    }
+    RayHit hit = seen_in_pixel(ground, corner, view == view_terrain ? 0.0 : distance, yaw, pitch, center, pixel, place);
     for (int i = 0; i < 3; ++i) {
         picture[at + terrain_colour + i] = hit.colour[i];
         picture[at + terrain_lit + i] = hit.light[i];

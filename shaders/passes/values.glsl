@@ -15,9 +15,9 @@ struct Values {
 
 const Values no_values = Values(0.0, Noise(vec2(0.0), vec3(0.0), 0.0), Components(vec3(0.0), vec3(0.0)));
 
-void add_wave(inout Values sum, Noise one, float amplitude, vec3 radius, vec2 weights[3]) {
+void add_wave(inout Values sum, Noise one, float amplitude, vec2 weights[3]) {
     sum.value += amplitude * one.complex.y;
-    add_noise(sum.noise, one, amplitude, radius);
+    add_noise(sum.noise, one, amplitude);
     if (coloured)
         add_weighted(sum.components, one, weights);
 }

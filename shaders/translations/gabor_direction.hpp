@@ -11,16 +11,15 @@
 //
 //     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
-// gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
+// Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: gabor_noise_direction shows
-// nothing of it, while stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which
-// textures can interpolate.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: the noise shows nothing of it, while
+// stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.hpp), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
-// 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
+// 1.5 to 1.7 times as much as gabor_noise, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -33,7 +32,7 @@
 #error gabor_direction.hpp needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_DIRECTION
-#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.hpp
+#error Define GABOR_DIRECTION(p), the wave vector at p, before gabor_direction.hpp
 #endif
 #ifndef GABOR_DIRECTION_HPP
 #define GABOR_DIRECTION_HPP
@@ -50,23 +49,15 @@ struct GaborWaves {
 //     Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
 
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
-//     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
+//     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
 
 // ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
-//     The noise, its quadrature, and their gradients at `place`. All functions below call it.
-
-// float gabor_noise_direction(vec2 p, uint seed)
-// vec3 gabor_noise_direction_gradient(vec2 p, uint seed)
-// vec2 gabor_noise_direction_complex(vec2 p, uint seed)
-// float gabor_noise_direction_tiled(vec2 p, vec2 period, uint seed)
-//     Like gabor_noise, gabor_noise_gradient, gabor_noise_complex and gabor_noise_tiled, with the map's wave vectors.
+//     The noise, its quadrature, and their gradients at `place`.
 
 // vec3 gabor_stripes_direction(vec2 p, float sharpness, uint seed)
-// vec3 gabor_stripes_direction_tiled(vec2 p, vec2 period, float sharpness, uint seed)
-// vec3 gabor_stripes_direction_at(GaborPlace place, float sharpness, uint seed)
-//     Stripes along the map, like gabor_stripes, gabor_stripes_tiled and gabor_stripes_at.
+//     Stripes along the map, like gabor_stripes.
 
 // ====================================================================================================================
 // Private implementation
@@ -91,11 +82,12 @@ GABOR_INLINE gabor_vec2 gabor_node_position(GaborPlace place, int index) {
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
 GABOR_INLINE void gabor_impl_add_directed_wave(GaborField& sum, gabor_vec2 amplitude, gabor_vec2 wave, gabor_vec2 d, gabor_vec2 x, gabor_vec2 y) {
     wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f);
-    gabor_vec2 value = gabor_impl_product(amplitude, gabor_impl_wave(gabor_cpp_dot(wave, d)));
-    gabor_vec2 turned = 6.2831853f * x.x * y.x * gabor_vec2(-value.y, value.x);
-    sum.value += x.x * y.x * value;
-    sum.slope_x += x.y * y.x * value + wave.x * turned;
-    sum.slope_y += x.x * y.y * value + wave.y * turned;
+    gabor_vec2 a = gabor_impl_product(amplitude, gabor_impl_wave(gabor_cpp_dot(wave, d)));
+    gabor_vec2 value = x.x * y.x * a, slope = gabor_vec2(x.y * y.x, x.x * y.y);
+    sum.noise += value.y;
+    sum.gradient += a.y * slope + 6.2831853f * value.x * wave;
+    sum.quadrature += value.x;
+    sum.quadrature_gradient += a.x * slope - 6.2831853f * value.y * wave;
 }
 
 GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, std::uint32_t seed) {
@@ -104,18 +96,19 @@ GABOR_INLINE GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, st
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f,
                                   place.radius.y);
     gabor_vec2 stretch = place.radius / GABOR_RADIUS;
-    GaborField sum = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.moment);
+            gabor_vec2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
             gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          gabor_vec2(x.node[i].x, stretch.x * x.node[i].z),
                                          gabor_vec2(y.node[j].x, stretch.y * y.node[j].z));
         }
     }
-    float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
+    GaborField field = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
+    gabor_impl_add_field(field, sum, 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY), gabor_vec2(1.0f));
+    return field;
 }
 
 GABOR_INLINE GaborField gabor_field_direction(GaborPlace place, std::uint32_t seed) {
@@ -125,33 +118,8 @@ GABOR_INLINE GaborField gabor_field_direction(GaborPlace place, std::uint32_t se
     return gabor_field_waves(place, waves, seed);
 }
 
-GABOR_INLINE float gabor_noise_direction(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_field_direction(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), seed).value.y;
-}
-
-GABOR_INLINE gabor_vec3 gabor_noise_direction_gradient(gabor_vec2 p, std::uint32_t seed) {
-    GaborField field = gabor_field_direction(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), seed);
-    return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
-}
-
-GABOR_INLINE gabor_vec2 gabor_noise_direction_complex(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_field_direction(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), seed).value;
-}
-
-GABOR_INLINE float gabor_noise_direction_tiled(gabor_vec2 p, gabor_vec2 period, std::uint32_t seed) {
-    return gabor_field_direction(gabor_place_tiled(p, gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f)), seed).value.y;
-}
-
-GABOR_INLINE gabor_vec3 gabor_stripes_direction_at(GaborPlace place, float sharpness, std::uint32_t seed) {
-    return gabor_stripes_of(gabor_field_direction(place, seed).value, sharpness);
-}
-
 GABOR_INLINE gabor_vec3 gabor_stripes_direction(gabor_vec2 p, float sharpness, std::uint32_t seed) {
-    return gabor_stripes_direction_at(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), sharpness, seed);
-}
-
-GABOR_INLINE gabor_vec3 gabor_stripes_direction_tiled(gabor_vec2 p, gabor_vec2 period, float sharpness, std::uint32_t seed) {
-    return gabor_stripes_direction_at(gabor_place_tiled(p, gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f)), sharpness, seed);
+    return gabor_stripes_of(gabor_field_direction(gabor_place_at(p), seed), sharpness);
 }
 
 #endif // GABOR_DIRECTION_HPP

@@ -10,16 +10,15 @@
 //
 //     float3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
-// gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
+// Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: gabor_noise_direction shows
-// nothing of it, while stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which
-// textures can interpolate.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: the noise shows nothing of it, while
+// stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.metal), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
-// 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
+// 1.5 to 1.7 times as much as gabor_noise, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -34,7 +33,7 @@ using namespace metal;
 #error gabor_direction.metal needs GABOR_TAPS 3
 #endif
 #ifndef GABOR_DIRECTION
-#error Define GABOR_DIRECTION(p), the wave vector of your map at p, before gabor_direction.metal
+#error Define GABOR_DIRECTION(p), the wave vector at p, before gabor_direction.metal
 #endif
 #ifndef GABOR_DIRECTION_METAL
 #define GABOR_DIRECTION_METAL
@@ -51,23 +50,15 @@ struct GaborWaves {
 //     Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
 
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed)
-//     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
+//     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
 
 // ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
-//     The noise, its quadrature, and their gradients at `place`. All functions below call it.
-
-// float gabor_noise_direction(float2 p, uint seed)
-// float3 gabor_noise_direction_gradient(float2 p, uint seed)
-// float2 gabor_noise_direction_complex(float2 p, uint seed)
-// float gabor_noise_direction_tiled(float2 p, float2 period, uint seed)
-//     Like gabor_noise, gabor_noise_gradient, gabor_noise_complex and gabor_noise_tiled, with the map's wave vectors.
+//     The noise, its quadrature, and their gradients at `place`.
 
 // float3 gabor_stripes_direction(float2 p, float sharpness, uint seed)
-// float3 gabor_stripes_direction_tiled(float2 p, float2 period, float sharpness, uint seed)
-// float3 gabor_stripes_direction_at(GaborPlace place, float sharpness, uint seed)
-//     Stripes along the map, like gabor_stripes, gabor_stripes_tiled and gabor_stripes_at.
+//     Stripes along the map, like gabor_stripes.
 
 // ====================================================================================================================
 // Private implementation
@@ -92,11 +83,12 @@ inline float2 gabor_node_position(GaborPlace place, int index) {
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
 inline void gabor_impl_add_directed_wave(thread GaborField& sum, float2 amplitude, float2 wave, float2 d, float2 x, float2 y) {
     wave = clamp(wave, -1.0e6, 1.0e6);
-    float2 value = gabor_impl_product(amplitude, gabor_impl_wave(dot(wave, d)));
-    float2 turned = 6.2831853 * x.x * y.x * float2(-value.y, value.x);
-    sum.value += x.x * y.x * value;
-    sum.slope_x += x.y * y.x * value + wave.x * turned;
-    sum.slope_y += x.x * y.y * value + wave.y * turned;
+    float2 a = gabor_impl_product(amplitude, gabor_impl_wave(dot(wave, d)));
+    float2 value = x.x * y.x * a, slope = float2(x.y * y.x, x.x * y.y);
+    sum.noise += value.y;
+    sum.gradient += a.y * slope + 6.2831853 * value.x * wave;
+    sum.quadrature += value.x;
+    sum.quadrature_gradient += a.x * slope - 6.2831853 * value.y * wave;
 }
 
 inline GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint seed) {
@@ -105,18 +97,19 @@ inline GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, uint see
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0,
                                   place.radius.y);
     float2 stretch = place.radius / GABOR_RADIUS;
-    GaborField sum = GaborField{float2(0.0), float2(0.0), float2(0.0)};
+    GaborField sum = GaborField{0.0, float2(0.0), 0.0, float2(0.0), 0.0};
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
-            float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.animated, place.moment);
+            float2 amplitude = gabor_impl_amplitude_at(x.word[i] * y.word[j], place.moment);
             float2 d = float2(x.offset - float(i - 1), y.offset - float(j - 1)) / place.radius;
             gabor_impl_add_directed_wave(sum, amplitude, waves.wave[3 * j + i], d,
                                          float2(x.node[i].x, stretch.x * x.node[i].z),
                                          float2(y.node[j].x, stretch.y * y.node[j].z));
         }
     }
-    float scale = 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    return GaborField{scale * sum.value, scale * sum.slope_x, scale * sum.slope_y};
+    GaborField field = GaborField{0.0, float2(0.0), 0.0, float2(0.0), 0.0};
+    gabor_impl_add_field(field, sum, 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY), float2(1.0));
+    return field;
 }
 
 inline GaborField gabor_field_direction(GaborPlace place, uint seed) {
@@ -126,33 +119,8 @@ inline GaborField gabor_field_direction(GaborPlace place, uint seed) {
     return gabor_field_waves(place, waves, seed);
 }
 
-inline float gabor_noise_direction(float2 p, uint seed) {
-    return gabor_field_direction(gabor_place(int2(0), p * GABOR_RADIUS), seed).value.y;
-}
-
-inline float3 gabor_noise_direction_gradient(float2 p, uint seed) {
-    GaborField field = gabor_field_direction(gabor_place(int2(0), p * GABOR_RADIUS), seed);
-    return float3(field.value.y, field.slope_x.y, field.slope_y.y);
-}
-
-inline float2 gabor_noise_direction_complex(float2 p, uint seed) {
-    return gabor_field_direction(gabor_place(int2(0), p * GABOR_RADIUS), seed).value;
-}
-
-inline float gabor_noise_direction_tiled(float2 p, float2 period, uint seed) {
-    return gabor_field_direction(gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9)), seed).value.y;
-}
-
-inline float3 gabor_stripes_direction_at(GaborPlace place, float sharpness, uint seed) {
-    return gabor_stripes_of(gabor_field_direction(place, seed).value, sharpness);
-}
-
 inline float3 gabor_stripes_direction(float2 p, float sharpness, uint seed) {
-    return gabor_stripes_direction_at(gabor_place(int2(0), p * GABOR_RADIUS), sharpness, seed);
-}
-
-inline float3 gabor_stripes_direction_tiled(float2 p, float2 period, float sharpness, uint seed) {
-    return gabor_stripes_direction_at(gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9)), sharpness, seed);
+    return gabor_stripes_of(gabor_field_direction(gabor_place_at(p), seed), sharpness);
 }
 
 #endif // GABOR_DIRECTION_METAL

@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 59e759942eb8a70a.
+// naga 30.0.1 made it from GLSL with the digest 59dd9808d4e3583c.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -11,16 +11,15 @@
 //
 //     vec3f s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
 //
-// gabor_noise_wave takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
+// Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: gabor_noise_direction shows
-// nothing of it, while stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which
-// textures can interpolate.
+// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: the noise shows nothing of it, while
+// stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in
 // gabor_noise.wgsl), and the value has variance 1. The gradient takes the map's variation into account. Wave vectors
 // are in cycles per kernel radius, up to 10^6 along each axis; use (0, 0) where the map has no direction. A call costs
-// 1.5 to 1.7 times as much as gabor_noise_wave, including nine evaluations of a computed map.
+// 1.5 to 1.7 times as much as gabor_noise, including nine evaluations of a computed map.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
@@ -36,23 +35,15 @@ struct GaborWaves {
 //     Where to read the map for node `index` (0 to 8) around `place`: in kernel radii, within the place's period.
 
 // GaborField gabor_field_waves(GaborPlace place, GaborWaves waves, u32 seed)
-//     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field's value into stripes.
+//     The noise, its quadrature, and their gradients at `place`. gabor_stripes_of turns the field into stripes.
 
 // ---- With a map, in languages with macros: define GABOR_DIRECTION(p) before the file -------------------------------
 
 // GaborField gabor_field_direction(GaborPlace place, u32 seed)
-//     The noise, its quadrature, and their gradients at `place`. All functions below call it.
-
-// f32 gabor_noise_direction(vec2f p, u32 seed)
-// vec3f gabor_noise_direction_gradient(vec2f p, u32 seed)
-// vec2f gabor_noise_direction_complex(vec2f p, u32 seed)
-// f32 gabor_noise_direction_tiled(vec2f p, vec2f period, u32 seed)
-//     Like gabor_noise, gabor_noise_gradient, gabor_noise_complex and gabor_noise_tiled, with the map's wave vectors.
+//     The noise, its quadrature, and their gradients at `place`.
 
 // vec3f gabor_stripes_direction(vec2f p, f32 sharpness, u32 seed)
-// vec3f gabor_stripes_direction_tiled(vec2f p, vec2f period, f32 sharpness, u32 seed)
-// vec3f gabor_stripes_direction_at(GaborPlace place, f32 sharpness, u32 seed)
-//     Stripes along the map, like gabor_stripes, gabor_stripes_tiled and gabor_stripes_at.
+//     Stripes along the map, like gabor_stripes.
 
 // ====================================================================================================================
 // Private implementation
@@ -81,123 +72,125 @@ fn gabor_node_position(place: GaborPlace, index: i32) -> vec2<f32> {
 
 // Adds a node's wave at `d` kernel radii from the node; x and y are (window, derivative) along each axis.
 fn gabor_impl_add_directed_wave(sum: ptr<function, GaborField>, amplitude: vec2<f32>, wave: vec2<f32>, d: vec2<f32>, x: vec2<f32>, y: vec2<f32>) {
-    var wave_11: vec2<f32>;
+    var wave_6: vec2<f32>;
+    var a_2: vec2<f32>;
     var value_5: vec2<f32>;
-    var turned_1: vec2<f32>;
-    wave_11 = wave;
-    let _e7 = wave_11;
-    wave_11 = clamp(_e7, vec2(-1000000f), vec2(1000000f));
-    let _e14 = wave_11;
+    var slope_6: vec2<f32>;
+    wave_6 = wave;
+    let _e7 = wave_6;
+    wave_6 = clamp(_e7, vec2(-1000000f), vec2(1000000f));
+    let _e14 = wave_6;
     let _e16 = gabor_impl_wave(dot(_e14, d));
     let _e17 = gabor_impl_product(amplitude, _e16);
-    value_5 = _e17;
-    let _e24 = value_5;
-    let _e27 = value_5;
-    turned_1 = (((6.2831855f * x.x) * y.x) * vec2<f32>(-(_e24.y), _e27.x));
-    let _e33 = (*sum);
-    let _e38 = value_5;
-    (*sum).value = (_e33.value + ((x.x * y.x) * _e38));
-    let _e42 = (*sum);
+    a_2 = _e17;
+    let _e22 = a_2;
+    value_5 = ((x.x * y.x) * _e22);
+    slope_6 = vec2<f32>((x.y * y.x), (x.x * y.y));
+    let _e34 = (*sum);
+    let _e36 = value_5;
+    (*sum).noise = (_e34.noise + _e36.y);
+    let _e40 = (*sum);
+    let _e42 = a_2;
+    let _e44 = slope_6;
     let _e47 = value_5;
-    let _e49 = wave_11;
-    let _e51 = turned_1;
-    (*sum).slope_x = (_e42.slope_x + (((x.y * y.x) * _e47) + (_e49.x * _e51)));
-    let _e56 = (*sum);
-    let _e61 = value_5;
-    let _e63 = wave_11;
-    let _e65 = turned_1;
-    (*sum).slope_y = (_e56.slope_y + (((x.x * y.y) * _e61) + (_e63.y * _e65)));
+    let _e50 = wave_6;
+    (*sum).gradient = (_e40.gradient + ((_e42.y * _e44) + ((6.2831855f * _e47.x) * _e50)));
+    let _e55 = (*sum);
+    let _e57 = value_5;
+    (*sum).quadrature = (_e55.quadrature + _e57.x);
+    let _e61 = (*sum);
+    let _e63 = a_2;
+    let _e65 = slope_6;
+    let _e68 = value_5;
+    let _e71 = wave_6;
+    (*sum).quadrature_gradient = (_e61.quadrature_gradient + ((_e63.x * _e65) - ((6.2831855f * _e68.y) * _e71)));
     return;
 }
 
 fn gabor_field_waves(place: GaborPlace, waves: GaborWaves, seed: u32) -> GaborField {
     var waves_1: GaborWaves;
     var salt_4: u32;
-    var x_5: GaborAxis;
+    var x_6: GaborAxis;
     var y_5: GaborAxis;
-    var stretch_1: vec2<f32>;
-    var sum_5: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var stretch_2: vec2<f32>;
+    var sum_6: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
     var j_1: i32 = 0i;
     var i: i32;
-    var amplitude_2: vec2<f32>;
+    var amplitude_3: vec2<f32>;
     var d_1: vec2<f32>;
-    var local_12: f32;
-    var scale: f32;
+    var field_4: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
+    var local_11: f32;
     waves_1 = waves;
     let _e4 = gabor_impl_salt(seed);
     salt_4 = _e4;
     let _e12 = salt_4;
     let _e16 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, 0f, place.radius.x);
-    x_5 = _e16;
+    x_6 = _e16;
     let _e24 = salt_4;
     let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (_e24 ^ 1540483477u), 0f, place.radius.y);
     y_5 = _e30;
-    stretch_1 = (place.radius / vec2(1.5f));
+    stretch_2 = (place.radius / vec2(1.5f));
     loop {
-        let _e50 = j_1;
-        if !((_e50 < 3i)) {
+        let _e51 = j_1;
+        if !((_e51 < 3i)) {
             break;
         }
         {
             i = 0i;
             loop {
-                let _e59 = i;
-                if !((_e59 < 3i)) {
+                let _e60 = i;
+                if !((_e60 < 3i)) {
                     break;
                 }
                 {
-                    let _e66 = i;
-                    let _e69 = x_5.word[_e66];
-                    let _e70 = j_1;
-                    let _e73 = y_5.word[_e70];
-                    let _e77 = gabor_impl_amplitude_at((_e69 * _e73), place.animated, place.moment);
-                    amplitude_2 = _e77;
-                    let _e79 = x_5;
+                    let _e67 = i;
+                    let _e70 = x_6.word[_e67];
+                    let _e71 = j_1;
+                    let _e74 = y_5.word[_e71];
+                    let _e77 = gabor_impl_amplitude_at((_e70 * _e74), place.moment);
+                    amplitude_3 = _e77;
+                    let _e79 = x_6;
                     let _e81 = i;
                     let _e86 = y_5;
                     let _e88 = j_1;
                     d_1 = (vec2<f32>((_e79.offset - f32((_e81 - 1i))), (_e86.offset - f32((_e88 - 1i)))) / place.radius);
-                    let _e98 = amplitude_2;
+                    let _e98 = amplitude_3;
                     let _e100 = j_1;
                     let _e102 = i;
                     let _e106 = waves_1.wave[((3i * _e100) + _e102)];
                     let _e107 = d_1;
                     let _e108 = i;
-                    let _e111 = x_5.node[_e108];
-                    let _e113 = stretch_1;
+                    let _e111 = x_6.node[_e108];
+                    let _e113 = stretch_2;
                     let _e115 = i;
-                    let _e118 = x_5.node[_e115];
+                    let _e118 = x_6.node[_e115];
                     let _e122 = j_1;
                     let _e125 = y_5.node[_e122];
-                    let _e127 = stretch_1;
+                    let _e127 = stretch_2;
                     let _e129 = j_1;
                     let _e132 = y_5.node[_e129];
-                    gabor_impl_add_directed_wave((&sum_5), _e98, _e106, _e107, vec2<f32>(_e111.x, (_e113.x * _e118.z)), vec2<f32>(_e125.x, (_e127.y * _e132.z)));
+                    gabor_impl_add_directed_wave((&sum_6), _e98, _e106, _e107, vec2<f32>(_e111.x, (_e113.x * _e118.z)), vec2<f32>(_e125.x, (_e127.y * _e132.z)));
                 }
                 continuing {
-                    let _e63 = i;
-                    i = (_e63 + 1i);
+                    let _e64 = i;
+                    i = (_e64 + 1i);
                 }
             }
         }
         continuing {
-            let _e54 = j_1;
-            j_1 = (_e54 + 1i);
+            let _e55 = j_1;
+            j_1 = (_e55 + 1i);
         }
     }
+    let _e147 = sum_6;
     if false {
-        local_12 = 1f;
+        local_11 = 1f;
     } else {
-        local_12 = 1.125f;
+        local_11 = 1.125f;
     }
-    let _e148 = local_12;
-    scale = (1f / (1459955300000000000000000000f * _e148));
-    let _e152 = scale;
-    let _e153 = sum_5;
-    let _e156 = scale;
-    let _e157 = sum_5;
-    let _e160 = scale;
-    let _e161 = sum_5;
-    return GaborField((_e152 * _e153.value), (_e156 * _e157.slope_x), (_e160 * _e161.slope_y));
+    let _e159 = local_11;
+    gabor_impl_add_field((&field_4), _e147, (1f / (1459955300000000000000000000f * _e159)), vec2(1f));
+    let _e165 = field_4;
+    return _e165;
 }
 

@@ -118,8 +118,15 @@ GABOR_INLINE gabor_uvec4 gabor_impl_four_line_words(int index, int period, std::
                  gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
+// Two noises and their derivatives.
+struct GaborHills {
+    gabor_vec2 value;
+    gabor_vec2 slope_x;
+    gabor_vec2 slope_y;
+};
+
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-GABOR_INLINE void gabor_impl_add_hill_row(GaborField& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, float y, float slope_y) {
+GABOR_INLINE void gabor_impl_add_hill_row(GaborHills& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, float y, float slope_y) {
     gabor_vec4 a = gabor_vec4(gabor_ivec4(words)), b = gabor_vec4(gabor_ivec4(words << 16u));
     gabor_vec2 row = gabor_vec2(gabor_cpp_dot(x, a), gabor_cpp_dot(x, b));
     sum.value += y * row;
@@ -141,7 +148,7 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
     std::uint32_t salt = gabor_impl_salt(seed);
     gabor_uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     gabor_uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborField hills = GaborField{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    GaborHills hills = GaborHills{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
@@ -185,7 +192,8 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
         gabor_vec2 z = gabor_vec2(0.0f);
         if (kept > 0.0f) {
             GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            z = erosion.uniformity * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
+            GaborField field = gabor_field(place, wave, gabor_lobe_seed(seed, i));
+            z = erosion.uniformity * gabor_vec2(field.quadrature, field.noise);
             z *= kept * gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = gabor_cpp_mix(gully.height, erosion.gully_weight * z.x, mask);

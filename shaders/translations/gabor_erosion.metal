@@ -119,8 +119,15 @@ inline uint4 gabor_impl_four_line_words(int index, int period, uint salt) {
                  gabor_impl_line_word(gabor_impl_next_node(third, period), salt));
 }
 
+// Two noises and their derivatives.
+struct GaborHills {
+    float2 value;
+    float2 slope_x;
+    float2 slope_y;
+};
+
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-inline void gabor_impl_add_hill_row(thread GaborField& sum, uint4 words, float4 x, float4 slope_x, float y, float slope_y) {
+inline void gabor_impl_add_hill_row(thread GaborHills& sum, uint4 words, float4 x, float4 slope_x, float y, float slope_y) {
     float4 a = float4(int4(words)), b = float4(int4(words << 16u));
     float2 row = float2(dot(x, a), dot(x, b));
     sum.value += y * row;
@@ -142,7 +149,7 @@ inline GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2
     uint salt = gabor_impl_salt(seed);
     uint4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     uint4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborField hills = GaborField{float2(0.0), float2(0.0), float2(0.0)};
+    GaborHills hills = GaborHills{float2(0.0), float2(0.0), float2(0.0)};
     gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
     gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
     gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
@@ -186,7 +193,8 @@ inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 
         float2 z = float2(0.0);
         if (kept > 0.0) {
             GaborPlace place = gabor_impl_ground(ground, 0.8 * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            z = erosion.uniformity * gabor_field(place, GaborKernel{wave}, gabor_lobe_seed(seed, i)).value;
+            GaborField field = gabor_field(place, wave, gabor_lobe_seed(seed, i));
+            z = erosion.uniformity * float2(field.quadrature, field.noise);
             z *= kept * rsqrt(1.0 + dot(z, z)); // brings the length of z near `kept`, except where waves cancel
         }
         gully.height = mix(gully.height, erosion.gully_weight * z.x, mask);

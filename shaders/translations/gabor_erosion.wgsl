@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 81373d534391cbe1.
+// naga 30.0.1 made it from GLSL with the digest a438e0b593a1575c.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -78,14 +78,14 @@ struct GaborTerrainPlace {
 // p, so that wave vectors and derivatives are per unit of p.
 fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
     var rounded: u32;
-    var place_7: GaborPlace;
+    var place_3: GaborPlace;
     var low: vec2<u32>;
     var high: vec2<u32>;
     rounded = u32(((clamp(nodes, 0.0001f, 30000f) * 65536f) + 0.5f));
     let _e15 = gabor_place(vec2(0i), vec2(0f));
-    place_7 = _e15;
+    place_3 = _e15;
     let _e18 = rounded;
-    place_7.radius = vec2((f32(_e18) / 65536f));
+    place_3.radius = vec2((f32(_e18) / 65536f));
     let _e28 = rounded;
     low = ((vec2<u32>(ground.cell) & vec2(65535u)) * (_e28 & 65535u));
     let _e35 = rounded;
@@ -93,32 +93,32 @@ fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
     high = ((vec2<u32>(ground.cell) * (_e35 >> 16u)) + (vec2<u32>((ground.cell >> vec2(16u))) * (_e46 & 65535u)));
     let _e53 = high;
     let _e54 = low;
-    place_7.cell = vec2<i32>((_e53 + (_e54 >> vec2(16u))));
+    place_3.cell = vec2<i32>((_e53 + (_e54 >> vec2(16u))));
     let _e61 = low;
-    let _e70 = place_7;
-    place_7.local = ((vec2<f32>((_e61 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e70.radius));
+    let _e70 = place_3;
+    place_3.local = ((vec2<f32>((_e61 & vec2(65535u))) / vec2(65536f)) + (ground.local * _e70.radius));
     if ((ground.period.x <= 0f) && (ground.period.y <= 0f)) {
-        let _e83 = place_7;
+        let _e83 = place_3;
         return _e83;
     }
-    let _e86 = place_7;
-    place_7.period = vec2<i32>(max(floor(((ground.period * _e86.radius) + vec2(0.5f))), vec2(4f)));
+    let _e86 = place_3;
+    place_3.period = vec2<i32>(max(floor(((ground.period * _e86.radius) + vec2(0.5f))), vec2(4f)));
     if (ground.period.x > 0f) {
-        let _e103 = place_7;
-        place_7.radius.x = (f32(_e103.period.x) / ground.period.x);
+        let _e103 = place_3;
+        place_3.radius.x = (f32(_e103.period.x) / ground.period.x);
     } else {
-        place_7.period.x = 0i;
+        place_3.period.x = 0i;
     }
     if (ground.period.y > 0f) {
-        let _e119 = place_7;
-        place_7.radius.y = (f32(_e119.period.y) / ground.period.y);
+        let _e119 = place_3;
+        place_3.radius.y = (f32(_e119.period.y) / ground.period.y);
     } else {
-        place_7.period.y = 0i;
+        place_3.period.y = 0i;
     }
-    place_7.cell = vec2(0i);
-    let _e137 = place_7;
-    place_7.local = ((vec2<f32>(ground.cell) + ground.local) * _e137.radius);
-    let _e140 = place_7;
+    place_3.cell = vec2(0i);
+    let _e137 = place_3;
+    place_3.local = ((vec2<f32>(ground.cell) + ground.local) * _e137.radius);
+    let _e140 = place_3;
     return _e140;
 }
 
@@ -143,31 +143,38 @@ fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
 }
 
 fn gabor_impl_four_line_words(index: i32, period: i32, salt: u32) -> vec4<u32> {
-    var first: i32;
-    var second_1: i32;
-    var third_1: i32;
+    var first_1: i32;
+    var second_2: i32;
+    var third_2: i32;
     let _e5 = gabor_impl_wrap((index - 1i), period);
-    first = _e5;
-    let _e7 = first;
+    first_1 = _e5;
+    let _e7 = first_1;
     let _e8 = gabor_impl_next_node(_e7, period);
-    second_1 = _e8;
-    let _e10 = second_1;
+    second_2 = _e8;
+    let _e10 = second_2;
     let _e11 = gabor_impl_next_node(_e10, period);
-    third_1 = _e11;
-    let _e13 = first;
+    third_2 = _e11;
+    let _e13 = first_1;
     let _e14 = gabor_impl_line_word(_e13, salt);
-    let _e15 = second_1;
+    let _e15 = second_2;
     let _e16 = gabor_impl_line_word(_e15, salt);
-    let _e17 = third_1;
+    let _e17 = third_2;
     let _e18 = gabor_impl_line_word(_e17, salt);
-    let _e19 = third_1;
+    let _e19 = third_2;
     let _e20 = gabor_impl_next_node(_e19, period);
     let _e21 = gabor_impl_line_word(_e20, salt);
     return vec4<u32>(_e14, _e16, _e18, _e21);
 }
 
+// Two noises and their derivatives.
+struct GaborHills {
+    value: vec2<f32>,
+    slope_x: vec2<f32>,
+    slope_y: vec2<f32>,
+}
+
 // Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-fn gabor_impl_add_hill_row(sum: ptr<function, GaborField>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
+fn gabor_impl_add_hill_row(sum: ptr<function, GaborHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
     var a_2: vec4<f32>;
     var b_2: vec4<f32>;
     var row_1: vec2<f32>;
@@ -195,74 +202,74 @@ fn gabor_impl_add_hill_row(sum: ptr<function, GaborField>, words: vec4<u32>, x: 
 // filter with a standard deviation of half a pixel multiplies each noise by `kept`, and the variance that it removes
 // from the second noise damps the sine.
 fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
-    var place_8: GaborPlace;
+    var place_4: GaborPlace;
     var zero_1: vec2<f32>;
-    var x_5: vec4<f32>;
+    var x_6: vec4<f32>;
     var y_5: vec4<f32>;
     var slope_x_1: vec4<f32>;
     var slope_y_1: vec4<f32>;
     var salt_5: u32;
     var columns: vec4<u32>;
     var rows: vec4<u32>;
-    var hills: GaborField = GaborField(vec2(0f), vec2(0f), vec2(0f));
+    var hills: GaborHills = GaborHills(vec2(0f), vec2(0f), vec2(0f));
     var s_2: vec4<f32>;
     var area: f32;
     var kept: f32;
     var unit: f32;
     var noise_1: vec2<f32>;
-    var wave_10: vec2<f32>;
+    var wave_5: vec2<f32>;
     var rough: f32;
     var height: f32;
     var factors: vec2<f32>;
     var slope_7: vec2<f32>;
     let _e5 = gabor_impl_ground(ground, 1f);
-    place_8 = _e5;
-    let _e7 = place_8;
+    place_4 = _e5;
+    let _e7 = place_4;
     zero_1 = floor(_e7.local);
-    let _e15 = place_8;
+    let _e15 = place_4;
     let _e18 = zero_1;
-    gabor_impl_splines((_e15.local.x - _e18.x), (&x_5), (&slope_x_1));
-    let _e25 = place_8;
+    gabor_impl_splines((_e15.local.x - _e18.x), (&x_6), (&slope_x_1));
+    let _e25 = place_4;
     let _e28 = zero_1;
     gabor_impl_splines((_e25.local.y - _e28.y), (&y_5), (&slope_y_1));
     let _e35 = gabor_impl_salt(seed);
     salt_5 = _e35;
-    let _e37 = place_8;
+    let _e37 = place_4;
     let _e40 = zero_1;
-    let _e44 = place_8;
+    let _e44 = place_4;
     let _e47 = salt_5;
     let _e48 = gabor_impl_four_line_words((_e37.cell.x + i32(_e40.x)), _e44.period.x, _e47);
     columns = _e48;
-    let _e50 = place_8;
+    let _e50 = place_4;
     let _e53 = zero_1;
-    let _e57 = place_8;
+    let _e57 = place_4;
     let _e60 = salt_5;
     let _e63 = gabor_impl_four_line_words((_e50.cell.y + i32(_e53.y)), _e57.period.y, (_e60 ^ 1540483477u));
     rows = _e63;
     let _e74 = columns;
     let _e75 = rows;
-    let _e78 = x_5;
+    let _e78 = x_6;
     let _e79 = slope_x_1;
     let _e80 = y_5;
     let _e82 = slope_y_1;
     gabor_impl_add_hill_row((&hills), (_e74 * _e75.x), _e78, _e79, _e80.x, _e82.x);
     let _e86 = columns;
     let _e87 = rows;
-    let _e90 = x_5;
+    let _e90 = x_6;
     let _e91 = slope_x_1;
     let _e92 = y_5;
     let _e94 = slope_y_1;
     gabor_impl_add_hill_row((&hills), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
     let _e98 = columns;
     let _e99 = rows;
-    let _e102 = x_5;
+    let _e102 = x_6;
     let _e103 = slope_x_1;
     let _e104 = y_5;
     let _e106 = slope_y_1;
     gabor_impl_add_hill_row((&hills), (_e98 * _e99.z), _e102, _e103, _e104.z, _e106.z);
     let _e110 = columns;
     let _e111 = rows;
-    let _e114 = x_5;
+    let _e114 = x_6;
     let _e115 = slope_x_1;
     let _e116 = y_5;
     let _e118 = slope_y_1;
@@ -287,19 +294,19 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     let _e171 = kept;
     let _e178 = noise_1;
     let _e181 = gabor_impl_wave((0.4f * _e178.y));
-    wave_10 = (exp((3.1582735f * ((_e170 * _e171) - 1f))) * _e181);
+    wave_5 = (exp((3.1582735f * ((_e170 * _e171) - 1f))) * _e181);
     let _e186 = noise_1;
     rough = (0.3f + (0.12f * _e186.x));
     let _e191 = noise_1;
     let _e193 = rough;
-    let _e194 = wave_10;
+    let _e194 = wave_5;
     height = (_e191.x + (_e193 * _e194.y));
     let _e200 = unit;
-    let _e204 = wave_10;
+    let _e204 = wave_5;
     let _e209 = rough;
-    let _e211 = wave_10;
+    let _e211 = wave_5;
     factors = ((0.33f * _e200) * vec2<f32>((1f + (0.12f * _e204.y)), ((2.5132742f * _e209) * _e211.x)));
-    let _e217 = place_8;
+    let _e217 = place_4;
     let _e219 = factors;
     let _e220 = hills;
     let _e223 = factors;
@@ -315,14 +322,14 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
 
 // A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
 fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
-    var local_12: f32;
+    var local_11: f32;
     var s_3: f32;
     if (t < rounding) {
-        local_12 = (((0.5f * t) * t) / rounding);
+        local_11 = (((0.5f * t) * t) / rounding);
     } else {
-        local_12 = (t - (0.5f * rounding));
+        local_11 = (t - (0.5f * rounding));
     }
-    let _e12 = local_12;
+    let _e12 = local_11;
     s_3 = (1f - min(_e12, 1f));
     let _e18 = s_3;
     let _e19 = s_3;
@@ -339,24 +346,25 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var terrain: GaborTerrain;
     var gully: GaborTerrain;
     var steer: vec2<f32>;
-    var frequency_7: f32;
+    var frequency_6: f32;
     var depth: f32;
     var mask: f32 = 1f;
     var rounding_1: f32;
     var i: i32 = 0i;
     var steep: f32;
     var full: f32;
-    var wave_11: vec2<f32>;
+    var wave_6: vec2<f32>;
     var steps: vec2<f32>;
     var kept_1: f32;
     var z_1: vec2<f32>;
-    var place_9: GaborPlace;
-    var local_13: f32;
-    var side: f32;
+    var place_5: GaborPlace;
+    var field_4: GaborField;
+    var local_12: f32;
+    var side_1: f32;
     terrain = base;
     gully = GaborTerrain(base.ridge, vec2(0f), base.ridge);
     steer = base.slope;
-    frequency_7 = erosion.frequency;
+    frequency_6 = erosion.frequency;
     depth = (erosion.strength / erosion.frequency);
     rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * base.ridge)));
     loop {
@@ -375,13 +383,13 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
             let _e55 = full;
             let _e56 = full;
             mask = (_e54 * (_e55 * _e56));
-            let _e59 = frequency_7;
+            let _e59 = frequency_6;
             let _e60 = steep;
             let _e62 = steer;
             let _e65 = steer;
-            wave_11 = ((_e59 / _e60) * vec2<f32>(-(_e62.y), _e65.x));
-            let _e70 = wave_11;
-            let _e72 = wave_11;
+            wave_6 = ((_e59 / _e60) * vec2<f32>(-(_e62.y), _e65.x));
+            let _e70 = wave_6;
+            let _e72 = wave_6;
             steps = vec2<f32>(dot(_e70, dx), dot(_e72, dy));
             let _e79 = steps;
             let _e80 = steps;
@@ -390,82 +398,85 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
             let _e93 = kept_1;
             if (_e93 > 0f) {
                 {
-                    let _e102 = frequency_7;
+                    let _e102 = frequency_6;
                     let _e104 = gabor_impl_ground(ground, (1.2f * _e102));
-                    place_9 = _e104;
-                    let _e107 = place_9;
-                    let _e108 = wave_11;
-                    let _e110 = i;
-                    let _e111 = gabor_lobe_seed(seed, _e110);
-                    let _e112 = gabor_field(_e107, GaborKernel(_e108), _e111);
-                    z_1 = (erosion.uniformity * _e112.value);
-                    let _e115 = z_1;
-                    let _e116 = kept_1;
-                    let _e118 = z_1;
+                    place_5 = _e104;
+                    let _e106 = place_5;
+                    let _e107 = wave_6;
+                    let _e108 = i;
+                    let _e109 = gabor_lobe_seed(seed, _e108);
+                    let _e110 = gabor_field(_e106, _e107, _e109);
+                    field_4 = _e110;
+                    let _e113 = field_4;
+                    let _e115 = field_4;
+                    z_1 = (erosion.uniformity * vec2<f32>(_e113.quadrature, _e115.noise));
                     let _e119 = z_1;
-                    z_1 = (_e115 * (_e116 * inverseSqrt((1f + dot(_e118, _e119)))));
+                    let _e120 = kept_1;
+                    let _e122 = z_1;
+                    let _e123 = z_1;
+                    z_1 = (_e119 * (_e120 * inverseSqrt((1f + dot(_e122, _e123)))));
                 }
             }
-            let _e126 = gully;
-            let _e129 = z_1;
-            let _e132 = mask;
-            gully.height = mix(_e126.height, (erosion.gully_weight * _e129.x), _e132);
-            let _e135 = gully;
-            let _e141 = z_1;
-            let _e144 = wave_11;
-            let _e146 = mask;
-            gully.slope = mix(_e135.slope, (((-6.2831855f * erosion.gully_weight) * _e141.y) * _e144), vec2(_e146));
-            let _e150 = gully;
-            let _e152 = z_1;
-            let _e154 = mask;
-            gully.ridge = mix(_e150.ridge, _e152.x, _e154);
-            let _e157 = terrain;
-            let _e159 = depth;
-            let _e160 = gully;
-            terrain.height = (_e157.height + (_e159 * _e160.height));
-            let _e165 = terrain;
-            let _e167 = depth;
-            let _e168 = gully;
-            terrain.slope = (_e165.slope + (_e167 * _e168.slope));
-            let _e172 = z_1;
-            if (_e172.y < 0f) {
-                local_13 = -6.2831855f;
+            let _e130 = gully;
+            let _e133 = z_1;
+            let _e136 = mask;
+            gully.height = mix(_e130.height, (erosion.gully_weight * _e133.x), _e136);
+            let _e139 = gully;
+            let _e145 = z_1;
+            let _e148 = wave_6;
+            let _e150 = mask;
+            gully.slope = mix(_e139.slope, (((-6.2831855f * erosion.gully_weight) * _e145.y) * _e148), vec2(_e150));
+            let _e154 = gully;
+            let _e156 = z_1;
+            let _e158 = mask;
+            gully.ridge = mix(_e154.ridge, _e156.x, _e158);
+            let _e161 = terrain;
+            let _e163 = depth;
+            let _e164 = gully;
+            terrain.height = (_e161.height + (_e163 * _e164.height));
+            let _e169 = terrain;
+            let _e171 = depth;
+            let _e172 = gully;
+            terrain.slope = (_e169.slope + (_e171 * _e172.slope));
+            let _e176 = z_1;
+            if (_e176.y < 0f) {
+                local_12 = -6.2831855f;
             } else {
-                local_13 = 6.2831855f;
+                local_12 = 6.2831855f;
             }
-            let _e180 = local_13;
-            let _e181 = kept_1;
-            side = (((_e180 * _e181) * erosion.branching) * erosion.gully_weight);
-            let _e188 = steer;
-            let _e189 = side;
-            let _e190 = depth;
-            let _e192 = mask;
-            let _e194 = wave_11;
-            steer = (_e188 - (((_e189 * _e190) * _e192) * _e194));
-            let _e201 = z_1;
-            rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * _e201.x)));
-            let _e206 = mask;
+            let _e184 = local_12;
+            let _e185 = kept_1;
+            side_1 = (((_e184 * _e185) * erosion.branching) * erosion.gully_weight);
+            let _e192 = steer;
+            let _e193 = side_1;
+            let _e194 = depth;
+            let _e196 = mask;
+            let _e198 = wave_6;
+            steer = (_e192 - (((_e193 * _e194) * _e196) * _e198));
+            let _e205 = z_1;
+            rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * _e205.x)));
             let _e210 = mask;
-            let _e219 = kept_1;
-            let _e222 = z_1;
-            let _e226 = rounding_1;
-            let _e227 = frequency_7;
-            let _e231 = gabor_impl_mask(((0.5f - (0.5f * _e219)) + abs(_e222.y)), ((_e226 * _e227) / erosion.frequency));
-            mask = (((_e206 * erosion.detail) / (1f + (_e210 * (erosion.detail - 1f)))) * _e231);
-            let _e233 = frequency_7;
-            frequency_7 = (_e233 * erosion.lacunarity);
-            let _e236 = depth;
-            depth = (_e236 * erosion.gain);
+            let _e214 = mask;
+            let _e223 = kept_1;
+            let _e226 = z_1;
+            let _e230 = rounding_1;
+            let _e231 = frequency_6;
+            let _e235 = gabor_impl_mask(((0.5f - (0.5f * _e223)) + abs(_e226.y)), ((_e230 * _e231) / erosion.frequency));
+            mask = (((_e210 * erosion.detail) / (1f + (_e214 * (erosion.detail - 1f)))) * _e235);
+            let _e237 = frequency_6;
+            frequency_6 = (_e237 * erosion.lacunarity);
+            let _e240 = depth;
+            depth = (_e240 * erosion.gain);
         }
         continuing {
             let _e38 = i;
             i = (_e38 + 1i);
         }
     }
-    let _e239 = terrain;
-    let _e241 = terrain;
-    let _e243 = gully;
-    return GaborTerrain(_e239.height, _e241.slope, _e243.ridge);
+    let _e243 = terrain;
+    let _e245 = terrain;
+    let _e247 = gully;
+    return GaborTerrain(_e243.height, _e245.slope, _e247.ridge);
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------

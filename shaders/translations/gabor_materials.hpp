@@ -3,14 +3,22 @@
 //
 // gabor_materials.hpp: twelve materials from Gabor noise.
 //
-// Paste or include this file after gabor_noise.hpp and gabor_spectrum.hpp, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.hpp, gabor_spectrum.hpp and, for the filtered forms,
+// gabor_filter.hpp.
 //
-//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
+//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
 //     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
-//     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
+//     GaborMaterial o = gabor_wood_at(p, vec2(0.0), oak, 7u);
+//
+//     I want                                   call
+//     a material                               gabor_wood, gabor_fabric, gabor_leather, gabor_marble and so on
+//     the same without moire, at any distance  gabor_wood_filtered(p, dFdx(p), dFdy(p), seed)
+//     my own colours, sizes and periods        gabor_wood_at, gabor_wood_filtered_at
+//     a normal                                 normalize(vec3(-m.slope, 1.0)), in the space of p
+//     highlights that stay right far away      gabor_roughness(m) instead of m.roughness
 //
 // One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
 //
@@ -30,38 +38,34 @@
 struct GaborMaterial {
     gabor_vec3 colour;     // base colour for physically based shading: linear, Rec. 709 primaries, within [0, 1]
     float height;    // height in units of p
-    float roughness; // roughness as in glTF
+    gabor_vec2 slope;      // derivatives of the height along x and y
+    float roughness; // roughness as in glTF, without what the filter removed
     float metalness; // 0 or 1
+    gabor_vec3 lost;       // covariance of the slopes that the filter removed: xx, yy, xy
 };
 
-// ---- Where to draw -------------------------------------------------------------------------------------------------
-
-// A position and the pixel around it.
-struct GaborPixel {
-    gabor_vec2 p;
-    gabor_vec2 dx;       // change in p to the pixel on the right
-    gabor_vec2 dy;       // change in p to the pixel below
-    bool filtered; // whether to average over the pixel
-    gabor_vec2 period;   // period of p, 0 for none
-};
-
-// GaborPixel gabor_pixel(vec2 p)
-//     The point p, without a filter.
-
-// GaborPixel gabor_pixel_filtered(vec2 p, vec2 dx, vec2 dy)
-//     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
-//     as without the filter, and all others as much as gabor_noise_filtered.
-
-// GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2 period)
-//     The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
-//     threads; scratches and hair snap to directions that repeat with it.
+// float gabor_roughness(GaborMaterial material)
+// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by the
+//     variance of the removed slopes.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
-// Each material has a struct of parameters, a function that returns their defaults, and a function of a pixel and
-// parameters; the short forms use the defaults. Colours are linear, from 0 to 1. Brackets give the number of noises,
-// and the shortest period at which the tiled material looks like the untiled one; shorter periods compress its
-// large-scale variation. The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions
+// Each has a struct of parameters and these functions, here for wood:
+//
+// GaborWood gabor_wood_default()
+// GaborMaterial gabor_wood(vec2 p, uint seed)
+// GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
+// GaborMaterial gabor_wood_at(vec2 p, vec2 period, GaborWood wood, uint seed)
+// GaborMaterial gabor_wood_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborWood wood, uint seed)
+//
+// The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
+// Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2(0.0)
+// for none: a period holds a whole number of rings or threads; scratches and hair snap to directions that repeat with
+// it.
+//
+// Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
+// material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
+// and the streaks of metal follow p: bend p to bend them. Directions
 // may vary from pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
@@ -73,10 +77,6 @@ struct GaborWood {
     float pores;     // strength of the pores, 0 to 1
     float roughness; // roughness of the early wood, 0 to 1
 };
-// GaborWood gabor_wood_default()
-// GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, uint seed)
-// GaborMaterial gabor_wood(vec2 p, uint seed)
-// GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
@@ -88,10 +88,6 @@ struct GaborFabric {
     float roughness;  // 0 to 1
     float cords;      // cords per unit, 0 to 20
 };
-// GaborFabric gabor_fabric_default()
-// GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, uint seed)
-// GaborMaterial gabor_fabric(vec2 p, uint seed)
-// GaborMaterial gabor_fabric_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
@@ -102,10 +98,6 @@ struct GaborLeather {
     float relief;    // height of the cells, relative to the default, 0 to 3
     float roughness; // roughness of the cells, 0 to 0.7
 };
-// GaborLeather gabor_leather_default()
-// GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, uint seed)
-// GaborMaterial gabor_leather(vec2 p, uint seed)
-// GaborMaterial gabor_leather_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
@@ -116,10 +108,6 @@ struct GaborMarble {
     float clouds;     // darkening by clouds, 0 to 1
     float roughness;  // 0 to 1
 };
-// GaborMarble gabor_marble_default()
-// GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, uint seed)
-// GaborMaterial gabor_marble(vec2 p, uint seed)
-// GaborMaterial gabor_marble_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
@@ -130,10 +118,6 @@ struct GaborSand {
     float grain;     // contrast of the grains, 0 to 0.25
     float roughness; // 0 to 1
 };
-// GaborSand gabor_sand_default()
-// GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, uint seed)
-// GaborMaterial gabor_sand(vec2 p, uint seed)
-// GaborMaterial gabor_sand_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Water under a light wind [14 noises; period 8 x 8].
 struct GaborRipples {
@@ -145,10 +129,6 @@ struct GaborRipples {
     float relief;    // height of the longest waves, in units, 0 to 0.2
     float roughness; // 0 to 1
 };
-// GaborRipples gabor_ripples_default()
-// GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, uint seed)
-// GaborMaterial gabor_ripples(vec2 p, uint seed)
-// GaborMaterial gabor_ripples_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Streaks along x [5 noises; period 5 x 1].
 struct GaborBrushedMetal {
@@ -158,10 +138,6 @@ struct GaborBrushedMetal {
     float relief;    // height of the widest streaks, in units, 0 to 0.01
     float roughness; // 0 to 1
 };
-// GaborBrushedMetal gabor_brushed_metal_default()
-// GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, uint seed)
-// GaborMaterial gabor_brushed_metal(vec2 p, uint seed)
-// GaborMaterial gabor_brushed_metal_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
@@ -174,10 +150,6 @@ struct GaborScratches {
     float depth;     // depth of the scratches, in units, 0 to 0.02
     float roughness; // 0 to 1
 };
-// GaborScratches gabor_scratches_default()
-// GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, uint seed)
-// GaborMaterial gabor_scratches(vec2 p, uint seed)
-// GaborMaterial gabor_scratches_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
@@ -189,10 +161,6 @@ struct GaborZebra {
     float hair;      // contrast of the hair, 0 to 3
     float roughness; // 0 to 1
 };
-// GaborZebra gabor_zebra_default()
-// GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, uint seed)
-// GaborMaterial gabor_zebra(vec2 p, uint seed)
-// GaborMaterial gabor_zebra_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
@@ -204,10 +172,6 @@ struct GaborBark {
     float depth;     // depth of the furrows, in units, 0 to 0.4
     float roughness; // 0 to 1
 };
-// GaborBark gabor_bark_default()
-// GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, uint seed)
-// GaborMaterial gabor_bark(vec2 p, uint seed)
-// GaborMaterial gabor_bark_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
@@ -217,10 +181,6 @@ struct GaborCarbonFibre {
     float relief;    // height of the tows, relative to the default, 0 to 3
     float roughness; // 0 to 1
 };
-// GaborCarbonFibre gabor_carbon_fibre_default()
-// GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, uint seed)
-// GaborMaterial gabor_carbon_fibre(vec2 p, uint seed)
-// GaborMaterial gabor_carbon_fibre_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
@@ -233,10 +193,6 @@ struct GaborStrata {
     float relief;    // height of the layers, relative to the default, 0 to 3
     float roughness; // 0 to 1
 };
-// GaborStrata gabor_strata_default()
-// GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, uint seed)
-// GaborMaterial gabor_strata(vec2 p, uint seed)
-// GaborMaterial gabor_strata_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 
 // ====================================================================================================================
 // Private implementation
@@ -248,69 +204,135 @@ struct GaborStrata {
 // zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
 // over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
 // unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+//
+// The slope f'(v + sqrt(r) z) g, where the noise's gradient g has a removed part of covariance C, has the covariance
+//     E[f'^2] (C + g g^T) - E[f']^2 g g^T
+// over what the filter removed. A height is a sum of such terms; their covariances add up.
+//
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and
+// one that shades them. The filtered ones are loops, because compilers inline the filter for each call.
 
-// ---- Noises --------------------------------------------------------------------------------------------------------
-
-GABOR_INLINE GaborPlace gabor_impl_place(GaborPixel pixel, gabor_vec2 density) {
-    if (pixel.period.x > 0.0f)
-        return gabor_place_tiled(density * pixel.p, density * pixel.period);
-    return gabor_place(gabor_ivec2(0), GABOR_RADIUS * density * pixel.p);
+// Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
+GABOR_INLINE gabor_vec3 gabor_impl_times(gabor_vec3 a, gabor_vec3 b) {
+    return gabor_vec3(a.x * b.x, a.x * b.yz() + b.x * a.yz());
 }
 
-// Returns two independent noises, the quadrature and noise of one field, and the share of the variance that the filter
-// removed. `density` is in kernel radii per unit along x and y.
-GABOR_INLINE gabor_vec3 gabor_impl_layer(GaborPixel pixel, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed) {
-    GaborPlace place = gabor_impl_place(pixel, density);
-    GaborKernel kernel_ = gabor_kernel(frequency, orientation);
-    if (!pixel.filtered)
-        return gabor_vec3(gabor_field(place, kernel_, seed).value, 0.0f);
-    float removed;
-    density *= place.radius / GABOR_RADIUS;
-    GaborFootprint footprint = gabor_footprint(density * pixel.dx, density * pixel.dy);
-    gabor_vec2 value = gabor_field_filtered(place, kernel_, footprint, seed, removed).value;
-    return gabor_vec3(value, removed);
+// The matrix v v^T: xx, yy, xy.
+GABOR_INLINE gabor_vec3 gabor_impl_square(gabor_vec2 v) {
+    return gabor_vec3(v * v, v.x * v.y);
 }
 
-// A layer of frequency 0: spots as large as a kernel.
-GABOR_INLINE gabor_vec3 gabor_impl_spots(GaborPixel pixel, gabor_vec2 density, std::uint32_t seed) {
-    return gabor_impl_layer(pixel, density, 0.0f, 0.0f, seed);
+// (x y)^T M (x y), where M has the elements xx, yy, xy.
+GABOR_INLINE gabor_vec3 gabor_impl_turned_square(gabor_vec3 m, gabor_vec2 x, gabor_vec2 y) {
+    gabor_vec2 a = m.xy() * x + m.z * x.yx(), b = m.xy() * y + m.z * y.yx();
+    return gabor_vec3(gabor_cpp_dot(x, a), gabor_cpp_dot(y, b), gabor_cpp_dot(x, b));
 }
 
-// A sum of octaves of spots. Each octave has spots of about half the previous size, and `gain` times the amplitude.
-GABOR_INLINE gabor_vec3 gabor_impl_octaves(GaborPixel pixel, gabor_vec2 density, int count, float gain, std::uint32_t seed) {
-    gabor_vec3 sum = gabor_vec3(0.0f);
-    float power = 0.0f;
-    float amplitude = 1.0f;
-    for (int i = 0; i < count; ++i) {
-        sum += gabor_vec3(amplitude, amplitude, amplitude * amplitude)
-               * gabor_impl_spots(pixel, density, gabor_lobe_seed(seed, i));
-        power += amplitude * amplitude;
-        amplitude *= gain;
-        density *= 2.03f;
-    }
-    return sum / gabor_vec3(gabor_vec2(gabor_cpp_sqrt(power)), power);
+// ---- Positions -----------------------------------------------------------------------------------------------------
+
+// A position, and the pixel around it if there is a filter; `period` is 0 for none.
+struct GaborPixel {
+    gabor_vec2 p;
+    gabor_vec2 dx;
+    gabor_vec2 dy;
+    gabor_vec2 period;
+};
+
+GABOR_INLINE GaborPixel gabor_impl_pixel_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period) {
+    return GaborPixel{period.x > 0.0f ? p - period * gabor_cpp_floor(p / period) : p, dx, dy, period};
 }
 
-// Displaces p by two noises, and changes dx and dy accordingly.
-GABOR_INLINE GaborPixel gabor_impl_warp(GaborPixel pixel, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed) {
-    GaborField field = gabor_field(gabor_impl_place(pixel, density), gabor_kernel(0.0f, 0.0f), seed);
-    gabor_vec2 along_x = amplitude * density.x * field.slope_x;
-    gabor_vec2 along_y = amplitude * density.y * field.slope_y;
-    return GaborPixel{pixel.p + amplitude * field.value, pixel.dx + pixel.dx.x * along_x + pixel.dx.y * along_y,
-                      pixel.dy + pixel.dy.x * along_x + pixel.dy.y * along_y, pixel.filtered, pixel.period};
+// A position that warps have moved, and its derivatives along x and y of p.
+struct GaborWarped {
+    gabor_vec2 p;
+    gabor_vec2 x;
+    gabor_vec2 y;
+    gabor_vec2 period;
+};
+
+GABOR_INLINE GaborWarped gabor_impl_unwarped(GaborPixel pixel) {
+    return GaborWarped{pixel.p, gabor_vec2(1.0f, 0.0f), gabor_vec2(0.0f, 1.0f), pixel.period};
+}
+
+// A position along the warped x or y axis, with derivatives.
+GABOR_INLINE gabor_vec3 gabor_impl_along_x(GaborWarped at) {
+    return gabor_vec3(at.p.x, at.x.x, at.y.x);
+}
+GABOR_INLINE gabor_vec3 gabor_impl_along_y(GaborWarped at) {
+    return gabor_vec3(at.p.y, at.x.y, at.y.y);
+}
+
+// The place of a layer with `density` kernel radii per unit along x and y.
+GABOR_INLINE GaborPlace gabor_impl_place(GaborWarped at, gabor_vec2 density) {
+    if (at.period.x > 0.0f)
+        return gabor_place_tiled(density * at.p, density * at.period);
+    return gabor_place_at(density * at.p);
+}
+
+GABOR_INLINE gabor_uvec3 gabor_impl_three_line_words(int index, int period, std::uint32_t salt) {
+    int first = gabor_impl_wrap(index, period), second = gabor_impl_next_node(first, period);
+    return gabor_uvec3(gabor_impl_line_word(first, salt), gabor_impl_line_word(second, salt),
+                 gabor_impl_line_word(gabor_impl_next_node(second, period), salt));
+}
+
+// Adds a row of nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
+GABOR_INLINE void gabor_impl_add_spots(gabor_vec2& value, gabor_vec4& slope, gabor_uvec3 words, gabor_vec4 x, gabor_vec4 slope_x, float y,
+                          float slope_y) {
+    gabor_vec2 a = gabor_impl_amplitude(words.x), b = gabor_impl_amplitude(words.y), c = gabor_impl_amplitude(words.z);
+    gabor_vec2 row = x.x * a + x.y * b + x.z * c;
+    value += y * row;
+    slope += gabor_vec4(y * (slope_x.x * a + slope_x.y * b + slope_x.z * c), slope_y * row);
+}
+
+// Noise of frequency 0, which needs no waves: spots as large as a kernel. The same as gabor_field.
+GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
+    gabor_vec2 zero = gabor_cpp_floor(place.local + 0.5f), offset = gabor_cpp_clamp(place.local - zero, -0.5f, 0.5f);
+    std::uint32_t salt = gabor_impl_salt(seed);
+    gabor_uvec3 columns = gabor_impl_three_line_words(place.cell.x + int(zero.x) - 1, place.period.x, salt);
+    gabor_uvec3 rows = gabor_impl_three_line_words(place.cell.y + int(zero.y) - 1, place.period.y, salt ^ GABOR_IMPL_ROWS);
+    gabor_vec4 x, y, slope_x, slope_y;
+    gabor_impl_windows(offset.x, x, slope_x);
+    gabor_impl_windows(offset.y, y, slope_y);
+    gabor_vec2 value = gabor_vec2(0.0f);
+    gabor_vec4 slope = gabor_vec4(0.0f);
+    gabor_impl_add_spots(value, slope, columns * rows.x, x, slope_x, y.x, slope_y.x);
+    gabor_impl_add_spots(value, slope, columns * rows.y, x, slope_x, y.y, slope_y.y);
+    gabor_impl_add_spots(value, slope, columns * rows.z, x, slope_x, y.z, slope_y.z);
+    float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    gabor_vec2 stretch = scale * place.radius / GABOR_RADIUS;
+    return GaborField{scale * value.y, stretch * slope.yw(), scale * value.x, stretch * slope.xz(), 0.0f};
+}
+
+// The step in the warped position that a step in p makes.
+GABOR_INLINE gabor_vec2 gabor_impl_step_of(GaborWarped at, gabor_vec2 step) {
+    return step.x * at.x + step.y * at.y;
+}
+
+// Moves the position by two noises, and less where they are finer than the pixel: as much as a filter keeps of their
+// slopes.
+GABOR_INLINE GaborWarped gabor_impl_warp(GaborPixel pixel, GaborWarped at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
+    gabor_vec2 dx = density * gabor_impl_step_of(at, pixel.dx), dy = density * gabor_impl_step_of(at, pixel.dy);
+    amplitude /= 1.0f + 0.82246703f * gabor_cpp_min(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy), 1.0e6f);
+    GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
+    gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
+    gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
+    return GaborWarped{at.p + amplitude * gabor_vec2(field.quadrature, field.noise),
+                       at.x + at.x.x * along_x + at.x.y * along_y,
+                       at.y + at.y.x * along_x + at.y.y * along_y, at.period};
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
+GABOR_INLINE GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
     gabor_vec2 turn = gabor_impl_wave(0.15915494f * angle);
     gabor_vec2 x = turn;
     gabor_vec2 y = gabor_vec2(-turn.y, turn.x);
     gabor_vec2 period = gabor_vec2(0.0f);
-    if (pixel.period.x > 0.0f) {
-        gabor_vec2 whole = gabor_cpp_floor(3.0f * gabor_cpp_normalize(turn / pixel.period) + 0.5f);
+    if (at.period.x > 0.0f) {
+        gabor_vec2 whole = gabor_cpp_floor(3.0f * gabor_cpp_normalize(turn / at.period) + 0.5f);
         gabor_vec2 size = gabor_cpp_abs(whole);
         gabor_vec2 signs = gabor_vec2(whole.x < 0.0f ? -1.0f : 1.0f, whole.y < 0.0f ? -1.0f : 1.0f);
         if (size.x == size.y || size.x * size.y == 0.0f) // (2, 2), (3, 0), (0, 3) become (1, 1), (1, 0), (0, 1)
@@ -319,13 +341,14 @@ GABOR_INLINE GaborPixel gabor_impl_turned(GaborPixel pixel, float angle) {
         gabor_vec2 other = size.x > 1.0f && size.y > 1.0f ? (size.x > size.y ? signs : -signs)
                      : size.x == 1.0f              ? gabor_vec2(0.0f, whole.x)
                                                   : gabor_vec2(-whole.y, 0.0f);
-        period.x = gabor_cpp_length(whole * pixel.period);
-        period.y = pixel.period.x * pixel.period.y / period.x;
-        x = period.x * gabor_vec2(other.y, -other.x) / pixel.period;
-        y = period.y * gabor_vec2(-whole.y, whole.x) / pixel.period;
+        period.x = gabor_cpp_length(whole * at.period);
+        period.y = at.period.x * at.period.y / period.x;
+        x = period.x * gabor_vec2(other.y, -other.x) / at.period;
+        y = period.y * gabor_vec2(-whole.y, whole.x) / at.period;
     }
-    return GaborPixel{gabor_vec2(gabor_cpp_dot(x, pixel.p), gabor_cpp_dot(y, pixel.p)), gabor_vec2(gabor_cpp_dot(x, pixel.dx), gabor_cpp_dot(y, pixel.dx)),
-                      gabor_vec2(gabor_cpp_dot(x, pixel.dy), gabor_cpp_dot(y, pixel.dy)), pixel.filtered, period};
+    return GaborWarped{gabor_vec2(gabor_cpp_dot(x, at.p), gabor_cpp_dot(y, at.p)), gabor_vec2(gabor_cpp_dot(x, at.x), gabor_cpp_dot(y, at.x)), gabor_vec2(gabor_cpp_dot(x, at.y), gabor_cpp_dot(y,
+                                                                                                                  at.y)),
+                       period};
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -336,498 +359,1208 @@ GABOR_INLINE gabor_vec2 gabor_impl_repeated(GaborPixel pixel, float count, float
     return gabor_vec2(count);
 }
 
+// The squared length of a pixel along an axis of a repeated pattern; `a` is the position along it, with derivatives.
+GABOR_INLINE float gabor_impl_steps(GaborPixel pixel, gabor_vec3 a) {
+    gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(a.yz(), pixel.dx), gabor_cpp_dot(a.yz(), pixel.dy));
+    return gabor_cpp_dot(steps, steps);
+}
+
+// ---- Layers --------------------------------------------------------------------------------------------------------
+
+// A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
+// `amplitude`, to pair `slot` of a material.
+struct GaborLayer {
+    int slot;
+    GaborWarped at;
+    gabor_vec2 density;
+    gabor_vec2 wave;
+    float amplitude;
+    std::uint32_t seed;
+};
+
+// A layer of frequency 0.
+GABOR_INLINE GaborLayer gabor_impl_spots_layer(int slot, GaborWarped at, gabor_vec2 density, std::uint32_t seed, int index) {
+    return GaborLayer{slot, at, density, gabor_vec2(0.0f), 1.0f, gabor_lobe_seed(seed, index)};
+}
+
+GABOR_INLINE GaborLayer gabor_impl_waves_layer(int slot, GaborWarped at, gabor_vec2 density, float frequency, float orientation, std::uint32_t seed,
+                                  int index) {
+    return GaborLayer{slot, at, density, gabor_wave_vector(frequency, orientation), 1.0f, gabor_lobe_seed(seed, index)};
+}
+
+// Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
+GABOR_INLINE GaborLayer gabor_impl_octave(GaborWarped at, gabor_vec2 density, int i, int count, float gain, std::uint32_t seed) {
+    float power = (1.0f - gabor_cpp_pow(gain, 2.0f * float(count))) / (1.0f - gain * gain);
+    return GaborLayer{0, at, density * gabor_cpp_exp2(1.0214797f * float(i)), gabor_vec2(0.0f), gabor_cpp_pow(gain, float(i)) * gabor_cpp_inversesqrt(power),
+                      gabor_lobe_seed(seed, i)};
+}
+
+// Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
+// share of their variance that a filter removed, and the covariance of their derivatives that it removed.
+struct GaborPair {
+    gabor_vec3 first;
+    gabor_vec3 second;
+    float removed;
+    gabor_vec3 lost;
+};
+
+// The pairs of a material.
+struct GaborPairs {
+    GaborPair a;
+    GaborPair b;
+    GaborPair c;
+    GaborPair d;
+    GaborPair e;
+};
+
+GABOR_INLINE GaborPair gabor_impl_no_pair() {
+    return GaborPair{gabor_vec3(0.0f), gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f)};
+}
+
+GABOR_INLINE GaborPairs gabor_impl_no_pairs() {
+    GaborPair none = gabor_impl_no_pair();
+    return GaborPairs{none, none, none, none, none};
+}
+
+GABOR_INLINE GaborPair gabor_impl_pair(GaborLayer layer, GaborField field, gabor_vec3 lost) {
+    gabor_vec2 x = layer.density * layer.at.x, y = layer.density * layer.at.y;
+    return GaborPair{gabor_vec3(field.quadrature, gabor_cpp_dot(field.quadrature_gradient, x), gabor_cpp_dot(field.quadrature_gradient, y)),
+                     gabor_vec3(field.noise, gabor_cpp_dot(field.gradient, x), gabor_cpp_dot(field.gradient, y)), field.removed,
+                     gabor_impl_turned_square(lost, x, y)};
+}
+
+GABOR_INLINE GaborPair gabor_impl_plus(GaborPair sum, GaborPair pair, float amplitude) {
+    return GaborPair{sum.first + amplitude * pair.first, sum.second + amplitude * pair.second,
+                     sum.removed + amplitude * amplitude * pair.removed, sum.lost + amplitude * amplitude * pair.lost};
+}
+
+GABOR_INLINE GaborPair gabor_impl_spots_pair(GaborLayer layer) {
+    return gabor_impl_pair(layer, gabor_impl_spots(gabor_impl_place(layer.at, layer.density), layer.seed), gabor_vec3(0.0f));
+}
+
+// A sum and an octave of it.
+GABOR_INLINE GaborPair gabor_impl_plus_octave(GaborPair sum, GaborLayer layer) {
+    return gabor_impl_plus(sum, gabor_impl_spots_pair(layer), layer.amplitude);
+}
+
+GABOR_INLINE GaborPair gabor_impl_waves_pair(GaborLayer layer) {
+    return gabor_impl_pair(layer, gabor_field(gabor_impl_place(layer.at, layer.density), layer.wave, layer.seed),
+                           gabor_vec3(0.0f));
+}
+
+#ifdef GABOR_FILTER_HPP
+// ---- Filtered spots: see gabor_filter.hpp, with real windows ------------------------------------------------------
+
+// A node's window with three waves and its fade: the window, the part of its derivative that couples the axes, and the
+// derivatives of both.
+GABOR_INLINE gabor_vec4 gabor_impl_spots_node(float value, float slope, float damped, gabor_vec2 fade) {
+    float window = 0.5f + damped * (value - 0.5f);
+    return gabor_vec4(fade.x * window, fade.x * damped * slope, fade.x * damped * slope + fade.y * window,
+                -9.8696044f * fade.x * (window - 0.5f));
+}
+
+// The nodes of an axis with its words.
+struct GaborSpotsAxis {
+    gabor_uvec3 word;
+    gabor_vec4 first;
+    gabor_vec4 middle;
+    gabor_vec4 last;
+};
+
+GABOR_INLINE GaborSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, std::uint32_t salt, float variance) {
+    float zero = gabor_cpp_floor(local + 0.5f), offset = gabor_cpp_clamp(local - zero, -0.5f, 0.5f);
+    float damped = gabor_cpp_exp(-4.934802f * variance), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
+    gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-offset, offset)) / width, 0.0f, 1.0f);
+    gabor_vec2 fade = t * t * (3.0f - 2.0f * t), change = 6.0f / width * t * (1.0f - t) * gabor_vec2(-1.0f, 1.0f);
+    gabor_vec4 value, slope;
+    gabor_impl_windows(offset, value, slope);
+    return GaborSpotsAxis{gabor_impl_three_line_words(cell + int(zero) - 1, period, salt),
+                          gabor_impl_spots_node(value.x, slope.x, damped, gabor_vec2(fade.x, change.x)),
+                          gabor_impl_spots_node(value.y, slope.y, damped, gabor_vec2(1.0f, 0.0f)),
+                          gabor_impl_spots_node(value.z, slope.z, damped, gabor_vec2(fade.y, change.y))};
+}
+
+// Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
+GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y, GaborSpotsAxis x, std::uint32_t word, gabor_vec4 y, float coupling) {
+    gabor_vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
+    gabor_vec2 c = gabor_impl_amplitude(x.word.z * word);
+    gabor_vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
+                * c.y;
+    sum += y.x * gabor_vec4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * gabor_vec4(real.y, imaginary.y, real.w, imaginary.w);
+    along_y += y.z * gabor_vec2(real.x, imaginary.x) + coupling * y.w * gabor_vec2(real.y, imaginary.y);
+}
+
+// A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
+struct GaborSpotsLine {
+    std::uint32_t word;
+    gabor_vec3 window;
+    gabor_vec2 fade;
+};
+
+GABOR_INLINE GaborSpotsLine gabor_impl_spots_line(GaborFilteredAxis b, int index) {
+    gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * (b.offset - float(index)));
+    gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
+    float imaginary = turn.y * (b.odd_1.y + turn.x * (b.odd_2.y + turn.x * b.odd_3.y));
+    return GaborSpotsLine{gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt),
+                          gabor_vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
+}
+
+// The sums of a row over its columns: the factors times both parts of the amplitudes, and those with the derivative of
+// the
+// fade.
+struct GaborSpotsRow {
+    gabor_vec3 real;
+    gabor_vec3 imaginary;
+    gabor_vec2 edge;
+};
+
+GABOR_INLINE void gabor_impl_add_spot(GaborSpotsRow& row, GaborSpotsLine x, std::uint32_t row_word) {
+    gabor_vec2 a = gabor_impl_amplitude(x.word * row_word);
+    row.real += x.fade.x * a.x * x.window;
+    row.imaginary += x.fade.x * a.y * x.window;
+    row.edge += x.fade.y * x.window.x * a;
+}
+
+GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bool wanted, std::uint32_t salt) {
+    gabor_vec2 m = s.xy() + 0.13069097f;
+    float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y), r = gabor_cpp_sqrt(1.0f - rho * rho), lambda = rho / (1.0f + r);
+    float mixed = 78.956835f * s.z * r / (1.0f + r);
+    GaborFilteredAxis across = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.x), r * m.x, 0.0f, place.cell.x, place.local.x,
+                                                        place.period.x,
+                                                        salt, gabor_vec2(1.0f, 0.0f));
+    GaborFilteredAxis along = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.y), r * m.y, 0.0f, place.cell.y, place.local.y,
+                                                       place.period.y,
+                                                       salt ^ GABOR_IMPL_ROWS, gabor_vec2(1.0f, 0.0f));
+    GaborSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
+    GaborSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
+    if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
+    gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), edge_x = gabor_vec2(0.0f), edge_y = gabor_vec2(0.0f);
+    int rows = wanted ? along.count : 0, j = 0; // see gabor_impl_filtered_wide
+    do {
+        GaborSpotsLine y = gabor_impl_spots_line(along, j);
+        GaborSpotsRow row = GaborSpotsRow{gabor_vec3(0.0f), gabor_vec3(0.0f), gabor_vec2(0.0f)};
+        gabor_impl_add_spot(row, x_0, y.word);
+        gabor_impl_add_spot(row, x_1, y.word);
+        gabor_impl_add_spot(row, x_2, y.word);
+        gabor_impl_add_spot(row, x_3, y.word);
+        if (across.count == 5) gabor_impl_add_spot(row, x_4, y.word);
+        gabor_vec3 w = gabor_vec3(1.0f, mixed, 0.5f * mixed * mixed) * y.window;
+        gabor_vec2 sum = gabor_vec2(gabor_cpp_dot(w, row.real), gabor_cpp_dot(w, row.imaginary));
+        value += y.fade.x * sum;
+        next_x += y.fade.x * (w.x * gabor_vec2(row.real.y, row.imaginary.y) - w.y * gabor_vec2(row.real.z, row.imaginary.z));
+        next_y += y.fade.x * (y.window.y * gabor_vec2(row.real.x, row.imaginary.x)
+                              - mixed * y.window.z * gabor_vec2(row.real.y, row.imaginary.y));
+        edge_x += y.fade.x * w.x * row.edge;
+        edge_y += y.fade.y * sum;
+    } while (++j < rows);
+    gabor_vec2 before = lambda * gabor_cpp_sqrt(m.yx() / m);
+    gabor_vec2 x = edge_x - 6.2831853f * (next_x - before.x * next_y), y = edge_y - 6.2831853f * (next_y - before.y * next_x);
+    float scale = gabor_cpp_sqrt(1.0f - lambda * lambda) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField{scale * value.y, scale * gabor_vec2(x.y, y.y), scale * value.x, scale * gabor_vec2(x.x, y.x), 0.0f};
+}
+
+GABOR_INLINE GaborField gabor_impl_spots_narrow(GaborPlace place, gabor_vec3 s, std::uint32_t salt) {
+    GaborSpotsAxis x = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
+    GaborSpotsAxis y = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
+    gabor_vec4 sum = gabor_vec4(0.0f);
+    gabor_vec2 along_y = gabor_vec2(0.0f);
+    gabor_impl_add_spots_row(sum, along_y, x, y.word.x, y.first, s.z);
+    gabor_impl_add_spots_row(sum, along_y, x, y.word.y, y.middle, s.z);
+    gabor_impl_add_spots_row(sum, along_y, x, y.word.z, y.last, s.z);
+    float scale = 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField{scale * sum.y, scale * gabor_vec2(sum.w, along_y.y), scale * sum.x, scale * gabor_vec2(sum.z, along_y.x),
+                      0.0f};
+}
+
+// The same as gabor_field_filtered with the wave vector 0.
+GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    float wide = gabor_impl_wide_share(footprint), kept = gabor_impl_transmitted(gabor_vec2(0.0f), footprint.covariance);
+    float amplitude = gabor_cpp_sqrt(kept / gabor_impl_transmitted(gabor_vec2(0.0f), footprint.resolved));
+    GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
+    std::uint32_t salt = gabor_impl_salt(seed);
+    if (wide < 1.0f)
+        gabor_impl_add_field(sum, gabor_impl_spots_narrow(place, footprint.resolved, salt), (1.0f - wide) * amplitude,
+                             stretch);
+    if (wide > 0.0f)
+        gabor_impl_add_field(sum, gabor_impl_spots_wide(place, footprint.resolved, wide > 0.0f, salt), wide * amplitude,
+                             stretch);
+    sum.removed = 1.0f - kept;
+    return sum;
+}
+
+// The share of a layer's variance that a filter removes, and the covariance of its gradient that it removes: see
+// gabor_impl_transmitted. The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave
+// vector (1 + 2/3 pi^2 S)^-1 F.
+GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, gabor_vec3 s) {
+    gabor_vec3 a = 6.5797363f * s, inverse = gabor_vec3(1.0f + a.y, 1.0f + a.x, -a.z);
+    inverse /= inverse.x * inverse.y - a.z * a.z;
+    gabor_vec3 whole = gabor_vec3(3.2898681f, 3.2898681f, 0.0f) + 39.478418f * gabor_impl_square(layer.wave);
+    gabor_vec3 left = 3.2898681f * inverse + 39.478418f * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
+    return gabor_impl_pair(layer, field, whole - (1.0f - field.removed) * left);
+}
+
+GABOR_INLINE GaborPair gabor_impl_filtered_waves(GaborLayer layer, GaborPixel pixel) {
+    gabor_vec2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
+                                                                                                              pixel.dy);
+    GaborField field = gabor_field_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.wave, layer.seed);
+    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+}
+
+GABOR_INLINE GaborPair gabor_impl_filtered_spots(GaborLayer layer, GaborPixel pixel) {
+    gabor_vec2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
+                                                                                                              pixel.dy);
+    GaborField field = gabor_impl_spots_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.seed);
+    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+}
+
+GABOR_INLINE void gabor_impl_add_filtered_spots(GaborPairs& pairs, GaborLayer layer, GaborPixel pixel) {
+    GaborPair pair = gabor_impl_filtered_spots(layer, pixel);
+    if (layer.slot == 0) pairs.a = gabor_impl_plus(pairs.a, pair, layer.amplitude);
+    else if (layer.slot == 1) pairs.b = gabor_impl_plus(pairs.b, pair, layer.amplitude);
+    else if (layer.slot == 2) pairs.c = gabor_impl_plus(pairs.c, pair, layer.amplitude);
+    else if (layer.slot == 3) pairs.d = gabor_impl_plus(pairs.d, pair, layer.amplitude);
+    else pairs.e = gabor_impl_plus(pairs.e, pair, layer.amplitude);
+}
+#endif
+
 // ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
-// A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
-GABOR_INLINE float gabor_impl_above(float noise, float removed, float threshold, float softness) {
-    float scale = gabor_cpp_inversesqrt(softness * softness + removed);
-    float x = gabor_cpp_clamp(scale * noise - scale * threshold, -8.0f, 8.0f);
+// The normal distribution function, within 2e-5.
+GABOR_INLINE float gabor_impl_below(float x) {
+    x = gabor_cpp_clamp(x, -8.0f, 8.0f);
     return 1.0f / (1.0f + gabor_cpp_exp2(-x * (2.301726f + x * x * (0.1061787f - 0.00091164f * x * x))));
 }
 
+// A soft threshold: the normal distribution function of (noise - threshold) / softness.
+GABOR_INLINE gabor_vec3 gabor_impl_above(gabor_vec3 noise, float removed, float threshold, float softness) {
+    float scale = gabor_cpp_inversesqrt(softness * softness + removed);
+    float x = scale * noise.x - scale * threshold;
+    return gabor_vec3(gabor_impl_below(x), 0.39894228f * scale * gabor_cpp_exp(-0.5f * gabor_cpp_min(x * x, 100.0f)) * noise.yz());
+}
+
+// The covariance of its slopes that the filter removed.
+GABOR_INLINE gabor_vec3 gabor_impl_above_lost(gabor_vec3 noise, float removed, gabor_vec3 lost, float threshold, float softness) {
+    float scale = gabor_cpp_inversesqrt(softness * softness + removed), variance = 0.5f * softness * softness + removed;
+    float d = (noise.x - threshold) * (noise.x - threshold);
+    float mean = 0.39894228f * scale * gabor_cpp_exp(-0.5f * gabor_cpp_min(d * scale * scale, 100.0f));
+    float square = 0.11253954f / softness * gabor_cpp_inversesqrt(variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(d / variance, 100.0f));
+    return square * lost + (square - mean * mean) * gabor_impl_square(noise.yz());
+}
+
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
-GABOR_INLINE float gabor_impl_line(float noise, float removed, float width) {
+GABOR_INLINE gabor_vec3 gabor_impl_line(gabor_vec3 noise, float removed, float width) {
     float variance = width * width + removed;
-    return width * gabor_cpp_inversesqrt(variance) * gabor_cpp_exp(-0.5f * noise * noise / variance);
+    float line_ = width * gabor_cpp_inversesqrt(variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(noise.x * noise.x / variance, 100.0f));
+    return line_ * gabor_vec3(1.0f, -noise.x / variance * noise.yz());
 }
 
-// A factor of mean 1: exp(contrast noise - contrast^2 / 2).
-GABOR_INLINE float gabor_impl_tone(float noise, float removed, float contrast) {
-    return gabor_cpp_exp(contrast * (noise - 0.5f * contrast * (1.0f - removed)));
+// The covariance of its slopes that the filter removed.
+GABOR_INLINE gabor_vec3 gabor_impl_line_lost(gabor_vec3 noise, float removed, gabor_vec3 lost, float width) {
+    float half_square = 0.5f * width * width, variance = half_square + removed;
+    float mean = noise.x * half_square / variance, spread = half_square * removed / variance;
+    float square = gabor_cpp_sqrt(half_square / variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(noise.x * noise.x / variance,
+                                                                 100.0f)) * (mean * mean + spread)
+                 / (4.0f * half_square * half_square);
+    gabor_vec3 slope = gabor_impl_line(gabor_vec3(noise.x, 1.0f, 0.0f), removed, width);
+    return square * lost + (square - slope.y * slope.y) * gabor_impl_square(noise.yz());
 }
 
-// The phase of a complex noise as a vector: of length 1, or shorter where the filter averages over phases.
-GABOR_INLINE gabor_vec2 gabor_impl_phase(gabor_vec3 layer) {
-    return layer.xy() * gabor_cpp_inversesqrt(gabor_cpp_dot(layer.xy(), layer.xy()) + 2.5f * layer.z + 1.0e-6f);
+// A factor of mean 1, exp(contrast noise - contrast^2 / 2), as its logarithm and the variance of the logarithm that the
+// filter removed. A product of factors is the sum of their vectors.
+GABOR_INLINE gabor_vec2 gabor_impl_tone(float noise, float removed, float contrast) {
+    return gabor_vec2(contrast * noise - 0.5f * contrast * contrast, contrast * contrast * removed);
 }
 
-// The integral of the square of a sawtooth that rises from 0 to 1.
-GABOR_INLINE float gabor_impl_rise_integral(float x) {
-    float turns = gabor_cpp_floor(x), t = x - turns;
-    return 0.33333333f * (turns + t * t * t);
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
+GABOR_INLINE gabor_vec3 gabor_impl_toned(gabor_vec3 colour, gabor_vec2 tone) {
+    gabor_vec3 mean = colour * gabor_cpp_exp(tone.x + 0.5f * tone.y);
+    if (tone.y > 0.0f) {
+        float s = gabor_cpp_sqrt(tone.y);
+        gabor_vec3 d = (-tone.x - gabor_cpp_log(gabor_cpp_max(colour, 1.0e-6f))) / s;
+        if (gabor_cpp_min(gabor_cpp_min(d.x, d.y), d.z) < 3.0f)
+            for (int i = 0; i < 3; ++i)
+                mean[i] = mean[i] * gabor_impl_below(d[i] - s) + 1.0f - gabor_impl_below(d[i]);
+    }
+    return gabor_cpp_min(mean, 1.0f);
 }
 
-// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
-GABOR_INLINE float gabor_impl_rise(gabor_vec2 phase) {
-    gabor_vec3 ends = gabor_impl_ends(phase.x, phase.y);
-    return ends.z * (gabor_impl_rise_integral(ends.y) - gabor_impl_rise_integral(ends.x));
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see
+// gabor_impl_ends_at. `phase` is in turns.
+GABOR_INLINE gabor_vec3 gabor_impl_rise(gabor_vec3 phase, gabor_vec3 span) {
+    gabor_vec3 ends = gabor_impl_ends_at(phase.x, span.x);
+    gabor_vec2 turns = gabor_cpp_floor(ends.xy()), t = ends.xy() - turns, integral = 0.33333333f * (turns + t * t * t);
+    float mean = ends.z * (integral.y - integral.x), change = ends.z * (t.y * t.y - t.x * t.x);
+    // The change with the width, which is about 0.78 sqrt(1 - span).
+    float widen = ends.z * (0.5f * (t.y * t.y + t.x * t.x) - mean) * (-0.5f / (ends.z * gabor_cpp_max(1.0f - span.x, 0.001f)));
+    return gabor_vec3(mean, change * phase.yz() + widen * span.yz());
 }
 
-// Clamps the colour to [0, 1], which a product of tones can exceed.
-GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, float height, float roughness, float metalness) {
-    return GaborMaterial{gabor_cpp_clamp(colour, 0.0f, 1.0f), height, roughness, metalness};
+// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. Where
+// the sawtooth rises, over a share 1 - w of the phases, its slope is 2 t; where it falls, over w, it is
+// -(1 - w) (1 - w + 2 t) / w, with t from 0 to w.
+GABOR_INLINE float gabor_impl_rise_lost(float phase, float span, float full) {
+    gabor_vec3 ends = gabor_impl_ends_at(phase, span);
+    gabor_vec2 turns = gabor_cpp_floor(ends.xy()), t = ends.xy() - turns;
+    float w = 1.0f / gabor_impl_ends_at(0.0f, full).z, rise = 1.0f - w;
+    float risen = 1.3333333f - w * (2.0f - w + 0.33333333f * w * w), fallen = rise * rise * (1.0f / w + 0.33333333f * w);
+    gabor_vec2 integral = risen * (turns + t * t * t) + fallen * turns;
+    float change = ends.z * (t.y * t.y - t.x * t.x);
+    return gabor_cpp_max(ends.z * (integral.y - integral.x) - change * change, 0.0f)
+         * gabor_cpp_max(1.0f - span * span / (full * full), 0.0f);
 }
 
-// ---- Materials -----------------------------------------------------------------------------------------------------
+// A smoothstep from `low` to `high`.
+GABOR_INLINE gabor_vec3 gabor_impl_step(gabor_vec3 low, gabor_vec3 high, gabor_vec3 x) {
+    float width = high.x - low.x, t = gabor_cpp_clamp((x.x - low.x) / width, 0.0f, 1.0f);
+    gabor_vec2 slope = (x.yz() - low.yz() - t * (high.yz() - low.yz())) / width;
+    return gabor_vec3(t * t * (3.0f - 2.0f * t), 6.0f * t * (1.0f - t) * slope);
+}
 
+GABOR_INLINE GaborMaterial gabor_impl_material(gabor_vec3 colour, gabor_vec3 height, gabor_vec3 lost, float roughness, float metalness) {
+    return GaborMaterial{gabor_cpp_clamp(colour, 0.0f, 1.0f), height.x, height.yz(), roughness, metalness, lost};
+}
+
+// ---- Wood ----------------------------------------------------------------------------------------------------------
+//
 // Rings are lines of constant x that noise of low frequency bends until they close.
-GABOR_INLINE GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, std::uint32_t seed) {
+
+GABOR_INLINE GaborWarped gabor_impl_board(GaborPixel pixel, GaborWood wood, std::uint32_t seed) {
     gabor_vec2 bends = gabor_vec2(0.43f, 0.018f) * wood.waviness;
-    GaborPixel board = gabor_impl_warp(pixel, gabor_vec2(1.1f, 0.24f), gabor_vec2(bends.x, 0.0f), gabor_lobe_seed(seed, 0));
-    board = gabor_impl_warp(board, gabor_vec2(4.0f, 0.9f), gabor_vec2(bends.y, 0.0f), gabor_lobe_seed(seed, 1));
-    GaborPixel years = gabor_impl_warp(board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), gabor_lobe_seed(seed, 2));
-    float rings = gabor_impl_repeated(pixel, wood.rings, 1.0f).x;
-    float steps = rings * rings * (years.dx.x * years.dx.x + years.dy.x * years.dy.x);
-    float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * steps, 40.0f)); // amplitude of the rings' wave after a Gaussian filter
-    float ring = gabor_impl_rise(gabor_vec2(rings * years.p.x, gabor_impl_phase_of(gabor_vec2(kept, 0.0f)).y));
-    gabor_vec3 pore = gabor_impl_spots(pixel, gabor_vec2(90.0f, 4.5f), gabor_lobe_seed(seed, 3));
-    gabor_vec3 fibre = gabor_impl_spots(pixel, gabor_vec2(150.0f, 2.0f), gabor_lobe_seed(seed, 4));
-    gabor_vec3 tone = gabor_impl_spots(board, gabor_vec2(3.5f, 0.35f), gabor_lobe_seed(seed, 5));
-
-    float tones = gabor_impl_tone(fibre.y, fibre.z, 0.11f) * gabor_impl_tone(tone.y, tone.z, 0.13f);
-    float pores = wood.pores * gabor_impl_above(pore.y, pore.z, 1.1f, 0.25f); // a quarter as deep in late wood
-    float early = (1.0f - ring) * (1.0f - pores);
-    float late = ring * (1.0f - 0.25f * pores);
-    float deep = 1.0f - early - late;
-    gabor_vec3 colour = tones * early * wood.early + (tones * late + 0.45f * deep) * wood.late;
-    float height = 0.0006f * ring - 0.0024f * deep + 0.0002f * fibre.y;
-    return gabor_impl_material(colour, height, wood.roughness * (1.0f - 0.2f * ring), 0.0f);
+    GaborWarped board = gabor_impl_unwarped(pixel);
+    board = gabor_impl_warp(pixel, board, gabor_vec2(1.1f, 0.24f), gabor_vec2(bends.x, 0.0f), seed, 0);
+    return gabor_impl_warp(pixel, board, gabor_vec2(4.0f, 0.9f), gabor_vec2(bends.y, 0.0f), seed, 1);
 }
 
-GABOR_INLINE GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, std::uint32_t seed) {
-    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0f);
-    GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.7f), gabor_vec2(0.02f * fabric.unevenness), gabor_lobe_seed(seed, 0));
-    gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(0.7f * count.x, 1.1f), gabor_lobe_seed(seed, 1)); // for threads along y
-    gabor_vec3 level = gabor_impl_spots(cloth, gabor_vec2(1.1f, 0.7f * count.y), gabor_lobe_seed(seed, 2));
-    gabor_vec3 upright_fibre = gabor_impl_spots(cloth, gabor_vec2(14.0f, 2.0f) * count, gabor_lobe_seed(seed, 3));
-    gabor_vec3 level_fibre = gabor_impl_spots(cloth, gabor_vec2(2.0f, 14.0f) * count, gabor_lobe_seed(seed, 4));
+// Pores, fibres and tone.
+GABOR_INLINE GaborLayer gabor_impl_wood_layer(int i, GaborPixel pixel, GaborWarped board, std::uint32_t seed) {
+    if (i == 2) return gabor_impl_spots_layer(2, board, gabor_vec2(3.5f, 0.35f), seed, 5);
+    return gabor_impl_spots_layer(i, gabor_impl_unwarped(pixel), i == 0 ? gabor_vec2(90.0f, 4.5f) : gabor_vec2(150.0f, 2.0f), seed,
+                                  3 + i);
+}
 
-    // A thread has a round profile, and goes over one crossing thread and under the next.
-    gabor_vec2 at = count * cloth.p + 0.13f * fabric.unevenness * gabor_vec2(upright.x, level.x);
-    gabor_vec2 thread_ = gabor_cpp_floor(at);
-    gabor_vec2 within = at - thread_ - 0.5f;
-    float parity = gabor_cpp_fract(0.5f * (thread_.x + thread_.y)) > 0.25f ? -1.0f : 1.0f;
-    gabor_vec2 thick = 1.0f + 0.16f * fabric.unevenness * gabor_vec2(upright.y, level.y);
-    gabor_vec2 inside = 1.0f - 4.2f * within * within / (thick * thick);
-    gabor_vec2 crest = thick * gabor_cpp_sqrt(gabor_cpp_max(inside, 0.0f)) - 1.0f
-                 + 0.55f * parity * gabor_cpp_cos(3.1415927f * within.yx()) * gabor_vec2(1.0f, -1.0f) - (1.0f - gabor_cpp_step(0.0f, inside));
-    bool first = crest.x > crest.y;
-    float top = gabor_cpp_max(gabor_cpp_max(crest.x, crest.y), -1.3f);
-    gabor_vec3 tone = first ? upright : level;
-    gabor_vec3 fibre = first ? upright_fibre : level_fibre;
+GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, GaborWood wood, GaborPairs of, std::uint32_t seed) {
+    board = gabor_impl_warp(pixel, board, gabor_vec2(6.5f, 0.08f), gabor_vec2(0.455f / wood.rings, 0.0f), seed, 2);
+    // the number of rings up to here
+    gabor_vec3 years = gabor_impl_repeated(pixel, wood.rings, 1.0f).x * gabor_impl_along_x(board);
+    float kept = 0.97f * gabor_cpp_exp(-gabor_cpp_min(4.9348022f * gabor_impl_steps(pixel, years), 40.0f)); // amplitude of the rings' wave
+    gabor_vec3 ring = gabor_impl_rise(years, gabor_vec3(kept, 0.0f, 0.0f));
+    gabor_vec3 pores = wood.pores * gabor_impl_above(of.a.second, of.a.removed, 1.1f, 0.25f);
+    gabor_vec3 within = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.75f * ring; // a quarter as deep in late wood
+    gabor_vec3 deep = gabor_impl_times(pores, within);
+    float early = (1.0f - ring.x) * (1.0f - pores.x), late = ring.x * (1.0f - 0.25f * pores.x);
+    gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11f) + gabor_impl_tone(of.c.second.x, of.c.removed,
+                                                                                      0.13f);
+    gabor_vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
+                + 0.45f * deep.x * wood.late;
+    gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.b.second;
+    float depth = 5.76e-6f * wood.pores * wood.pores * (within.x * within.x + 0.05f * (1.0f - kept * kept)); // mean square
+    gabor_vec3 lost = 3.6e-7f * gabor_impl_rise_lost(years.x, kept, 0.97f) * gabor_impl_square(years.yz()) + 4.0e-8f * of.b.lost
+              + depth * gabor_impl_above_lost(of.a.second, of.a.removed, of.a.lost, 1.1f, 0.25f);
+    return gabor_impl_material(colour, height, lost, wood.roughness * (1.0f - 0.2f * ring.x), 0.0f);
+}
 
-    // `kept` is the part of the weave that the filter keeps. The rest becomes the mean, which was measured and depends
-    // on the unevenness.
-    gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
-    float kept = gabor_cpp_exp(-gabor_cpp_min(2.5f * (steps.x + steps.y), 40.0f));
-    float uneven = fabric.unevenness;
-    float light = gabor_cpp_mix(0.8572f + uneven * (0.005f + 0.0083f * uneven), gabor_cpp_smoothstep(-1.3f, 0.5f, top), kept);
-    float share = gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept);
-    gabor_vec3 colour = gabor_cpp_mix(fabric.weft, fabric.warp, share) * gabor_cpp_mix(0.18f, 1.0f, light);
-    colour *= gabor_impl_tone(tone.y, tone.z, 0.09f * fabric.unevenness) * gabor_impl_tone(fibre.y, fibre.z, 0.12f);
-    top = gabor_cpp_mix(0.1352f + uneven * (0.0045f + 0.0062f * uneven), top, kept);
-    float height = fabric.relief / fabric.threads * (0.3f * top + 0.035f * fibre.y);
+GABOR_INLINE GaborMaterial gabor_wood_at(gabor_vec2 p, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped board = gabor_impl_board(pixel, wood, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    of.a = gabor_impl_spots_pair(gabor_impl_wood_layer(0, pixel, board, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_wood_layer(1, pixel, board, seed));
+    of.c = gabor_impl_spots_pair(gabor_impl_wood_layer(2, pixel, board, seed));
+    return gabor_impl_wood(pixel, board, wood, of, seed);
+}
+
+// ---- Weaves --------------------------------------------------------------------------------------------------------
+
+// The part of a weave that the filter keeps; x and y are positions along its axes, in threads.
+GABOR_INLINE float gabor_impl_weave_kept(GaborPixel pixel, gabor_vec3 x, gabor_vec3 y) {
+    return gabor_cpp_exp(-gabor_cpp_min(2.5f * (gabor_impl_steps(pixel, x) + gabor_impl_steps(pixel, y)), 40.0f));
+}
+
+GABOR_INLINE GaborWarped gabor_impl_cloth(GaborPixel pixel, GaborFabric fabric, std::uint32_t seed) {
+    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.7f), gabor_vec2(0.02f * fabric.unevenness), seed, 0);
+}
+
+// The thickness and course of threads along y and x, and their fibres.
+GABOR_INLINE GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, gabor_vec2 count, std::uint32_t seed) {
+    gabor_vec2 density = i == 0 ? gabor_vec2(0.7f * count.x, 1.1f) : i == 1 ? gabor_vec2(1.1f, 0.7f * count.y)
+                 : i == 2 ? gabor_vec2(14.0f, 2.0f) * count : gabor_vec2(2.0f, 14.0f) * count;
+    return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
+}
+
+// The height of a thread: a circle of radius `thick` that goes over a crossing thread if `bend` is 1 and under it if
+// -1.
+GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, gabor_vec3 along, float bend) {
+    float square = thick.x * thick.x - 4.2f * across.x * across.x, side = gabor_cpp_sqrt(gabor_cpp_max(square,
+                                                                                  0.0f)), turn = 3.1415927f * along.x;
+    gabor_vec2 slope = (thick.x * thick.yz() - 4.2f * across.x * across.yz()) / gabor_cpp_max(side, 0.05f);
+    return gabor_vec3(side - (square < 0.0f ? 2.0f : 1.0f) + 0.55f * bend * gabor_cpp_cos(turn),
+                (square < 0.0f ? gabor_vec2(0.0f) : slope) - 1.7278760f * bend * gabor_cpp_sin(turn) * along.yz());
+}
+
+// The means to which the filter fades the weave were measured; they depend on the unevenness.
+GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, gabor_vec2 count, GaborFabric fabric, GaborPairs of) {
+    float uneven = fabric.unevenness, unit = fabric.relief / fabric.threads;
+    gabor_vec3 one = gabor_vec3(1.0f, 0.0f, 0.0f), x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
+    float kept = gabor_impl_weave_kept(pixel, x, y);
+    x += 0.13f * uneven * of.a.first;
+    y += 0.13f * uneven * of.b.first;
+    float parity = gabor_cpp_fract(0.5f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x))) > 0.25f ? -1.0f : 1.0f;
+    x.x -= gabor_cpp_floor(x.x) + 0.5f;
+    y.x -= gabor_cpp_floor(y.x) + 0.5f;
+    gabor_vec3 along_y = gabor_impl_thread(x, one + 0.16f * uneven * of.a.second, y, parity);
+    gabor_vec3 along_x = gabor_impl_thread(y, one + 0.16f * uneven * of.b.second, x, -parity);
+    bool first = along_y.x > along_x.x;
+    gabor_vec3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second, lost = first ? of.c.lost
+               : of.d.lost;
+    if (top.x < -1.3f) top = gabor_vec3(-1.3f, 0.0f, 0.0f);
+    gabor_vec2 tones = gabor_impl_tone(first ? of.a.second.x : of.b.second.x, first ? of.a.removed : of.b.removed,
+                                 0.09f * uneven)
+               + gabor_impl_tone(fibre.x, first ? of.c.removed : of.d.removed, 0.12f);
+    float light = gabor_cpp_mix(0.8572f + uneven * (0.005f + 0.0083f * uneven), gabor_cpp_smoothstep(-1.3f, 0.5f, top.x), kept);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(fabric.weft, tones), gabor_impl_toned(fabric.warp, tones),
+                      gabor_cpp_mix(0.5f, first ? 1.0f : 0.0f, kept)) * gabor_cpp_mix(0.18f, 1.0f, light);
+    gabor_vec3 height = gabor_vec3(gabor_cpp_mix(0.1352f + uneven * (0.0045f + 0.0062f * uneven), top.x, kept), kept * top.yz());
+    height = unit * (0.3f * height + 0.035f * fibre);
+    lost = unit * unit * (0.29f * (1.0f - kept * kept) * gabor_vec3(count * count, 0.0f) + 0.001225f * lost);
     if (fabric.cords > 0.0f) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
-        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0f).x;
-        float damped = gabor_cpp_exp(-gabor_cpp_min(4.9348022f * cords * cords * (cloth.dx.x * cloth.dx.x + cloth.dy.x * cloth.dy.x), 20.0f));
-        float turn = 6.2831853f * gabor_cpp_fract(cords * cloth.p.x);
-        float cord = 0.625f - damped * (0.5f * gabor_cpp_cos(turn) + 0.125f * damped * damped * damped * gabor_cpp_cos(2.0f * turn));
+        gabor_vec3 at = gabor_impl_repeated(pixel, fabric.cords, 1.0f).x * gabor_impl_along_x(cloth);
+        float damped = gabor_cpp_exp(-gabor_cpp_min(4.9348022f * gabor_impl_steps(pixel, at), 20.0f)), half_cord = 0.5f * damped;
+        float second = 0.125f * damped * damped * damped * damped, turn = 6.2831853f * gabor_cpp_fract(at.x);
+        float cord = 0.625f - half_cord * gabor_cpp_cos(turn) - second * gabor_cpp_cos(2.0f * turn);
+        float depth = 0.3f * fabric.relief / gabor_impl_repeated(pixel, fabric.cords, 1.0f).x, swing = depth * 6.2831853f;
         colour *= gabor_cpp_mix(0.3f, 1.0f, cord);
-        height += 0.3f * fabric.relief / cords * cord;
+        height += gabor_vec3(depth * cord, swing * (half_cord * gabor_cpp_sin(turn) + 2.0f * second * gabor_cpp_sin(2.0f * turn)) * at.yz());
+        lost += swing * swing * (0.15625f - 0.5f * half_cord * half_cord - 2.0f * second * second)
+                * gabor_impl_square(at.yz());
     }
-    return gabor_impl_material(colour, height, fabric.roughness, 0.0f);
+    return gabor_impl_material(colour, height, lost, fabric.roughness, 0.0f);
 }
 
-// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
-GABOR_INLINE GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
-    GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.07f * leather.wrinkles), gabor_lobe_seed(seed, 0));
-    skin = gabor_impl_warp(skin, gabor_vec2(4.0f), gabor_vec2(0.014f * leather.wrinkles), gabor_lobe_seed(seed, 1));
-    gabor_vec2 density = gabor_vec2(leather.cells / 1.6f);
-    gabor_vec3 one = gabor_impl_layer(skin, density, 1.6f, 0.2f, gabor_lobe_seed(seed, 2));
-    gabor_vec3 other = gabor_impl_layer(skin, density, 1.6f, 2.2944f, gabor_lobe_seed(seed, 3));
-    gabor_vec3 fine = gabor_impl_octaves(pixel, gabor_vec2(18.0f), 3, 0.75f, gabor_lobe_seed(seed, 4));
-    gabor_vec3 tone = gabor_impl_spots(pixel, gabor_vec2(0.8f), gabor_lobe_seed(seed, 5));
-
-    gabor_vec2 powers = gabor_vec2(gabor_cpp_dot(one.xy(), one.xy()), gabor_cpp_dot(other.xy(), other.xy()));
-    gabor_vec2 a = one.xy() * gabor_cpp_inversesqrt(powers.x + 0.12f);
-    gabor_vec2 b = other.xy() * gabor_cpp_inversesqrt(powers.y + 0.12f);
-    float cells = a.x + b.x + gabor_impl_product(a, b).x; // 3 in the middle of a cell, -1.5 in a corner
-    gabor_vec2 shares = powers / (powers + 2.5f * gabor_vec2(one.z, other.z));
-    float kept = gabor_cpp_sqrt(shares.x * shares.y);
-    float blur = 1.0f - kept;
-    float pebble = gabor_cpp_mix(0.806f, gabor_cpp_smoothstep(-1.45f - blur, -0.55f + blur, cells + 0.1f * fine.y), kept);
-    gabor_vec3 colour = gabor_cpp_mix(leather.crease, leather.pebble, pebble);
-    colour *= gabor_impl_tone(tone.y, tone.z, 0.14f) * gabor_impl_tone(fine.x, fine.z, 0.08f);
-    float dome = gabor_cpp_mix(0.236f, gabor_cpp_smoothstep(-1.0f, 3.0f, cells), kept);
-    float height = leather.relief * (0.016f * pebble + 0.013f * dome + 0.0016f * fine.y);
-    return gabor_impl_material(colour, height, leather.roughness + 0.15f * (1.0f - pebble), 0.0f);
+GABOR_INLINE GaborMaterial gabor_fabric_at(gabor_vec2 p, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
+    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0f);
+    GaborPairs of = gabor_impl_no_pairs();
+    of.a = gabor_impl_spots_pair(gabor_impl_fabric_layer(0, cloth, count, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_fabric_layer(1, cloth, count, seed));
+    of.c = gabor_impl_spots_pair(gabor_impl_fabric_layer(2, cloth, count, seed));
+    of.d = gabor_impl_spots_pair(gabor_impl_fabric_layer(3, cloth, count, seed));
+    return gabor_impl_fabric(pixel, cloth, count, fabric, of);
 }
 
-// Adds veins: lines along the zeros of layer.x, drawn only where layer.y exceeds a threshold, so they have
-// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
-GABOR_INLINE gabor_vec3 gabor_impl_vein(gabor_vec3 colour, gabor_vec3 layer, float threshold, gabor_vec3 halo, gabor_vec3 core, gabor_vec2 width, gabor_vec2 strength) {
-    float open = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
-    strength.y *= open * gabor_impl_line(layer.x, layer.z, width.y);
-    strength.x *= open * gabor_impl_line(layer.x, layer.z, width.x) - strength.y;
-    return colour + strength.x * (halo - colour) + strength.y * (core - colour);
+GABOR_INLINE GaborWarped gabor_impl_twill(GaborPixel pixel, std::uint32_t seed) {
+    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.8f), gabor_vec2(0.008f), seed, 0);
 }
 
-GABOR_INLINE GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, std::uint32_t seed) {
-    gabor_vec4 bends = gabor_vec4(0.17f, 0.038f, 0.010f, 0.003f) * marble.turbulence;
-    GaborPixel stone = gabor_impl_warp(pixel, gabor_vec2(1.1f), gabor_vec2(bends.x), gabor_lobe_seed(seed, 0));
-    stone = gabor_impl_warp(stone, gabor_vec2(4.0f), gabor_vec2(bends.y), gabor_lobe_seed(seed, 1));
-    stone = gabor_impl_warp(stone, gabor_vec2(13.0f), gabor_vec2(bends.z), gabor_lobe_seed(seed, 2));
-    stone = gabor_impl_warp(stone, gabor_vec2(40.0f), gabor_vec2(bends.w), gabor_lobe_seed(seed, 3));
-    gabor_vec3 large = gabor_impl_layer(stone, gabor_vec2(0.95f), 0.85f, 0.65f, gabor_lobe_seed(seed, 4));
-    gabor_vec3 middle = gabor_impl_layer(stone, gabor_vec2(1.9f), 0.95f, -0.45f, gabor_lobe_seed(seed, 5));
-    gabor_vec3 thin = gabor_impl_layer(stone, gabor_vec2(4.5f), 0.95f, 0.95f, gabor_lobe_seed(seed, 6));
-    gabor_vec3 hair = gabor_impl_layer(stone, gabor_vec2(13.0f), 0.9f, 0.2f, gabor_lobe_seed(seed, 7));
-    gabor_vec3 cloud = gabor_impl_octaves(stone, gabor_vec2(1.5f), 3, 0.6f, gabor_lobe_seed(seed, 8));
-    gabor_vec3 crystal = gabor_impl_spots(pixel, gabor_vec2(75.0f), gabor_lobe_seed(seed, 9));
-
-    gabor_vec3 colour = marble.stone * (1.0f - marble.clouds * gabor_impl_above(cloud.y, cloud.z, 0.5f, 0.8f));
-    colour *= gabor_impl_tone(crystal.x, crystal.z, 0.02f);
-    gabor_vec3 grey = gabor_cpp_mix(marble.stone, marble.vein, 0.65f);
-    colour = gabor_impl_vein(colour, middle, 0.5f, grey, gabor_cpp_mix(marble.stone, marble.vein, 0.9f), gabor_vec2(0.25f, 0.035f),
-                             gabor_vec2(0.6f, 0.6f) * marble.veins);
-    colour = gabor_impl_vein(colour, large, -0.4f, grey, marble.vein, gabor_vec2(0.35f, 0.05f), gabor_vec2(0.55f, 0.75f) * marble.veins);
-    colour = gabor_impl_vein(colour, thin, 0.8f, grey, grey, gabor_vec2(1.0f, 0.04f), gabor_vec2(0.0f, 0.45f) * marble.veins);
-    colour = gabor_impl_vein(colour, hair, 1.1f, grey, gabor_cpp_mix(marble.stone, marble.vein, 0.45f), gabor_vec2(1.0f, 0.05f),
-                             gabor_vec2(0.0f, 0.45f) * marble.veins);
-    return gabor_impl_material(colour, 0.00012f * crystal.y, marble.roughness, 0.0f);
-}
-
-GABOR_INLINE GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, std::uint32_t seed) {
-    GaborPixel dune = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.15f), gabor_lobe_seed(seed, 0));
-    dune = gabor_impl_warp(dune, gabor_vec2(3.0f), gabor_vec2(0.02f), gabor_lobe_seed(seed, 1));
-    gabor_vec2 density = gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples;
-    gabor_vec3 wind = gabor_impl_layer(dune, density, 2.3f, 1.4f, gabor_lobe_seed(seed, 2));
-    gabor_vec3 grain = gabor_impl_spots(pixel, gabor_vec2(75.0f), gabor_lobe_seed(seed, 3));
-    gabor_vec3 large = gabor_impl_octaves(pixel, gabor_vec2(0.6f), 3, 0.5f, gabor_lobe_seed(seed, 4));
-
-    float ripple = gabor_impl_rise(gabor_impl_phase_of(0.9f * gabor_impl_phase(wind)));
-    gabor_vec3 colour = gabor_cpp_mix(sand.trough, sand.crest, ripple);
-    colour *= gabor_impl_tone(grain.x, grain.z, sand.grain) * gabor_impl_tone(large.y, large.z, 0.06f);
-    colour = gabor_cpp_mix(colour, 0.23f * sand.trough, 3.75f * sand.grain * gabor_impl_above(grain.y, grain.z, 1.9f, 0.15f));
-    gabor_vec3 bright = gabor_cpp_mix(sand.crest, gabor_vec3(1.0f), 0.6f);
-    colour = gabor_cpp_mix(colour, bright, 3.0f * sand.grain * gabor_impl_above(-grain.y, grain.z, 1.9f, 0.15f));
-    float height = sand.relief * ripple * (1.0f + 0.2f * large.x) + 0.03f * large.x + 0.00875f * sand.grain * grain.x;
-    return gabor_impl_material(colour, height, sand.roughness, 0.0f);
-}
-
-// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
-// the filter removed does not change the mean of the harmonic.
-GABOR_INLINE GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, std::uint32_t seed) {
-    float height = 0.0f;
-    float crest = 0.0f;
-    float removed = 0.0f;
-    float power = 0.0f;
-    for (int i = 0; i < 14; ++i) {
-        float waves = ripples.waves * gabor_cpp_exp2(0.27f * float(i)); // waves per unit
-        float angle = ripples.direction + ripples.spread * (gabor_cpp_fract(0.618034f * float(i) + 0.1f) - 0.5f);
-        gabor_vec3 wave = gabor_impl_layer(pixel, gabor_vec2(waves / 2.2f), 2.2f, angle, gabor_lobe_seed(seed, i));
-        float amplitude = gabor_cpp_exp2(-0.351f * float(i));
-        height += amplitude * (wave.x + 0.2f * (wave.x * wave.x - wave.y * wave.y));
-        crest += amplitude * wave.x;
-        removed += amplitude * amplitude * wave.z;
-        power += amplitude * amplitude;
-    }
-    float light = gabor_impl_above(crest * gabor_cpp_inversesqrt(power), removed / power, 0.5f, 1.0f);
-    gabor_vec3 colour = gabor_cpp_mix(ripples.deep, ripples.shallow, light);
-    return gabor_impl_material(colour, ripples.relief * height, ripples.roughness, 0.0f);
-}
-
-GABOR_INLINE GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
-    float height = 0.0f;
-    gabor_vec2 tone = gabor_vec2(0.0f);
-    for (int i = 0; i < 5; ++i) {
-        float fine = gabor_cpp_exp2(float(i));
-        gabor_vec2 density = gabor_vec2(0.3f + 0.12f * fine, metal.streaks * fine);
-        gabor_vec3 streak = gabor_impl_spots(pixel, density, gabor_lobe_seed(seed, i));
-        height += metal.relief / fine * streak.x;
-        tone += gabor_vec2(0.4472136f, 0.2f) * streak.yz();
-    }
-    gabor_vec3 colour = metal.colour * gabor_impl_tone(tone.x, tone.y, metal.contrast);
-    return gabor_impl_material(colour, height, metal.roughness, 1.0f);
-}
-
-// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
-GABOR_INLINE GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
-    float whole = 1.0f;
-    float height = 0.0f;
-    float size = 1.0f;
-    float turn = 0.0955f;
-    float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // the area above it is about proportional to amount
-    for (int i = 0; i < 14; ++i) {
-        GaborPixel turned = gabor_impl_turned(pixel, scratches.direction + scratches.spread * (turn - 0.5f));
-        turned = gabor_impl_warp(turned, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, 0.17f), gabor_lobe_seed(seed, 2 * i));
-        gabor_vec2 density = gabor_vec2(1.0f / scratches.reach, 42.0f) / size;
-        gabor_vec3 noise = gabor_impl_spots(turned, density, gabor_lobe_seed(seed, 2 * i + 1));
-        float scratch = gabor_impl_above(noise.x, noise.z, threshold, 0.2f);
-        scratch *= gabor_impl_above(noise.y, noise.z, 0.3f, 0.7f);
-        whole *= 1.0f - (0.25f + 0.7f * size) * scratch;
-        height -= scratches.depth * size * scratch;
-        size *= 0.9138315f;
-        turn = gabor_cpp_fract(turn + 0.763932f);
-    }
-    return gabor_impl_material(gabor_cpp_mix(scratches.scratch, scratches.lacquer, whole), height, scratches.roughness, 0.0f);
-}
-
-GABOR_INLINE GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, std::uint32_t seed) {
-    GaborPixel skin = gabor_impl_warp(pixel, gabor_vec2(0.9f), gabor_vec2(0.14f), gabor_lobe_seed(seed, 0));
-    GaborPlace place = gabor_impl_place(pixel, gabor_vec2(0.6f));
-    float lean = gabor_field(place, gabor_kernel(0.0f, 0.0f), gabor_lobe_seed(seed, 1)).value.x;
-    gabor_vec3 stripe = gabor_impl_layer(skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, zebra.direction + zebra.bends * lean,
-                                   gabor_lobe_seed(seed, 2));
-    gabor_vec3 hair = gabor_impl_spots(gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), gabor_lobe_seed(seed, 3));
-    gabor_vec3 tone = gabor_impl_spots(pixel, gabor_vec2(1.2f), gabor_lobe_seed(seed, 4));
-
-    float intensity = gabor_cpp_length(stripe.xy()); // small where stripe.x is flat, where a constant softness would blur the edge
-    float ragged = 0.1f * zebra.hair;
-    float dark = gabor_impl_above(stripe.x + ragged * intensity * hair.x, stripe.z + ragged * ragged * hair.z, 0.0f,
-                                  0.01f + 0.09f * intensity);
-    gabor_vec3 colour = gabor_cpp_mix(zebra.bright, zebra.stripe, dark);
-    colour *= gabor_impl_tone(hair.y, hair.z, 0.14f * zebra.hair) * gabor_impl_tone(tone.y, tone.z, 0.08f);
-    return gabor_impl_material(colour, 0.002f * zebra.hair * hair.x, zebra.roughness, 0.0f);
-}
-
-GABOR_INLINE GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, std::uint32_t seed) {
-    GaborPixel trunk = gabor_impl_warp(pixel, gabor_vec2(0.8f, 0.35f), gabor_vec2(0.22f, 0.1f), gabor_lobe_seed(seed, 0));
-    trunk = gabor_impl_warp(trunk, gabor_vec2(3.0f, 1.6f), gabor_vec2(0.05f, 0.05f), gabor_lobe_seed(seed, 1));
-    trunk = gabor_impl_warp(trunk, gabor_vec2(10.0f), gabor_vec2(0.013f), gabor_lobe_seed(seed, 2));
-    gabor_vec2 density = gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows;
-    gabor_vec3 furrow = gabor_impl_layer(trunk, density, 1.3f, 0.1f, gabor_lobe_seed(seed, 3));
-    gabor_vec3 crack = gabor_impl_layer(trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, gabor_lobe_seed(seed, 4));
-    gabor_vec3 rough = gabor_impl_octaves(trunk, gabor_vec2(7.0f, 3.0f), 5, 0.75f, gabor_lobe_seed(seed, 5));
-    gabor_vec3 moss = gabor_impl_spots(pixel, gabor_vec2(1.1f, 0.7f), gabor_lobe_seed(seed, 6));
-
-    float shape = furrow.x + 0.2f * rough.x;
-    float plate = gabor_impl_above(shape, furrow.z + 0.04f * rough.z, -0.15f, 0.35f)
-                  * (1.0f - 0.55f * gabor_impl_line(crack.x, crack.z, 0.13f));
-    // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
-    float worn = 0.5f * gabor_impl_above(rough.y + 0.25f * rough.z, rough.z, 0.5f, 0.4f);
-    float covered = bark.cover * gabor_impl_above(moss.y, moss.z, 0.9f, 0.5f);
-    gabor_vec3 top = gabor_cpp_mix(bark.plate, gabor_cpp_mix(bark.plate, gabor_vec3(1.0f), 0.13f), worn);
-    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(bark.furrow, bark.moss, covered), gabor_cpp_mix(top, bark.moss, 0.6f * covered), plate);
-    colour *= gabor_impl_tone(rough.y, rough.z, 0.25f);
-    float height = bark.depth * plate + 0.018f * rough.x * (0.4f + 0.6f * plate);
-    return gabor_impl_material(colour, height, bark.roughness, 0.0f);
+// The fibres of tows along y and x.
+GABOR_INLINE GaborLayer gabor_impl_tow_layer(int i, GaborWarped cloth, gabor_vec2 count, std::uint32_t seed) {
+    return gabor_impl_spots_layer(i, cloth, (i == 0 ? gabor_vec2(20.0f, 0.6f) : gabor_vec2(0.6f, 20.0f)) * count, seed, 1 + i);
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, std::uint32_t seed) {
-    gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
-    GaborPixel cloth = gabor_impl_warp(pixel, gabor_vec2(0.8f), gabor_vec2(0.008f), gabor_lobe_seed(seed, 0));
-    gabor_vec3 upright = gabor_impl_spots(cloth, gabor_vec2(20.0f, 0.6f) * count, gabor_lobe_seed(seed, 1));
-    gabor_vec3 level = gabor_impl_spots(cloth, gabor_vec2(0.6f, 20.0f) * count, gabor_lobe_seed(seed, 2));
-    gabor_vec2 tow = gabor_cpp_floor(count * cloth.p);
-    gabor_vec2 within = count * cloth.p - tow;
-    float turn = 4.0f * gabor_cpp_fract(0.25f * (tow.x + tow.y) + 0.125f) - 0.5f; // 0 to 3
+GABOR_INLINE GaborMaterial gabor_impl_carbon_fibre(GaborPixel pixel, GaborWarped cloth, gabor_vec2 count, GaborCarbonFibre fibres,
+                                      GaborPairs of) {
+    gabor_vec3 x = count.x * gabor_impl_along_x(cloth), y = count.y * gabor_impl_along_y(cloth);
+    float kept = gabor_impl_weave_kept(pixel, x, y), unit = fibres.relief / fibres.tows;
+    float turn = 4.0f * gabor_cpp_fract(0.25f * (gabor_cpp_floor(x.x) + gabor_cpp_floor(y.x)) + 0.125f) - 0.5f; // 0 to 3
+    x.x -= gabor_cpp_floor(x.x);
+    y.x -= gabor_cpp_floor(y.x);
     bool first = turn < 1.5f;
-    gabor_vec3 fibre = first ? upright : level;
-    gabor_vec2 along_across = first ? within.yx() : within;
-    float along = 0.5f * (along_across.x + (gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 1.0f)); // from 0 to 1 over two rows
-    float across = 2.0f * along_across.y - 1.0f;
-
-    gabor_vec2 steps = count * count * (cloth.dx * cloth.dx + cloth.dy * cloth.dy);
-    float kept = gabor_cpp_exp(-gabor_cpp_min(2.5f * (steps.x + steps.y), 40.0f));
-    float bulge = gabor_cpp_mix(0.5093f, gabor_cpp_sin(3.1415927f * along) * (1.0f - across * across * across * across), kept);
-    gabor_vec3 colour = fibres.colour * (0.35f + 0.65f * bulge) * gabor_impl_tone(fibre.x, fibre.z, fibres.contrast);
-    float height = fibres.relief / fibres.tows * (0.16f * bulge + 0.006f * fibre.x);
-    return gabor_impl_material(colour, height, fibres.roughness, 0.0f);
+    gabor_vec3 fibre = first ? of.a.first : of.b.first, lost = first ? of.a.lost : of.b.lost;
+    gabor_vec3 along = 0.5f * (first ? y : x), across = 2.0f * (first ? x : y);
+    along.x += gabor_cpp_fract(0.5f * turn + 0.25f) < 0.5f ? 0.0f : 0.5f; // from 0 to 1 over two rows
+    across.x -= 1.0f;
+    float cube = across.x * across.x * across.x, arch = 1.0f - cube * across.x;
+    gabor_vec2 wave = gabor_vec2(gabor_cpp_cos(3.1415927f * along.x), gabor_cpp_sin(3.1415927f * along.x));
+    gabor_vec3 bulge = gabor_vec3(gabor_cpp_mix(0.5093f, wave.y * arch, kept),
+                      kept * (3.1415927f * arch * wave.x * along.yz() - 4.0f * cube * wave.y * across.yz()));
+    gabor_vec2 tone = gabor_impl_tone(fibre.x, first ? of.a.removed : of.b.removed, fibres.contrast);
+    gabor_vec3 colour = (0.35f + 0.65f * bulge.x) * gabor_impl_toned(fibres.colour, tone);
+    // The mean square of the bulge's slope, over tows along x and y, is 2.72.
+    lost = unit * unit * (0.0256f * 2.72f * (1.0f - kept * kept) * gabor_vec3(count * count, 0.0f) + 3.6e-5f * lost);
+    return gabor_impl_material(colour, unit * (0.16f * bulge + 0.006f * fibre), lost, fibres.roughness, 0.0f);
 }
 
-GABOR_INLINE GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, std::uint32_t seed) {
+GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(gabor_vec2 p, gabor_vec2 period, GaborCarbonFibre fibres, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped cloth = gabor_impl_twill(pixel, seed);
+    gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
+    GaborPairs of = gabor_impl_no_pairs();
+    of.a = gabor_impl_spots_pair(gabor_impl_tow_layer(0, cloth, count, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_tow_layer(1, cloth, count, seed));
+    return gabor_impl_carbon_fibre(pixel, cloth, count, fibres, of);
+}
+
+// ---- Leather -------------------------------------------------------------------------------------------------------
+//
+// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
+
+GABOR_INLINE GaborWarped gabor_impl_skin(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
+    gabor_vec2 bends = gabor_vec2(0.07f, 0.014f) * leather.wrinkles;
+    GaborWarped skin = gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.9f), gabor_vec2(bends.x), seed, 0);
+    return gabor_impl_warp(pixel, skin, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
+}
+
+// Three octaves of fine grain, the tone, and the first two waves.
+GABOR_INLINE GaborLayer gabor_impl_leather_layer(int i, GaborPixel pixel, GaborWarped skin, GaborLeather leather, std::uint32_t seed) {
+    if (i < 3) return gabor_impl_octave(gabor_impl_unwarped(pixel), gabor_vec2(18.0f), i, 3, 0.75f, gabor_lobe_seed(seed, 4));
+    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(0.8f), seed, 5);
+    return gabor_impl_waves_layer(i - 2, skin, gabor_vec2(leather.cells / 1.6f), 1.6f, i == 4 ? 0.2f : 2.2944f, seed, i - 2);
+}
+
+// A wave of a pair, brought near length 1: its cosine, its sine, and the share of its power that the filter kept.
+struct GaborCrest {
+    gabor_vec3 cosine;
+    gabor_vec3 sine;
+    gabor_vec3 share;
+};
+
+GABOR_INLINE GaborCrest gabor_impl_crest(GaborPair wave) {
+    float power = wave.first.x * wave.first.x + wave.second.x * wave.second.x, whole = power + 2.5f * wave.removed;
+    gabor_vec2 change = 2.0f * (wave.first.x * wave.first.yz() + wave.second.x * wave.second.yz());
+    gabor_vec3 unit = gabor_cpp_inversesqrt(power + 0.12f) * gabor_vec3(1.0f, -0.5f / (power + 0.12f) * change);
+    return GaborCrest{gabor_impl_times(wave.first, unit), gabor_impl_times(wave.second, unit),
+                      gabor_vec3(power, 2.5f * wave.removed / whole * change) / whole};
+}
+
+// The means to which the filter fades, and the mean squares of the slopes, were measured.
+GABOR_INLINE GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
+    GaborCrest a = gabor_impl_crest(of.c), b = gabor_impl_crest(of.d);
+    gabor_vec3 one = gabor_vec3(1.0f, 0.0f, 0.0f), shares = gabor_impl_times(a.share, b.share);
+    gabor_vec3 cells = a.cosine + b.cosine + gabor_impl_times(a.cosine, b.cosine) - gabor_impl_times(a.sine, b.sine);
+    float root = gabor_cpp_sqrt(shares.x); // `cells` is 3 in the middle of a cell, -1.5 in a corner
+    gabor_vec3 kept = gabor_vec3(root, 0.5f / gabor_cpp_max(root, 1.0e-6f) * shares.yz()), blur = one - kept;
+    gabor_vec3 pebble = gabor_impl_step(-1.45f * one - blur, -0.55f * one + blur, cells + 0.1f * of.a.second) - 0.806f * one;
+    gabor_vec3 dome = gabor_impl_step(-one, 3.0f * one, cells) - 0.236f * one;
+    pebble = 0.806f * one + gabor_impl_times(kept, pebble);
+    dome = 0.236f * one + gabor_impl_times(kept, dome);
+    gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
+    gabor_vec3 height = leather.relief * (0.016f * pebble + 0.013f * dome + 0.0016f * of.a.second);
+    float gone = leather.cells * leather.cells * (1.0f - root * root / (1.0f + blur.x));
+    gabor_vec3 lost = gone * gabor_vec3(0.00287f, 0.0026f, 0.0f) + 2.56e-6f * of.a.lost;
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
+    return gabor_impl_material(colour, height,
+                               leather.relief * leather.relief * lost, leather.roughness + 0.15f * (1.0f
+                                                                                                   - pebble.x), 0.0f);
+}
+
+GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped skin = gabor_impl_skin(pixel, leather, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        of.a = gabor_impl_plus_octave(of.a, gabor_impl_leather_layer(i, pixel, skin, leather, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_leather_layer(3, pixel, skin, leather, seed));
+    of.c = gabor_impl_waves_pair(gabor_impl_leather_layer(4, pixel, skin, leather, seed));
+    of.d = gabor_impl_waves_pair(gabor_impl_leather_layer(5, pixel, skin, leather, seed));
+    return gabor_impl_leather(leather, of);
+}
+
+// ---- Marble --------------------------------------------------------------------------------------------------------
+
+GABOR_INLINE GaborWarped gabor_impl_stone(GaborPixel pixel, GaborMarble marble, std::uint32_t seed) {
+    gabor_vec4 bends = gabor_vec4(0.17f, 0.038f, 0.010f, 0.003f) * marble.turbulence;
+    GaborWarped stone = gabor_impl_unwarped(pixel);
+    stone = gabor_impl_warp(pixel, stone, gabor_vec2(1.1f), gabor_vec2(bends.x), seed, 0);
+    stone = gabor_impl_warp(pixel, stone, gabor_vec2(4.0f), gabor_vec2(bends.y), seed, 1);
+    stone = gabor_impl_warp(pixel, stone, gabor_vec2(13.0f), gabor_vec2(bends.z), seed, 2);
+    return gabor_impl_warp(pixel, stone, gabor_vec2(40.0f), gabor_vec2(bends.w), seed, 3);
+}
+
+// Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
+GABOR_INLINE GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborWarped stone, std::uint32_t seed) {
+    if (i < 3) return gabor_impl_octave(stone, gabor_vec2(1.5f), i, 3, 0.6f, gabor_lobe_seed(seed, 8));
+    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(75.0f), seed, 9);
+    gabor_vec3 vein = i == 4 ? gabor_vec3(1.9f, 0.95f, -0.45f) : i == 5 ? gabor_vec3(0.95f, 0.85f, 0.65f)
+              : i == 6 ? gabor_vec3(4.5f, 0.95f, 0.95f) : gabor_vec3(13.0f, 0.9f, 0.2f);
+    return gabor_impl_waves_layer(2, stone, gabor_vec2(vein.x), vein.y, vein.z, seed, i == 4 ? 5 : i == 5 ? 4 : i);
+}
+
+GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
+    float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f).x;
+    gabor_vec3 colour = gabor_impl_toned(marble.stone * (1.0f - clouds), gabor_impl_tone(crystal.first.x, crystal.removed,
+                                                                                  0.02f));
+    return gabor_impl_material(colour, 0.00012f * crystal.second, 1.44e-8f * crystal.lost, marble.roughness, 0.0f);
+}
+
+// Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
+// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
+GABOR_INLINE void gabor_impl_add_veins(GaborMaterial& stone, GaborMarble marble, int i, GaborPair vein) {
+    gabor_vec2 width = i == 4 ? gabor_vec2(0.25f, 0.035f) : i == 5 ? gabor_vec2(0.35f, 0.05f) : gabor_vec2(1.0f, i == 6 ? 0.04f : 0.05f);
+    gabor_vec2 strength = marble.veins * (i == 4 ? gabor_vec2(0.6f, 0.6f) : i == 5 ? gabor_vec2(0.55f, 0.75f) : gabor_vec2(0.0f, 0.45f));
+    float open = gabor_impl_above(vein.second, vein.removed, i == 4 ? 0.5f : i == 5 ? -0.4f : i == 6 ? 0.8f : 1.1f, 0.5f).x;
+    strength.y *= open * gabor_impl_line(vein.first, vein.removed, width.y).x;
+    strength.x *= open * gabor_impl_line(vein.first, vein.removed, width.x).x - strength.y;
+    gabor_vec3 halo = gabor_cpp_mix(marble.stone, marble.vein, 0.65f);
+    gabor_vec3 core = gabor_cpp_mix(marble.stone, marble.vein, i == 4 ? 0.9f : i == 5 ? 1.0f : i == 6 ? 0.65f : 0.45f);
+    stone.colour += strength.x * (halo - stone.colour) + strength.y * (core - stone.colour);
+    stone.colour = gabor_cpp_clamp(stone.colour, 0.0f, 1.0f);
+}
+
+GABOR_INLINE GaborMaterial gabor_marble_at(gabor_vec2 p, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped stone = gabor_impl_stone(pixel, marble, seed);
+    GaborPair cloud = gabor_impl_no_pair();
+    for (int i = 0; i < 3; ++i)
+        cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
+    GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
+    GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
+    for (int i = 4; i < 8; ++i)
+        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(gabor_impl_marble_layer(i, pixel, stone,
+                                                                                                seed)));
+    return material;
+}
+
+// ---- Sand ----------------------------------------------------------------------------------------------------------
+
+GABOR_INLINE GaborWarped gabor_impl_dune(GaborPixel pixel, std::uint32_t seed) {
+    GaborWarped dune = gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.8f), gabor_vec2(0.15f), seed, 0);
+    return gabor_impl_warp(pixel, dune, gabor_vec2(3.0f), gabor_vec2(0.02f), seed, 1);
+}
+
+// Three octaves of large shapes, grains, and ripples.
+GABOR_INLINE GaborLayer gabor_impl_sand_layer(int i, GaborPixel pixel, GaborWarped dune, GaborSand sand, std::uint32_t seed) {
+    if (i < 3) return gabor_impl_octave(gabor_impl_unwarped(pixel), gabor_vec2(0.6f), i, 3, 0.5f, gabor_lobe_seed(seed, 4));
+    if (i == 3) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(75.0f), seed, 3);
+    return gabor_impl_waves_layer(2, dune, gabor_vec2(0.9f, 1.7f) / 3.87f * sand.ripples, 2.3f, 1.4f, seed, 2);
+}
+
+GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of) {
+    gabor_vec2 z = gabor_vec2(of.c.first.x, of.c.second.x);
+    float power = gabor_cpp_max(gabor_cpp_dot(z, z), 1.0e-6f), whole = power + 2.5f * of.c.removed, span = 0.9f * gabor_cpp_sqrt(power / whole);
+    gabor_vec2 change = z.x * of.c.first.yz() + z.y * of.c.second.yz(); // half the derivative of the power
+    gabor_vec3 phase = gabor_vec3(gabor_phasor(z).x, 0.15915494f / power * (z.x * of.c.second.yz() - z.y * of.c.first.yz()));
+    gabor_vec3 ripple = gabor_impl_rise(phase, span * gabor_vec3(1.0f, (1.0f / power - 1.0f / whole) * change));
+    gabor_vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain) + gabor_impl_tone(of.a.second.x, of.a.removed,
+                                                                                           0.06f);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
+    float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9f, 0.15f).x;
+    float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9f, 0.15f).x;
+    colour = gabor_cpp_mix(colour, 0.23f * sand.trough, 3.75f * sand.grain * dark);
+    colour = gabor_cpp_mix(colour, gabor_cpp_mix(sand.crest, gabor_vec3(1.0f), 0.6f), 3.0f * sand.grain * bright);
+    gabor_vec3 tall = gabor_vec3(sand.relief, 0.0f, 0.0f) + 0.2f * sand.relief * of.a.first;
+    gabor_vec3 height = gabor_impl_times(ripple, tall) + 0.03f * of.a.first + 0.00875f * sand.grain * of.b.first;
+    gabor_vec2 wave = ripples.density * ripples.wave; // per unit of the dune
+    wave = gabor_vec2(gabor_cpp_dot(wave, ripples.at.x), gabor_cpp_dot(wave, ripples.at.y));
+    // The phase's mean square slope is that of the wave, and more where the noise is near 0: 0.4 was measured.
+    gabor_vec3 bent = gabor_vec3(0.4f * ripples.density * ripples.density, 0.0f);
+    gabor_vec3 square = gabor_impl_square(wave) + gabor_impl_turned_square(bent, ripples.at.x, ripples.at.y);
+    gabor_vec3 lost = tall.x * tall.x * gabor_impl_rise_lost(phase.x, span, 0.9f) * square
+              + 0.0009f * of.a.lost + 7.65625e-5f * sand.grain * sand.grain * of.b.lost;
+    return gabor_impl_material(colour, height, lost, sand.roughness, 0.0f);
+}
+
+GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped dune = gabor_impl_dune(pixel, seed);
+    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        of.a = gabor_impl_plus_octave(of.a, gabor_impl_sand_layer(i, pixel, dune, sand, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_sand_layer(3, pixel, dune, sand, seed));
+    of.c = gabor_impl_waves_pair(ripples);
+    return gabor_impl_sand(sand, ripples, of);
+}
+
+// ---- Ripples -------------------------------------------------------------------------------------------------------
+//
+// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
+// the filter removed does not change the mean of the harmonic.
+
+GABOR_INLINE GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborRipples ripples, std::uint32_t seed) {
+    float density = ripples.waves * gabor_cpp_exp2(0.27f * float(i)) / 2.2f;
+    float angle = ripples.direction + ripples.spread * (gabor_cpp_fract(0.618034f * float(i) + 0.1f) - 0.5f);
+    return gabor_impl_waves_layer(0, gabor_impl_unwarped(pixel), gabor_vec2(density), 2.2f, angle, seed, i);
+}
+
+// Adds a wave: the first sum is the height, the second a noise.
+GABOR_INLINE void gabor_impl_add_ripple(GaborPair& sum, int i, GaborPair wave) {
+    float amplitude = gabor_cpp_exp2(-0.351f * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0f - wave.removed;
+    float harmonic = 0.2f * kept; // a filter damps a wave of twice the frequency by the fourth power, and x^2 by the square
+    sum.first += amplitude * gabor_vec3(x + harmonic * (x * x - y * y),
+                                  (1.0f + 2.0f * harmonic * x) * wave.first.yz() - 2.0f * harmonic * y * wave.second.yz());
+    sum.second += amplitude * wave.first;
+    sum.removed += amplitude * amplitude * wave.removed;
+    // The derivatives of x and y are in proportion to -y and x.
+    float harmonics = x * x + y * y + 1.0f - kept + kept * kept * (1.0f + kept);
+    sum.lost += amplitude * amplitude * (1.0f + 1.6f * x + 0.64f * harmonics) * wave.lost;
+}
+
+GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborRipples ripples, GaborPair sum) {
+    const float power = 2.592656f; // of all waves
+    float light = gabor_impl_above(gabor_cpp_inversesqrt(power) * sum.second, sum.removed / power, 0.5f, 1.0f).x;
+    return gabor_impl_material(gabor_cpp_mix(ripples.deep, ripples.shallow, light), ripples.relief * sum.first,
+                               ripples.relief * ripples.relief * sum.lost, ripples.roughness, 0.0f);
+}
+
+GABOR_INLINE GaborMaterial gabor_ripples_at(gabor_vec2 p, gabor_vec2 period, GaborRipples ripples, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborPair sum = gabor_impl_no_pair();
+    for (int i = 0; i < 14; ++i)
+        gabor_impl_add_ripple(sum, i, gabor_impl_waves_pair(gabor_impl_ripples_layer(i, pixel, ripples, seed)));
+    return gabor_impl_ripples(ripples, sum);
+}
+
+// ---- Brushed metal -------------------------------------------------------------------------------------------------
+
+GABOR_INLINE GaborLayer gabor_impl_streaks_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
+    gabor_vec2 density = gabor_vec2(0.3f + 0.12f * gabor_cpp_exp2(float(i)), metal.streaks * gabor_cpp_exp2(float(i)));
+    return gabor_impl_spots_layer(0, gabor_impl_unwarped(pixel), density, seed, i);
+}
+
+// Adds streaks: the first sum is the height, the second the tone.
+GABOR_INLINE void gabor_impl_add_streaks(GaborPair& sum, int i, GaborPair pair) {
+    float size = gabor_cpp_exp2(-float(i));
+    sum.first += size * pair.first;
+    sum.second += 0.4472136f * pair.second;
+    sum.removed += 0.2f * pair.removed;
+    sum.lost += size * size * pair.lost;
+}
+
+GABOR_INLINE GaborMaterial gabor_impl_brushed_metal(GaborBrushedMetal metal, GaborPair sum) {
+    gabor_vec3 colour = gabor_impl_toned(metal.colour, gabor_impl_tone(sum.second.x, sum.removed, metal.contrast));
+    return gabor_impl_material(colour, metal.relief * sum.first, metal.relief * metal.relief * sum.lost,
+                               metal.roughness, 1.0f);
+}
+
+GABOR_INLINE GaborMaterial gabor_brushed_metal_at(gabor_vec2 p, gabor_vec2 period, GaborBrushedMetal metal, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborPair sum = gabor_impl_no_pair();
+    for (int i = 0; i < 5; ++i)
+        gabor_impl_add_streaks(sum, i, gabor_impl_spots_pair(gabor_impl_streaks_layer(i, pixel, metal, seed)));
+    return gabor_impl_brushed_metal(metal, sum);
+}
+
+// ---- Scratches -----------------------------------------------------------------------------------------------------
+//
+// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
+
+GABOR_INLINE GaborLayer gabor_impl_scratches_layer(int i, GaborPixel pixel, GaborScratches scratches, std::uint32_t seed) {
+    float angle = scratches.direction + scratches.spread * (gabor_cpp_fract(0.0955f + 0.763932f * float(i)) - 0.5f);
+    GaborWarped at = gabor_impl_turned(gabor_impl_unwarped(pixel), angle);
+    at = gabor_impl_warp(pixel, at, gabor_vec2(0.3f, 0.1f), gabor_vec2(0.0f, 0.17f), seed, 2 * i);
+    return gabor_impl_spots_layer(0, at, gabor_vec2(1.0f / scratches.reach, 42.0f) * gabor_cpp_exp2(0.13f * float(i)), seed, 2 * i + 1);
+}
+
+// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
+GABOR_INLINE void gabor_impl_add_scratches(GaborMaterial& sum, GaborScratches scratches, int i, GaborPair noise) {
+    float size = gabor_cpp_exp2(-0.13f * float(i));
+    float threshold = gabor_cpp_sqrt(5.76f - 2.0f * gabor_cpp_log(scratches.amount)); // the area above it is about proportional to amount
+    gabor_vec3 open = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.7f);
+    gabor_vec3 scratch = gabor_impl_times(gabor_impl_above(noise.first, noise.removed, threshold, 0.2f), open);
+    sum.colour *= 1.0f - (0.25f + 0.7f * size) * scratch.x;
+    sum.height -= size * scratch.x;
+    sum.slope -= size * scratch.yz();
+    float change = gabor_impl_above(gabor_vec3(noise.second.x, 1.0f, 0.0f), noise.removed, 0.3f, 0.7f).y;
+    // The mean square of `open`; its own slope, which we leave out, would add a seventh.
+    sum.lost += 1.15f * size * size * (open.x * open.x + change * change * noise.removed)
+              * gabor_impl_above_lost(noise.first, noise.removed, noise.lost, threshold, 0.2f);
+}
+
+GABOR_INLINE GaborMaterial gabor_impl_scratches(GaborScratches scratches, GaborMaterial sum) {
+    gabor_vec3 height = scratches.depth * gabor_vec3(sum.height, sum.slope), lost = scratches.depth * scratches.depth * sum.lost;
+    return gabor_impl_material(gabor_cpp_mix(scratches.scratch, scratches.lacquer, sum.colour), height, lost, scratches.roughness,
+                               0.0f);
+}
+
+GABOR_INLINE GaborMaterial gabor_scratches_at(gabor_vec2 p, gabor_vec2 period, GaborScratches scratches, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborMaterial sum = GaborMaterial{gabor_vec3(1.0f), 0.0f, gabor_vec2(0.0f), 0.0f, 0.0f, gabor_vec3(0.0f)};
+    for (int i = 0; i < 14; ++i)
+        gabor_impl_add_scratches(sum, scratches, i,
+                                 gabor_impl_spots_pair(gabor_impl_scratches_layer(i, pixel, scratches, seed)));
+    return gabor_impl_scratches(scratches, sum);
+}
+
+// ---- Zebra ---------------------------------------------------------------------------------------------------------
+
+GABOR_INLINE GaborWarped gabor_impl_hide(GaborPixel pixel, std::uint32_t seed) {
+    return gabor_impl_warp(pixel, gabor_impl_unwarped(pixel), gabor_vec2(0.9f), gabor_vec2(0.14f), seed, 0);
+}
+
+GABOR_INLINE float gabor_impl_stripes_direction(GaborPixel pixel, GaborZebra zebra, std::uint32_t seed) {
+    GaborPlace place = gabor_impl_place(gabor_impl_unwarped(pixel), gabor_vec2(0.6f));
+    return zebra.direction + zebra.bends * gabor_impl_spots(place, gabor_lobe_seed(seed, 1)).quadrature;
+}
+
+// Hair, tone and stripes.
+GABOR_INLINE GaborLayer gabor_impl_zebra_layer(int i, GaborPixel pixel, GaborWarped skin, float direction, GaborZebra zebra,
+                                  std::uint32_t seed) {
+    if (i == 0) return gabor_impl_spots_layer(0, gabor_impl_turned(skin, 2.0707963f), gabor_vec2(6.0f, 80.0f), seed, 3);
+    if (i == 1) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(1.2f), seed, 4);
+    return gabor_impl_waves_layer(2, skin, gabor_vec2(zebra.stripes / 1.4f), 1.4f, direction, seed, 2);
+}
+
+GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
+    float ragged = 0.1f * zebra.hair, relief = 0.002f * zebra.hair;
+    // where it is small, a constant softness would blur the edge
+    float intensity = gabor_cpp_length(gabor_vec2(of.c.first.x, of.c.second.x));
+    float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
+                                  of.c.removed + ragged * ragged * of.a.removed, 0.0f,
+                                  0.01f + 0.09f * intensity).x;
+    gabor_vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14f * zebra.hair) + gabor_impl_tone(of.b.second.x,
+                                                                                                   of.b.removed, 0.08f);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
+    return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0f);
+}
+
+GABOR_INLINE GaborMaterial gabor_zebra_at(gabor_vec2 p, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped skin = gabor_impl_hide(pixel, seed);
+    float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    of.a = gabor_impl_spots_pair(gabor_impl_zebra_layer(0, pixel, skin, direction, zebra, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_zebra_layer(1, pixel, skin, direction, zebra, seed));
+    of.c = gabor_impl_waves_pair(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed));
+    return gabor_impl_zebra(zebra, of);
+}
+
+// ---- Bark ----------------------------------------------------------------------------------------------------------
+
+GABOR_INLINE GaborWarped gabor_impl_trunk(GaborPixel pixel, std::uint32_t seed) {
+    GaborWarped trunk = gabor_impl_unwarped(pixel);
+    trunk = gabor_impl_warp(pixel, trunk, gabor_vec2(0.8f, 0.35f), gabor_vec2(0.22f, 0.1f), seed, 0);
+    trunk = gabor_impl_warp(pixel, trunk, gabor_vec2(3.0f, 1.6f), gabor_vec2(0.05f, 0.05f), seed, 1);
+    return gabor_impl_warp(pixel, trunk, gabor_vec2(10.0f), gabor_vec2(0.013f), seed, 2);
+}
+
+// Five octaves of roughness, moss, furrows, and cracks.
+GABOR_INLINE GaborLayer gabor_impl_bark_layer(int i, GaborPixel pixel, GaborWarped trunk, GaborBark bark, std::uint32_t seed) {
+    if (i < 5) return gabor_impl_octave(trunk, gabor_vec2(7.0f, 3.0f), i, 5, 0.75f, gabor_lobe_seed(seed, 5));
+    if (i == 5) return gabor_impl_spots_layer(1, gabor_impl_unwarped(pixel), gabor_vec2(1.1f, 0.7f), seed, 6);
+    if (i == 6) return gabor_impl_waves_layer(2, trunk, gabor_vec2(1.7f, 0.55f) / 2.21f * bark.furrows, 1.3f, 0.1f, seed, 3);
+    return gabor_impl_waves_layer(3, trunk, gabor_vec2(1.2f, 1.3f), 0.9f, 1.5f, seed, 4);
+}
+
+GABOR_INLINE GaborMaterial gabor_impl_bark(GaborBark bark, GaborPairs of) {
+    gabor_vec3 shape = of.c.first + 0.2f * of.a.first;
+    float removed = of.c.removed + 0.04f * of.a.removed;
+    gabor_vec3 whole = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.55f * gabor_impl_line(of.d.first, of.d.removed, 0.13f);
+    gabor_vec3 risen = gabor_impl_above(shape, removed, -0.15f, 0.35f), plate = gabor_impl_times(risen, whole);
+    // Weighted by the tone exp(0.25 noise), the removed part of the noise has a mean of 0.25 times its variance.
+    gabor_vec3 weighted = of.a.second + gabor_vec3(0.25f * of.a.removed, 0.0f, 0.0f);
+    float worn = 0.5f * gabor_impl_above(weighted, of.a.removed, 0.5f, 0.4f).x;
+    float covered = bark.cover * gabor_impl_above(of.b.second, of.b.removed, 0.9f, 0.5f).x;
+    gabor_vec2 tone = gabor_impl_tone(of.a.second.x, of.a.removed, 0.25f);
+    gabor_vec3 top = gabor_cpp_mix(gabor_impl_toned(bark.plate, tone), gabor_impl_toned(gabor_cpp_mix(bark.plate, gabor_vec3(1.0f), 0.13f), tone), worn);
+    gabor_vec3 moss = gabor_impl_toned(bark.moss, tone);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_cpp_mix(gabor_impl_toned(bark.furrow, tone), moss, covered), gabor_cpp_mix(top, moss, 0.6f * covered), plate.x);
+    gabor_vec3 coarse = gabor_vec3(0.4f, 0.0f, 0.0f) + 0.6f * plate;
+    gabor_vec3 height = bark.depth * plate + 0.018f * gabor_impl_times(of.a.first, coarse);
+    // Mean squares of factors; that of a line is a line of 1/sqrt(2) times the width.
+    float wholes = 2.0f * whole.x - 1.0f + 0.3025f * gabor_impl_line(of.d.first, of.d.removed, 0.0919239f).x;
+    float rises = risen.x * risen.x + risen.x * (1.0f - risen.x) * removed / (removed + 0.18f);
+    float both = 0.0072f * bark.depth * whole.x * gabor_impl_above(gabor_vec3(shape.x, 1.0f, 0.0f), removed, -0.15f, 0.35f).y;
+    gabor_vec3 lost = bark.depth * bark.depth
+              * (wholes * gabor_impl_above_lost(shape, removed, of.c.lost + 0.04f * of.a.lost, -0.15f, 0.35f)
+                 + 0.3025f * rises * gabor_impl_line_lost(of.d.first, of.d.removed, of.d.lost, 0.13f))
+              + coarse.x * (0.000324f * coarse.x + both) * of.a.lost;
+    return gabor_impl_material(colour, height, lost, bark.roughness, 0.0f);
+}
+
+GABOR_INLINE GaborMaterial gabor_bark_at(gabor_vec2 p, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped trunk = gabor_impl_trunk(pixel, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 5; ++i)
+        of.a = gabor_impl_plus_octave(of.a, gabor_impl_bark_layer(i, pixel, trunk, bark, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_bark_layer(5, pixel, trunk, bark, seed));
+    of.c = gabor_impl_waves_pair(gabor_impl_bark_layer(6, pixel, trunk, bark, seed));
+    of.d = gabor_impl_waves_pair(gabor_impl_bark_layer(7, pixel, trunk, bark, seed));
+    return gabor_impl_bark(bark, of);
+}
+
+// ---- Strata --------------------------------------------------------------------------------------------------------
+
+GABOR_INLINE GaborWarped gabor_impl_rock(GaborPixel pixel, GaborStrata strata, std::uint32_t seed) {
+    GaborWarped rock = gabor_impl_unwarped(pixel);
     gabor_vec4 folds = gabor_vec4(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds;
-    GaborPixel rock = gabor_impl_warp(pixel, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, folds.x), gabor_lobe_seed(seed, 0));
-    rock = gabor_impl_warp(rock, gabor_vec2(1.6f, 2.6f), gabor_vec2(folds.y, folds.z), gabor_lobe_seed(seed, 1));
-    rock = gabor_impl_warp(rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(folds.w), gabor_lobe_seed(seed, 2));
-    gabor_vec2 layers = gabor_vec2(1.0f, strata.layers);
-    gabor_vec3 broad = gabor_impl_spots(rock, gabor_vec2(0.1f, 0.33333333f) * layers, gabor_lobe_seed(seed, 3));
-    gabor_vec3 band = gabor_impl_spots(rock, gabor_vec2(0.14f, 1.0f) * layers, gabor_lobe_seed(seed, 4));
-    gabor_vec3 thin = gabor_impl_spots(rock, gabor_vec2(0.25f, 2.8333333f) * layers, gabor_lobe_seed(seed, 5));
-    gabor_vec3 lamina = gabor_impl_spots(rock, gabor_vec2(0.6f, 8.3333333f) * layers, gabor_lobe_seed(seed, 6));
-    gabor_vec3 grain = gabor_impl_octaves(pixel, gabor_vec2(16.0f, 24.0f), 4, 0.8f, gabor_lobe_seed(seed, 7));
-
-    float soft = gabor_impl_above(band.x, band.z, 0.5f, 0.22f); // the soft layers, which erode
-    gabor_vec3 colour = gabor_cpp_mix(strata.rock, strata.sandstone, gabor_impl_above(broad.x, broad.z, 0.0f, 0.5f));
-    colour = gabor_cpp_mix(colour, strata.red, 0.8f * soft);
-    colour = gabor_cpp_mix(colour, strata.pale, 0.75f * gabor_impl_above(thin.x, thin.z, 1.0f, 0.2f));
-    colour = gabor_cpp_mix(colour, 0.75f * strata.red, 0.6f * gabor_impl_above(thin.y, thin.z, 1.3f, 0.15f));
-    colour *= gabor_impl_tone(lamina.x, lamina.z, 0.13f) * gabor_impl_tone(grain.x, grain.z, 0.11f);
-    float height = 0.02f * broad.y - 0.012f * soft + 0.006f * thin.x + 0.0015f * lamina.x + 0.003f * grain.y;
-    return gabor_impl_material(colour, strata.relief * height, strata.roughness, 0.0f);
+    rock = gabor_impl_warp(pixel, rock, gabor_vec2(0.35f, 0.6f), gabor_vec2(0.0f, folds.x), seed, 0);
+    rock = gabor_impl_warp(pixel, rock, gabor_vec2(1.6f, 2.6f), folds.yz(), seed, 1);
+    return gabor_impl_warp(pixel, rock, gabor_vec2(7.0f, 10.0f), gabor_vec2(folds.w), seed, 2);
 }
 
-// ---- Definitions of the public functions ---------------------------------------------------------------------------
-
-GABOR_INLINE GaborPixel gabor_pixel(gabor_vec2 p) {
-    return GaborPixel{p, gabor_vec2(0.0f), gabor_vec2(0.0f), false, gabor_vec2(0.0f)};
+// Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
+GABOR_INLINE GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWarped rock, GaborStrata strata, std::uint32_t seed) {
+    if (i < 4) return gabor_impl_octave(gabor_impl_unwarped(pixel), gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed,
+                                                                                                                 7));
+    gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f) : i == 6 ? gabor_vec2(0.25f,
+                                                                                             2.8333333f)
+                                                                                                 : gabor_vec2(0.6f, 8.3333333f);
+    return gabor_impl_spots_layer(i - 3, rock, density * gabor_vec2(1.0f, strata.layers), seed, i - 1);
 }
 
-GABOR_INLINE GaborPixel gabor_pixel_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy) {
-    return GaborPixel{p, dx, dy, true, gabor_vec2(0.0f)};
+GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
+    gabor_vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5f, 0.22f); // the soft layers, which erode
+    gabor_vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
+    gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
+                      gabor_impl_above(of.b.first, of.b.removed, 0.0f, 0.5f).x);
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.red, tones), 0.8f * soft.x);
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.pale, tones),
+                 0.75f * gabor_impl_above(of.d.first, of.d.removed, 1.0f, 0.2f).x);
+    colour = gabor_cpp_mix(colour, gabor_impl_toned(0.75f * strata.red, tones),
+                 0.6f * gabor_impl_above(of.d.second, of.d.removed, 1.3f, 0.15f).x);
+    gabor_vec3 height = 0.02f * of.b.second - 0.012f * soft + 0.006f * of.d.first + 0.0015f * of.e.first + 0.003f * of.a.second;
+    gabor_vec3 lost = 0.0004f * of.b.lost + 3.6e-5f * of.d.lost + 2.25e-6f * of.e.lost + 9.0e-6f * of.a.lost
+              + 0.000144f * gabor_impl_above_lost(of.c.first, of.c.removed, of.c.lost, 0.5f, 0.22f);
+    return gabor_impl_material(colour, strata.relief * height, strata.relief * strata.relief * lost, strata.roughness,
+                               0.0f);
 }
 
-GABOR_INLINE GaborPixel gabor_pixel_tiled(GaborPixel pixel, gabor_vec2 period) {
-    return GaborPixel{pixel.p - period * gabor_cpp_floor(pixel.p / period), pixel.dx, pixel.dy, pixel.filtered, period};
+GABOR_INLINE GaborMaterial gabor_strata_at(gabor_vec2 p, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
+    GaborWarped rock = gabor_impl_rock(pixel, strata, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        of.a = gabor_impl_plus_octave(of.a, gabor_impl_strata_layer(i, pixel, rock, strata, seed));
+    of.b = gabor_impl_spots_pair(gabor_impl_strata_layer(4, pixel, rock, strata, seed));
+    of.c = gabor_impl_spots_pair(gabor_impl_strata_layer(5, pixel, rock, strata, seed));
+    of.d = gabor_impl_spots_pair(gabor_impl_strata_layer(6, pixel, rock, strata, seed));
+    of.e = gabor_impl_spots_pair(gabor_impl_strata_layer(7, pixel, rock, strata, seed));
+    return gabor_impl_strata(strata, of);
+}
+
+// ---- The same, filtered --------------------------------------------------------------------------------------------
+
+#ifdef GABOR_FILTER_HPP
+GABOR_INLINE GaborMaterial gabor_wood_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborWood wood, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped board = gabor_impl_board(pixel, wood, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 3; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_wood_layer(i, pixel, board, seed), pixel);
+    return gabor_impl_wood(pixel, board, wood, of, seed);
+}
+
+GABOR_INLINE GaborMaterial gabor_fabric_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborFabric fabric, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped cloth = gabor_impl_cloth(pixel, fabric, seed);
+    gabor_vec2 count = gabor_impl_repeated(pixel, fabric.threads, 2.0f);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_fabric_layer(i, cloth, count, seed), pixel);
+    return gabor_impl_fabric(pixel, cloth, count, fabric, of);
+}
+
+GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborCarbonFibre fibres,
+                                             std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped cloth = gabor_impl_twill(pixel, seed);
+    gabor_vec2 count = gabor_impl_repeated(pixel, fibres.tows, 4.0f);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 2; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_tow_layer(i, cloth, count, seed), pixel);
+    return gabor_impl_carbon_fibre(pixel, cloth, count, fibres, of);
+}
+
+GABOR_INLINE GaborMaterial gabor_leather_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped skin = gabor_impl_skin(pixel, leather, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
+    for (int i = 4; i < 6; ++i) {
+        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_leather_layer(i, pixel, skin, leather, seed), pixel);
+        if (i == 4) of.c = pair;
+        else of.d = pair;
+    }
+    return gabor_impl_leather(leather, of);
+}
+
+GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborMarble marble, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped stone = gabor_impl_stone(pixel, marble, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed), pixel);
+    GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
+    for (int i = 4; i < 8; ++i)
+        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(gabor_impl_marble_layer(i, pixel, stone,
+                                                                                                    seed), pixel));
+    return material;
+}
+
+GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborSand sand, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped dune = gabor_impl_dune(pixel, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 4; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_sand_layer(i, pixel, dune, sand, seed), pixel);
+    GaborLayer ripples = gabor_impl_sand_layer(4, pixel, dune, sand, seed);
+    of.c = gabor_impl_filtered_waves(ripples, pixel);
+    return gabor_impl_sand(sand, ripples, of);
+}
+
+GABOR_INLINE GaborMaterial gabor_ripples_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborRipples ripples, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborPair sum = gabor_impl_no_pair();
+    for (int i = 0; i < 14; ++i)
+        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(gabor_impl_ripples_layer(i, pixel, ripples, seed),
+                                                                pixel));
+    return gabor_impl_ripples(ripples, sum);
+}
+
+GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBrushedMetal metal,
+                                              std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborPair sum = gabor_impl_no_pair();
+    for (int i = 0; i < 5; ++i)
+        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(gabor_impl_streaks_layer(i, pixel, metal, seed),
+                                                                 pixel));
+    return gabor_impl_brushed_metal(metal, sum);
+}
+
+GABOR_INLINE GaborMaterial gabor_scratches_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborScratches scratches, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborMaterial sum = GaborMaterial{gabor_vec3(1.0f), 0.0f, gabor_vec2(0.0f), 0.0f, 0.0f, gabor_vec3(0.0f)};
+    for (int i = 0; i < 14; ++i)
+        gabor_impl_add_scratches(sum, scratches, i,
+                                 gabor_impl_filtered_spots(gabor_impl_scratches_layer(i, pixel, scratches, seed),
+                                                           pixel));
+    return gabor_impl_scratches(scratches, sum);
+}
+
+GABOR_INLINE GaborMaterial gabor_zebra_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborZebra zebra, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped skin = gabor_impl_hide(pixel, seed);
+    float direction = gabor_impl_stripes_direction(pixel, zebra, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 2; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_zebra_layer(i, pixel, skin, direction, zebra, seed), pixel);
+    of.c = gabor_impl_filtered_waves(gabor_impl_zebra_layer(2, pixel, skin, direction, zebra, seed), pixel);
+    return gabor_impl_zebra(zebra, of);
+}
+
+GABOR_INLINE GaborMaterial gabor_bark_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBark bark, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped trunk = gabor_impl_trunk(pixel, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 6; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_bark_layer(i, pixel, trunk, bark, seed), pixel);
+    for (int i = 6; i < 8; ++i) {
+        GaborPair pair = gabor_impl_filtered_waves(gabor_impl_bark_layer(i, pixel, trunk, bark, seed), pixel);
+        if (i == 6) of.c = pair;
+        else of.d = pair;
+    }
+    return gabor_impl_bark(bark, of);
+}
+
+GABOR_INLINE GaborMaterial gabor_strata_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborStrata strata, std::uint32_t seed) {
+    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
+    GaborWarped rock = gabor_impl_rock(pixel, strata, seed);
+    GaborPairs of = gabor_impl_no_pairs();
+    for (int i = 0; i < 8; ++i)
+        gabor_impl_add_filtered_spots(of, gabor_impl_strata_layer(i, pixel, rock, strata, seed), pixel);
+    return gabor_impl_strata(strata, of);
+}
+#endif
+
+// ---- Definitions of the other public functions ---------------------------------------------------------------------
+
+GABOR_INLINE float gabor_roughness(GaborMaterial material) {
+    float alpha = material.roughness * material.roughness;
+    return gabor_cpp_sqrt(gabor_cpp_sqrt(gabor_cpp_min(alpha * alpha + material.lost.x + material.lost.y, 1.0f)));
 }
 
 GABOR_INLINE GaborWood gabor_wood_default() {
     return GaborWood{gabor_vec3(0.50f, 0.275f, 0.115f), gabor_vec3(0.20f, 0.078f, 0.027f), 13.0f, 1.0f, 0.75f, 0.5f};
 }
-
 GABOR_INLINE GaborFabric gabor_fabric_default() {
     return GaborFabric{gabor_vec3(0.50f, 0.43f, 0.33f), gabor_vec3(0.60f, 0.53f, 0.42f), 12.0f, 1.0f, 1.0f, 0.85f, 0.0f};
 }
-
 GABOR_INLINE GaborLeather gabor_leather_default() {
     return GaborLeather{gabor_vec3(0.20f, 0.068f, 0.026f), gabor_vec3(0.04f, 0.014f, 0.007f), 6.88f, 1.0f, 1.0f, 0.4f};
 }
-
 GABOR_INLINE GaborMarble gabor_marble_default() {
     return GaborMarble{gabor_vec3(0.80f, 0.79f, 0.77f), gabor_vec3(0.13f, 0.135f, 0.145f), 1.0f, 1.0f, 0.25f, 0.2f};
 }
-
 GABOR_INLINE GaborSand gabor_sand_default() {
     return GaborSand{gabor_vec3(0.43f, 0.30f, 0.17f), gabor_vec3(0.60f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f};
 }
-
 GABOR_INLINE GaborRipples gabor_ripples_default() {
     return GaborRipples{gabor_vec3(0.004f, 0.06f, 0.085f), gabor_vec3(0.03f, 0.25f, 0.27f), 0.6f, 0.8726646f, 1.0471976f, 0.035f, 0.1f};
 }
-
 GABOR_INLINE GaborBrushedMetal gabor_brushed_metal_default() {
     return GaborBrushedMetal{gabor_vec3(0.55f, 0.555f, 0.565f), 9.0f, 0.09f, 0.0012f, 0.36f};
 }
-
 GABOR_INLINE GaborScratches gabor_scratches_default() {
     return GaborScratches{gabor_vec3(0.035f, 0.042f, 0.05f), gabor_vec3(0.60f, 0.61f, 0.62f), 1.0f, 3.0f, 1.5707963f, 3.1415927f, 0.0025f,
                           0.3f};
 }
-
 GABOR_INLINE GaborZebra gabor_zebra_default() {
     return GaborZebra{gabor_vec3(0.70f, 0.64f, 0.54f), gabor_vec3(0.018f, 0.014f, 0.012f), 1.96f, 0.2967060f, 0.3490659f, 1.0f, 0.7f};
 }
-
 GABOR_INLINE GaborBark gabor_bark_default() {
     return GaborBark{gabor_vec3(0.20f, 0.145f, 0.10f), gabor_vec3(0.025f, 0.014f, 0.008f), gabor_vec3(0.10f, 0.13f, 0.045f), 2.21f, 0.35f, 0.13f,
                      0.9f};
 }
-
 GABOR_INLINE GaborCarbonFibre gabor_carbon_fibre_default() {
     return GaborCarbonFibre{gabor_vec3(0.028f, 0.029f, 0.031f), 4.0f, 0.3f, 1.0f, 0.3f};
 }
-
 GABOR_INLINE GaborStrata gabor_strata_default() {
     return GaborStrata{gabor_vec3(0.50f, 0.22f, 0.09f), gabor_vec3(0.60f, 0.35f, 0.18f), gabor_vec3(0.28f, 0.075f, 0.035f), gabor_vec3(0.74f, 0.58f, 0.40f),
                        6.0f, 1.0f, 1.0f, 0.9f};
 }
 
-GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_wood_at(gabor_pixel(p), gabor_wood_default(), seed);
-}
+GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed) { return gabor_wood_at(p, gabor_vec2(0.0f), gabor_wood_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed) { return gabor_fabric_at(p, gabor_vec2(0.0f), gabor_fabric_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed) { return gabor_leather_at(p, gabor_vec2(0.0f), gabor_leather_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed) { return gabor_marble_at(p, gabor_vec2(0.0f), gabor_marble_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed) { return gabor_sand_at(p, gabor_vec2(0.0f), gabor_sand_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed) { return gabor_ripples_at(p, gabor_vec2(0.0f), gabor_ripples_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed) { return gabor_brushed_metal_at(p, gabor_vec2(0.0f),
+                                                                                     gabor_brushed_metal_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed) { return gabor_scratches_at(p, gabor_vec2(0.0f), gabor_scratches_default(),
+                                                                             seed); }
+GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed) { return gabor_zebra_at(p, gabor_vec2(0.0f), gabor_zebra_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed) { return gabor_bark_at(p, gabor_vec2(0.0f), gabor_bark_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed) { return gabor_carbon_fibre_at(p, gabor_vec2(0.0f),
+                                                                                   gabor_carbon_fibre_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) { return gabor_strata_at(p, gabor_vec2(0.0f), gabor_strata_default(), seed); }
 
-GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_fabric_at(gabor_pixel(p), gabor_fabric_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_leather_at(gabor_pixel(p), gabor_leather_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_marble_at(gabor_pixel(p), gabor_marble_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_sand_at(gabor_pixel(p), gabor_sand_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_ripples_at(gabor_pixel(p), gabor_ripples_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_brushed_metal_at(gabor_pixel(p), gabor_brushed_metal_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_scratches_at(gabor_pixel(p), gabor_scratches_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_zebra_at(gabor_pixel(p), gabor_zebra_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_bark_at(gabor_pixel(p), gabor_bark_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_carbon_fibre_at(gabor_pixel(p), gabor_carbon_fibre_default(), seed);
-}
-
-GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_strata_at(gabor_pixel(p), gabor_strata_default(), seed);
-}
-
+#ifdef GABOR_FILTER_HPP
 GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_wood_at(gabor_pixel_filtered(p, dx, dy), gabor_wood_default(), seed);
+    return gabor_wood_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_wood_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_fabric_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_fabric_at(gabor_pixel_filtered(p, dx, dy), gabor_fabric_default(), seed);
+    return gabor_fabric_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_fabric_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_leather_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_leather_at(gabor_pixel_filtered(p, dx, dy), gabor_leather_default(), seed);
+    return gabor_leather_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_leather_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_marble_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_marble_at(gabor_pixel_filtered(p, dx, dy), gabor_marble_default(), seed);
+    return gabor_marble_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_marble_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_sand_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_sand_at(gabor_pixel_filtered(p, dx, dy), gabor_sand_default(), seed);
+    return gabor_sand_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_sand_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_ripples_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_ripples_at(gabor_pixel_filtered(p, dx, dy), gabor_ripples_default(), seed);
+    return gabor_ripples_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_ripples_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_brushed_metal_at(gabor_pixel_filtered(p, dx, dy), gabor_brushed_metal_default(), seed);
+    return gabor_brushed_metal_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_brushed_metal_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_scratches_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_scratches_at(gabor_pixel_filtered(p, dx, dy), gabor_scratches_default(), seed);
+    return gabor_scratches_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_scratches_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_zebra_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_zebra_at(gabor_pixel_filtered(p, dx, dy), gabor_zebra_default(), seed);
+    return gabor_zebra_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_zebra_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_bark_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_bark_at(gabor_pixel_filtered(p, dx, dy), gabor_bark_default(), seed);
+    return gabor_bark_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_bark_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_carbon_fibre_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_carbon_fibre_at(gabor_pixel_filtered(p, dx, dy), gabor_carbon_fibre_default(), seed);
+    return gabor_carbon_fibre_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_carbon_fibre_default(), seed);
 }
-
 GABOR_INLINE GaborMaterial gabor_strata_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_strata_at(gabor_pixel_filtered(p, dx, dy), gabor_strata_default(), seed);
+    return gabor_strata_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_strata_default(), seed);
 }
+#endif
 
 #endif // GABOR_MATERIALS_HPP

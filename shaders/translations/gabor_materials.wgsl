@@ -1,16 +1,24 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 893292f6840a0cad.
+// naga 30.0.1 made it from GLSL with the digest 94b351dc059629cf.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //
-// Paste or include this file after gabor_noise.wgsl and gabor_spectrum.wgsl, with GABOR_TAPS 3.
+// Paste or include this file after gabor_noise.wgsl, gabor_spectrum.wgsl and, for the filtered forms,
+// gabor_filter.wgsl.
 //
-//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, roughness, metalness
+//     GaborMaterial m = gabor_wood(p, 7u);                             // colour, height, slope, roughness, metalness
 //     GaborMaterial f = gabor_wood_filtered(p, dFdx(p), dFdy(p), 7u);  // averaged over a pixel
 //
 //     GaborWood oak = gabor_wood_default();                            // your own parameters, which may vary per pixel
 //     oak.rings = 20.0;
-//     GaborMaterial o = gabor_wood_at(gabor_pixel(p), oak, 7u);
+//     GaborMaterial o = gabor_wood_at(p, vec2f(0.0), oak, 7u);
+//
+//     I want                                   call
+//     a material                               gabor_wood, gabor_fabric, gabor_leather, gabor_marble and so on
+//     the same without moire, at any distance  gabor_wood_filtered(p, dFdx(p), dFdy(p), seed)
+//     my own colours, sizes and periods        gabor_wood_at, gabor_wood_filtered_at
+//     a normal                                 normalize(vec3f(-m.slope, 1.0)), in the space of p
+//     highlights that stay right far away      gabor_roughness(m) instead of m.roughness
 //
 // One unit of p spans a characteristic piece of a material; a picture of four by four units shows the material well.
 //
@@ -19,38 +27,34 @@
 struct GaborMaterial {
     colour: vec3<f32>,
     height: f32,
+    slope: vec2<f32>,
     roughness: f32,
     metalness: f32,
+    lost: vec3<f32>,
 }
 
-// ---- Where to draw -------------------------------------------------------------------------------------------------
-
-// A position and the pixel around it.
-struct GaborPixel {
-    p: vec2<f32>,
-    dx: vec2<f32>,
-    dy: vec2<f32>,
-    filtered: bool,
-    period: vec2<f32>,
-}
-
-// GaborPixel gabor_pixel(vec2f p)
-//     The point p, without a filter.
-
-// GaborPixel gabor_pixel_filtered(vec2f p, vec2f dx, vec2f dy)
-//     The average over a pixel. dx and dy are dFdx(p) and dFdy(p). Noises that only displace the pattern cost as much
-//     as without the filter, and all others as much as gabor_noise_filtered.
-
-// GaborPixel gabor_pixel_tiled(GaborPixel pixel, vec2f period)
-//     The same pixel in a world that repeats after `period` units of p. Each period holds a whole number of rings or
-//     threads; scratches and hair snap to directions that repeat with it.
+// f32 gabor_roughness(GaborMaterial material)
+// The roughness with `lost`, for shading without anisotropy. With alpha = roughness^2 as in GGX, alpha^2 grows by the
+//     variance of the removed slopes.
 
 // ---- Materials -----------------------------------------------------------------------------------------------------
 //
-// Each material has a struct of parameters, a function that returns their defaults, and a function of a pixel and
-// parameters; the short forms use the defaults. Colours are linear, from 0 to 1. Brackets give the number of noises,
-// and the shortest period at which the tiled material looks like the untiled one; shorter periods compress its
-// large-scale variation. The grain of wood and bark and the streaks of metal follow p: bend p to bend them. Directions
+// Each has a struct of parameters and these functions, here for wood:
+//
+// GaborWood gabor_wood_default()
+// GaborMaterial gabor_wood(vec2f p, u32 seed)
+// GaborMaterial gabor_wood_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
+// GaborMaterial gabor_wood_at(vec2f p, vec2f period, GaborWood wood, u32 seed)
+// GaborMaterial gabor_wood_filtered_at(vec2f p, vec2f dx, vec2f dy, vec2f period, GaborWood wood, u32 seed)
+//
+// The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
+// Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2f(0.0)
+// for none: a period holds a whole number of rings or threads; scratches and hair snap to directions that repeat with
+// it.
+//
+// Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
+// material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
+// and the streaks of metal follow p: bend p to bend them. Directions
 // may vary from pixel to pixel.
 
 // A board cut beside the pith: growth rings, pores and fibres along y [6 noises; period 3 x 9].
@@ -62,10 +66,6 @@ struct GaborWood {
     pores: f32,
     roughness: f32,
 }
-// GaborWood gabor_wood_default()
-// GaborMaterial gabor_wood_at(GaborPixel pixel, GaborWood wood, u32 seed)
-// GaborMaterial gabor_wood(vec2f p, u32 seed)
-// GaborMaterial gabor_wood_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Linen, a plain weave of uneven threads; or corduroy, whose cords run along y [5 noises; period 3 x 3].
 struct GaborFabric {
@@ -77,10 +77,6 @@ struct GaborFabric {
     roughness: f32,
     cords: f32,
 }
-// GaborFabric gabor_fabric_default()
-// GaborMaterial gabor_fabric_at(GaborPixel pixel, GaborFabric fabric, u32 seed)
-// GaborMaterial gabor_fabric(vec2f p, u32 seed)
-// GaborMaterial gabor_fabric_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Pebbled grain: cells between creases [8 noises; period 3 x 3].
 struct GaborLeather {
@@ -91,10 +87,6 @@ struct GaborLeather {
     relief: f32,
     roughness: f32,
 }
-// GaborLeather gabor_leather_default()
-// GaborMaterial gabor_leather_at(GaborPixel pixel, GaborLeather leather, u32 seed)
-// GaborMaterial gabor_leather(vec2f p, u32 seed)
-// GaborMaterial gabor_leather_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Polished stone with veins of four sizes [12 noises; period 3 x 3].
 struct GaborMarble {
@@ -105,10 +97,6 @@ struct GaborMarble {
     clouds: f32,
     roughness: f32,
 }
-// GaborMarble gabor_marble_default()
-// GaborMaterial gabor_marble_at(GaborPixel pixel, GaborMarble marble, u32 seed)
-// GaborMaterial gabor_marble(vec2f p, u32 seed)
-// GaborMaterial gabor_marble_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Wind ripples that are steep on one side, and grains [7 noises; period 4 x 4].
 struct GaborSand {
@@ -119,10 +107,6 @@ struct GaborSand {
     grain: f32,
     roughness: f32,
 }
-// GaborSand gabor_sand_default()
-// GaborMaterial gabor_sand_at(GaborPixel pixel, GaborSand sand, u32 seed)
-// GaborMaterial gabor_sand(vec2f p, u32 seed)
-// GaborMaterial gabor_sand_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Water under a light wind [14 noises; period 8 x 8].
 struct GaborRipples {
@@ -134,10 +118,6 @@ struct GaborRipples {
     relief: f32,
     roughness: f32,
 }
-// GaborRipples gabor_ripples_default()
-// GaborMaterial gabor_ripples_at(GaborPixel pixel, GaborRipples ripples, u32 seed)
-// GaborMaterial gabor_ripples(vec2f p, u32 seed)
-// GaborMaterial gabor_ripples_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Streaks along x [5 noises; period 5 x 1].
 struct GaborBrushedMetal {
@@ -147,10 +127,6 @@ struct GaborBrushedMetal {
     relief: f32,
     roughness: f32,
 }
-// GaborBrushedMetal gabor_brushed_metal_default()
-// GaborMaterial gabor_brushed_metal_at(GaborPixel pixel, GaborBrushedMetal metal, u32 seed)
-// GaborMaterial gabor_brushed_metal(vec2f p, u32 seed)
-// GaborMaterial gabor_brushed_metal_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Fine scratches in lacquer [28 noises; period 8 x 8].
 struct GaborScratches {
@@ -163,10 +139,6 @@ struct GaborScratches {
     depth: f32,
     roughness: f32,
 }
-// GaborScratches gabor_scratches_default()
-// GaborMaterial gabor_scratches_at(GaborPixel pixel, GaborScratches scratches, u32 seed)
-// GaborMaterial gabor_scratches(vec2f p, u32 seed)
-// GaborMaterial gabor_scratches_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Stripes that fork, and hair [5 noises; period 4 x 4].
 struct GaborZebra {
@@ -178,10 +150,6 @@ struct GaborZebra {
     hair: f32,
     roughness: f32,
 }
-// GaborZebra gabor_zebra_default()
-// GaborMaterial gabor_zebra_at(GaborPixel pixel, GaborZebra zebra, u32 seed)
-// GaborMaterial gabor_zebra(vec2f p, u32 seed)
-// GaborMaterial gabor_zebra_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Furrows and plates along y, and moss [11 noises; period 3 x 6].
 struct GaborBark {
@@ -193,10 +161,6 @@ struct GaborBark {
     depth: f32,
     roughness: f32,
 }
-// GaborBark gabor_bark_default()
-// GaborMaterial gabor_bark_at(GaborPixel pixel, GaborBark bark, u32 seed)
-// GaborMaterial gabor_bark(vec2f p, u32 seed)
-// GaborMaterial gabor_bark_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // A twill weave of tows, which are flat bundles of fibres [3 noises; period 3 x 3].
 struct GaborCarbonFibre {
@@ -206,10 +170,6 @@ struct GaborCarbonFibre {
     relief: f32,
     roughness: f32,
 }
-// GaborCarbonFibre gabor_carbon_fibre_default()
-// GaborMaterial gabor_carbon_fibre_at(GaborPixel pixel, GaborCarbonFibre fibres, u32 seed)
-// GaborMaterial gabor_carbon_fibre(vec2f p, u32 seed)
-// GaborMaterial gabor_carbon_fibre_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // Layers of sandstone, seen from the side [11 noises; period 20 x 4].
 struct GaborStrata {
@@ -222,10 +182,6 @@ struct GaborStrata {
     relief: f32,
     roughness: f32,
 }
-// GaborStrata gabor_strata_default()
-// GaborMaterial gabor_strata_at(GaborPixel pixel, GaborStrata strata, u32 seed)
-// GaborMaterial gabor_strata(vec2f p, u32 seed)
-// GaborMaterial gabor_strata_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 
 // ====================================================================================================================
 // Private implementation
@@ -237,173 +193,304 @@ struct GaborStrata {
 // zeros of a noise becomes a Gaussian; an exponential of a noise remains one; and a profile of a phase becomes a mean
 // over phases. Materials multiply and mix functions of independent noises, so the filtered colour is the mean of the
 // unfiltered colour at every distance. Leather and the weaves fade to a measured mean instead.
+//
+// The slope f'(v + sqrt(r) z) g, where the noise's gradient g has a removed part of covariance C, has the covariance
+//     E[f'^2] (C + g g^T) - E[f']^2 g g^T
+// over what the filter removed. A height is a sum of such terms; their covariances add up.
+//
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
+// and
+// one that shades them. The filtered ones are loops, because compilers inline the filter for each call.
 
-// ---- Noises --------------------------------------------------------------------------------------------------------
+// Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
+fn gabor_impl_times(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
+    let _e11 = ((a.x * b.yz) + (b.x * a.yz));
+    return vec3<f32>((a.x * b.x), _e11.x, _e11.y);
+}
 
-fn gabor_impl_place(pixel: GaborPixel, density: vec2<f32>) -> GaborPlace {
-    if (pixel.period.x > 0f) {
-        let _e10 = gabor_place_tiled((density * pixel.p), (density * pixel.period));
+// The matrix v v^T: xx, yy, xy.
+fn gabor_impl_square(v: vec2<f32>) -> vec3<f32> {
+    let _e1 = (v * v);
+    return vec3<f32>(_e1.x, _e1.y, (v.x * v.y));
+}
+
+// (x y)^T M (x y), where M has the elements xx, yy, xy.
+fn gabor_impl_turned_square(m: vec3<f32>, x: vec2<f32>, y: vec2<f32>) -> vec3<f32> {
+    var a_8: vec2<f32>;
+    var b_11: vec2<f32>;
+    a_8 = ((m.xy * x) + (m.z * x.yx));
+    b_11 = ((m.xy * y) + (m.z * y.yx));
+    let _e17 = a_8;
+    let _e19 = b_11;
+    let _e21 = b_11;
+    return vec3<f32>(dot(x, _e17), dot(y, _e19), dot(x, _e21));
+}
+
+// ---- Positions -----------------------------------------------------------------------------------------------------
+
+// A position, and the pixel around it if there is a filter; `period` is 0 for none.
+struct GaborPixel {
+    p: vec2<f32>,
+    dx: vec2<f32>,
+    dy: vec2<f32>,
+    period: vec2<f32>,
+}
+
+fn gabor_impl_pixel_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>) -> GaborPixel {
+    var local_24: vec2<f32>;
+    if (period.x > 0f) {
+        local_24 = (p - (period * floor((p / period))));
+    } else {
+        local_24 = p;
+    }
+    let _e12 = local_24;
+    return GaborPixel(_e12, dx, dy, period);
+}
+
+// A position that warps have moved, and its derivatives along x and y of p.
+struct GaborWarped {
+    p: vec2<f32>,
+    x: vec2<f32>,
+    y: vec2<f32>,
+    period: vec2<f32>,
+}
+
+fn gabor_impl_unwarped(pixel: GaborPixel) -> GaborWarped {
+    return GaborWarped(pixel.p, vec2<f32>(1f, 0f), vec2<f32>(0f, 1f), pixel.period);
+}
+
+// A position along the warped x or y axis, with derivatives.
+fn gabor_impl_along_x(at: GaborWarped) -> vec3<f32> {
+    return vec3<f32>(at.p.x, at.x.x, at.y.x);
+}
+fn gabor_impl_along_y(at: GaborWarped) -> vec3<f32> {
+    return vec3<f32>(at.p.y, at.x.y, at.y.y);
+}
+
+// The place of a layer with `density` kernel radii per unit along x and y.
+fn gabor_impl_place(at: GaborWarped, density: vec2<f32>) -> GaborPlace {
+    if (at.period.x > 0f) {
+        let _e10 = gabor_place_tiled((density * at.p), (density * at.period));
         return _e10;
     }
-    let _e20 = gabor_place(vec2(0i), ((1.5f * density) * pixel.p));
-    return _e20;
+    let _e13 = gabor_place_at((density * at.p));
+    return _e13;
 }
 
-// Returns two independent noises, the quadrature and noise of one field, and the share of the variance that the filter
-// removed. `density` is in kernel radii per unit along x and y.
-fn gabor_impl_layer(pixel: GaborPixel, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var density_2: vec2<f32>;
-    var place_24: GaborPlace;
-    var kernel_10: GaborKernel;
-    var removed_8: f32;
-    var footprint_6: GaborFootprint;
-    var value_11: vec2<f32>;
-    density_2 = density;
-    let _e6 = density_2;
-    let _e7 = gabor_impl_place(pixel, _e6);
-    place_24 = _e7;
-    let _e9 = gabor_kernel(frequency, orientation);
-    kernel_10 = _e9;
-    if !(pixel.filtered) {
-        let _e13 = place_24;
-        let _e14 = kernel_10;
-        let _e15 = gabor_field(_e13, _e14, seed);
-        return vec3<f32>(_e15.value.x, _e15.value.y, 0f);
+fn gabor_impl_three_line_words(index: i32, period: i32, salt: u32) -> vec3<u32> {
+    var first_2: i32;
+    var second_2: i32;
+    let _e3 = gabor_impl_wrap(index, period);
+    first_2 = _e3;
+    let _e5 = first_2;
+    let _e6 = gabor_impl_next_node(_e5, period);
+    second_2 = _e6;
+    let _e8 = first_2;
+    let _e9 = gabor_impl_line_word(_e8, salt);
+    let _e10 = second_2;
+    let _e11 = gabor_impl_line_word(_e10, salt);
+    let _e12 = second_2;
+    let _e13 = gabor_impl_next_node(_e12, period);
+    let _e14 = gabor_impl_line_word(_e13, salt);
+    return vec3<u32>(_e9, _e11, _e14);
+}
+
+// Adds a row of nodes to two noises, (quadrature, noise), and to their derivatives along x and y.
+fn gabor_impl_add_spots(value: ptr<function, vec2<f32>>, slope: ptr<function, vec4<f32>>, words: vec3<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
+    var a_9: vec2<f32>;
+    var b_12: vec2<f32>;
+    var c_6: vec2<f32>;
+    var row_6: vec2<f32>;
+    let _e8 = gabor_impl_amplitude(words.x);
+    a_9 = _e8;
+    let _e11 = gabor_impl_amplitude(words.y);
+    b_12 = _e11;
+    let _e14 = gabor_impl_amplitude(words.z);
+    c_6 = _e14;
+    let _e17 = a_9;
+    let _e20 = b_12;
+    let _e24 = c_6;
+    row_6 = (((x.x * _e17) + (x.y * _e20)) + (x.z * _e24));
+    let _e28 = (*value);
+    let _e29 = row_6;
+    (*value) = (_e28 + (y * _e29));
+    let _e32 = (*slope);
+    let _e34 = a_9;
+    let _e37 = b_12;
+    let _e41 = c_6;
+    let _e44 = (y * (((slope_x.x * _e34) + (slope_x.y * _e37)) + (slope_x.z * _e41)));
+    let _e45 = row_6;
+    let _e46 = (slope_y * _e45);
+    (*slope) = (_e32 + vec4<f32>(_e44.x, _e44.y, _e46.x, _e46.y));
+    return;
+}
+
+// Noise of frequency 0, which needs no waves: spots as large as a kernel. The same as gabor_field.
+fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
+    var zero_2: vec2<f32>;
+    var offset: vec2<f32>;
+    var salt_11: u32;
+    var columns_5: vec3<u32>;
+    var rows_3: vec3<u32>;
+    var x_15: vec4<f32>;
+    var y_11: vec4<f32>;
+    var slope_x_1: vec4<f32>;
+    var slope_y_1: vec4<f32>;
+    var value_12: vec2<f32> = vec2(0f);
+    var slope_10: vec4<f32> = vec4(0f);
+    var local_25: f32;
+    var scale_1: f32;
+    var stretch_6: vec2<f32>;
+    zero_2 = floor((place.local + vec2(0.5f)));
+    let _e9 = zero_2;
+    offset = clamp((place.local - _e9), vec2(-0.5f), vec2(0.5f));
+    let _e18 = gabor_impl_salt(seed);
+    salt_11 = _e18;
+    let _e22 = zero_2;
+    let _e30 = salt_11;
+    let _e31 = gabor_impl_three_line_words(((place.cell.x + i32(_e22.x)) - 1i), place.period.x, _e30);
+    columns_5 = _e31;
+    let _e35 = zero_2;
+    let _e43 = salt_11;
+    let _e46 = gabor_impl_three_line_words(((place.cell.y + i32(_e35.y)) - 1i), place.period.y, (_e43 ^ 1540483477u));
+    rows_3 = _e46;
+    let _e52 = offset;
+    gabor_impl_windows(_e52.x, (&x_15), (&slope_x_1));
+    let _e58 = offset;
+    gabor_impl_windows(_e58.y, (&y_11), (&slope_y_1));
+    let _e72 = columns_5;
+    let _e73 = rows_3;
+    let _e76 = x_15;
+    let _e77 = slope_x_1;
+    let _e78 = y_11;
+    let _e80 = slope_y_1;
+    gabor_impl_add_spots((&value_12), (&slope_10), (_e72 * _e73.x), _e76, _e77, _e78.x, _e80.x);
+    let _e86 = columns_5;
+    let _e87 = rows_3;
+    let _e90 = x_15;
+    let _e91 = slope_x_1;
+    let _e92 = y_11;
+    let _e94 = slope_y_1;
+    gabor_impl_add_spots((&value_12), (&slope_10), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
+    let _e100 = columns_5;
+    let _e101 = rows_3;
+    let _e104 = x_15;
+    let _e105 = slope_x_1;
+    let _e106 = y_11;
+    let _e108 = slope_y_1;
+    gabor_impl_add_spots((&value_12), (&slope_10), (_e100 * _e101.z), _e104, _e105, _e106.z, _e108.z);
+    if false {
+        local_25 = 1f;
+    } else {
+        local_25 = 1.125f;
     }
-    let _e22 = density_2;
-    let _e23 = place_24;
-    density_2 = (_e22 * (_e23.radius / vec2(1.5f)));
-    let _e32 = density_2;
-    let _e35 = density_2;
-    let _e38 = gabor_footprint((_e32 * pixel.dx), (_e35 * pixel.dy));
-    footprint_6 = _e38;
-    let _e40 = place_24;
-    let _e41 = kernel_10;
-    let _e42 = footprint_6;
-    let _e45 = gabor_field_filtered(_e40, _e41, _e42, seed, (&removed_8));
-    value_11 = _e45.value;
-    let _e48 = value_11;
-    let _e49 = removed_8;
-    return vec3<f32>(_e48.x, _e48.y, _e49);
+    let _e123 = local_25;
+    scale_1 = (1f / (1459955300000000000000000000f * _e123));
+    let _e127 = scale_1;
+    stretch_6 = ((_e127 * place.radius) / vec2(1.5f));
+    let _e137 = scale_1;
+    let _e138 = value_12;
+    let _e141 = stretch_6;
+    let _e142 = slope_10;
+    let _e145 = scale_1;
+    let _e146 = value_12;
+    let _e149 = stretch_6;
+    let _e150 = slope_10;
+    return GaborField((_e137 * _e138.y), (_e141 * _e142.yw), (_e145 * _e146.x), (_e149 * _e150.xz), 0f);
 }
 
-// A layer of frequency 0: spots as large as a kernel.
-fn gabor_impl_spots(pixel: GaborPixel, density: vec2<f32>, seed: u32) -> vec3<f32> {
-    let _e5 = gabor_impl_layer(pixel, density, 0f, 0f, seed);
-    return _e5;
+// The step in the warped position that a step in p makes.
+fn gabor_impl_step_of(at: GaborWarped, step_: vec2<f32>) -> vec2<f32> {
+    return ((step_.x * at.x) + (step_.y * at.y));
 }
 
-// A sum of octaves of spots. Each octave has spots of about half the previous size, and `gain` times the amplitude.
-fn gabor_impl_octaves(pixel: GaborPixel, density: vec2<f32>, count: i32, gain: f32, seed: u32) -> vec3<f32> {
-    var density_5: vec2<f32>;
-    var sum_15: vec3<f32> = vec3(0f);
-    var power_5: f32 = 0f;
-    var amplitude_4: f32 = 1f;
-    var i_7: i32 = 0i;
-    density_5 = density;
-    loop {
-        let _e15 = i_7;
-        if !((_e15 < count)) {
-            break;
-        }
-        {
-            let _e21 = sum_15;
-            let _e22 = amplitude_4;
-            let _e23 = amplitude_4;
-            let _e24 = amplitude_4;
-            let _e25 = amplitude_4;
-            let _e28 = density_5;
-            let _e29 = i_7;
-            let _e30 = gabor_lobe_seed(seed, _e29);
-            let _e31 = gabor_impl_spots(pixel, _e28, _e30);
-            sum_15 = (_e21 + (vec3<f32>(_e22, _e23, (_e24 * _e25)) * _e31));
-            let _e34 = power_5;
-            let _e35 = amplitude_4;
-            let _e36 = amplitude_4;
-            power_5 = (_e34 + (_e35 * _e36));
-            let _e39 = amplitude_4;
-            amplitude_4 = (_e39 * gain);
-            let _e41 = density_5;
-            density_5 = (_e41 * 2.03f);
-        }
-        continuing {
-            let _e18 = i_7;
-            i_7 = (_e18 + 1i);
-        }
-    }
-    let _e44 = sum_15;
-    let _e45 = power_5;
-    let _e47 = vec2(sqrt(_e45));
-    let _e48 = power_5;
-    return (_e44 / vec3<f32>(_e47.x, _e47.y, _e48));
-}
-
-// Displaces p by two noises, and changes dx and dy accordingly.
-fn gabor_impl_warp(pixel: GaborPixel, density: vec2<f32>, amplitude: vec2<f32>, seed: u32) -> GaborPixel {
-    var field_14: GaborField;
-    var along_x: vec2<f32>;
-    var along_y: vec2<f32>;
-    let _e4 = gabor_impl_place(pixel, density);
-    let _e7 = gabor_kernel(0f, 0f);
-    let _e8 = gabor_field(_e4, _e7, seed);
-    field_14 = _e8;
-    let _e12 = field_14;
-    along_x = ((amplitude * density.x) * _e12.slope_x);
-    let _e18 = field_14;
-    along_y = ((amplitude * density.y) * _e18.slope_y);
-    let _e23 = field_14;
-    let _e30 = along_x;
-    let _e35 = along_y;
-    let _e41 = along_x;
-    let _e46 = along_y;
-    return GaborPixel((pixel.p + (amplitude * _e23.value)), ((pixel.dx + (pixel.dx.x * _e30)) + (pixel.dx.y * _e35)), ((pixel.dy + (pixel.dy.x * _e41)) + (pixel.dy.y * _e46)), pixel.filtered, pixel.period);
+// Moves the position by two noises, and less where they are finer than the pixel: as much as a filter keeps of their
+// slopes.
+fn gabor_impl_warp(pixel: GaborPixel, at: GaborWarped, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborWarped {
+    var amplitude_5: vec2<f32>;
+    var dx_7: vec2<f32>;
+    var dy_7: vec2<f32>;
+    var field_10: GaborField;
+    var along_x_3: vec2<f32>;
+    var along_y_3: vec2<f32>;
+    amplitude_5 = amplitude;
+    let _e8 = gabor_impl_step_of(at, pixel.dx);
+    dx_7 = (density * _e8);
+    let _e12 = gabor_impl_step_of(at, pixel.dy);
+    dy_7 = (density * _e12);
+    let _e15 = amplitude_5;
+    let _e18 = dx_7;
+    let _e19 = dx_7;
+    let _e21 = dy_7;
+    let _e22 = dy_7;
+    amplitude_5 = (_e15 / vec2((1f + (0.822467f * min((dot(_e18, _e19) + dot(_e21, _e22)), 1000000f)))));
+    let _e31 = gabor_impl_place(at, density);
+    let _e32 = gabor_lobe_seed(seed, index);
+    let _e33 = gabor_impl_spots(_e31, _e32);
+    field_10 = _e33;
+    let _e35 = amplitude_5;
+    let _e38 = field_10;
+    let _e41 = field_10;
+    along_x_3 = ((_e35 * density.x) * vec2<f32>(_e38.quadrature_gradient.x, _e41.gradient.x));
+    let _e47 = amplitude_5;
+    let _e50 = field_10;
+    let _e53 = field_10;
+    along_y_3 = ((_e47 * density.y) * vec2<f32>(_e50.quadrature_gradient.y, _e53.gradient.y));
+    let _e60 = amplitude_5;
+    let _e61 = field_10;
+    let _e63 = field_10;
+    let _e71 = along_x_3;
+    let _e76 = along_y_3;
+    let _e82 = along_x_3;
+    let _e87 = along_y_3;
+    return GaborWarped((at.p + (_e60 * vec2<f32>(_e61.quadrature, _e63.noise))), ((at.x + (at.x.x * _e71)) + (at.x.y * _e76)), ((at.y + (at.y.x * _e82)) + (at.y.y * _e87)), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
 // in this direction closes after whole.x periods along x and whole.y along y; `other` completes a basis of the lattice
 // of periods. So p repeats after the line's length along the new x axis, and after the distance between neighbouring
 // lines along the new y axis. The axes are then not quite at right angles, which long kernels hide.
-fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
+fn gabor_impl_turned(at: GaborWarped, angle: f32) -> GaborWarped {
     var turn_10: vec2<f32>;
-    var x_14: vec2<f32>;
-    var y_9: vec2<f32>;
-    var period_10: vec2<f32> = vec2(0f);
+    var x_16: vec2<f32>;
+    var y_12: vec2<f32>;
+    var period_8: vec2<f32> = vec2(0f);
     var whole: vec2<f32>;
     var size: vec2<f32>;
-    var local_31: f32;
-    var local_32: f32;
+    var local_26: f32;
+    var local_27: f32;
     var signs: vec2<f32>;
-    var local_33: vec2<f32>;
-    var local_34: vec2<f32>;
-    var local_35: vec2<f32>;
+    var local_28: vec2<f32>;
+    var local_29: vec2<f32>;
+    var local_30: vec2<f32>;
     var other: vec2<f32>;
     let _e4 = gabor_impl_wave((0.15915494f * angle));
     turn_10 = _e4;
     let _e6 = turn_10;
-    x_14 = _e6;
+    x_16 = _e6;
     let _e8 = turn_10;
     let _e11 = turn_10;
-    y_9 = vec2<f32>(-(_e8.y), _e11.x);
-    if (pixel.period.x > 0f) {
+    y_12 = vec2<f32>(-(_e8.y), _e11.x);
+    if (at.period.x > 0f) {
         {
             let _e23 = turn_10;
-            whole = floor(((3f * normalize((_e23 / pixel.period))) + vec2(0.5f)));
+            whole = floor(((3f * normalize((_e23 / at.period))) + vec2(0.5f)));
             let _e33 = whole;
             size = abs(_e33);
             let _e36 = whole;
             if (_e36.x < 0f) {
-                local_31 = -1f;
+                local_26 = -1f;
             } else {
-                local_31 = 1f;
+                local_26 = 1f;
             }
-            let _e44 = local_31;
+            let _e44 = local_26;
             let _e45 = whole;
             if (_e45.y < 0f) {
-                local_32 = -1f;
+                local_27 = -1f;
             } else {
-                local_32 = 1f;
+                local_27 = 1f;
             }
-            let _e53 = local_32;
+            let _e53 = local_27;
             signs = vec2<f32>(_e44, _e53);
             let _e56 = size;
             let _e58 = size;
@@ -423,49 +510,49 @@ fn gabor_impl_turned(pixel: GaborPixel, angle: f32) -> GaborPixel {
                 let _e88 = size;
                 if (_e86.x > _e88.y) {
                     let _e91 = signs;
-                    local_33 = _e91;
+                    local_28 = _e91;
                 } else {
                     let _e92 = signs;
-                    local_33 = -(_e92);
+                    local_28 = -(_e92);
                 }
-                let _e95 = local_33;
-                local_35 = _e95;
+                let _e95 = local_28;
+                local_30 = _e95;
             } else {
                 let _e96 = size;
                 if (_e96.x == 1f) {
                     let _e101 = whole;
-                    local_34 = vec2<f32>(0f, _e101.x);
+                    local_29 = vec2<f32>(0f, _e101.x);
                 } else {
                     let _e104 = whole;
-                    local_34 = vec2<f32>(-(_e104.y), 0f);
+                    local_29 = vec2<f32>(-(_e104.y), 0f);
                 }
-                let _e110 = local_34;
-                local_35 = _e110;
+                let _e110 = local_29;
+                local_30 = _e110;
             }
-            let _e112 = local_35;
+            let _e112 = local_30;
             other = _e112;
             let _e115 = whole;
-            period_10.x = length((_e115 * pixel.period));
-            let _e125 = period_10;
-            period_10.y = ((pixel.period.x * pixel.period.y) / _e125.x);
-            let _e128 = period_10;
+            period_8.x = length((_e115 * at.period));
+            let _e125 = period_8;
+            period_8.y = ((at.period.x * at.period.y) / _e125.x);
+            let _e128 = period_8;
             let _e130 = other;
             let _e132 = other;
-            x_14 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / pixel.period);
-            let _e139 = period_10;
+            x_16 = ((_e128.x * vec2<f32>(_e130.y, -(_e132.x))) / at.period);
+            let _e139 = period_8;
             let _e141 = whole;
             let _e144 = whole;
-            y_9 = ((_e139.y * vec2<f32>(-(_e141.y), _e144.x)) / pixel.period);
+            y_12 = ((_e139.y * vec2<f32>(-(_e141.y), _e144.x)) / at.period);
         }
     }
-    let _e150 = x_14;
-    let _e153 = y_9;
-    let _e157 = x_14;
-    let _e160 = y_9;
-    let _e164 = x_14;
-    let _e167 = y_9;
-    let _e172 = period_10;
-    return GaborPixel(vec2<f32>(dot(_e150, pixel.p), dot(_e153, pixel.p)), vec2<f32>(dot(_e157, pixel.dx), dot(_e160, pixel.dx)), vec2<f32>(dot(_e164, pixel.dy), dot(_e167, pixel.dy)), pixel.filtered, _e172);
+    let _e150 = x_16;
+    let _e153 = y_12;
+    let _e157 = x_16;
+    let _e160 = y_12;
+    let _e164 = x_16;
+    let _e167 = y_12;
+    let _e171 = period_8;
+    return GaborWarped(vec2<f32>(dot(_e150, at.p), dot(_e153, at.p)), vec2<f32>(dot(_e157, at.x), dot(_e160, at.x)), vec2<f32>(dot(_e164, at.y), dot(_e167, at.y)), _e171);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -477,1419 +564,3748 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
     return vec2(count);
 }
 
+// The squared length of a pixel along an axis of a repeated pattern; `a` is the position along it, with derivatives.
+fn gabor_impl_steps(pixel: GaborPixel, a: vec3<f32>) -> f32 {
+    var steps: vec2<f32>;
+    steps = vec2<f32>(dot(a.yz, pixel.dx), dot(a.yz, pixel.dy));
+    let _e10 = steps;
+    let _e11 = steps;
+    return dot(_e10, _e11);
+}
+
+// ---- Layers --------------------------------------------------------------------------------------------------------
+
+// A noise with `density` kernel radii per unit along x and y, and a wave vector per kernel radius. It is added, times
+// `amplitude`, to pair `slot` of a material.
+struct GaborLayer {
+    slot: i32,
+    at: GaborWarped,
+    density: vec2<f32>,
+    wave: vec2<f32>,
+    amplitude: f32,
+    seed: u32,
+}
+
+// A layer of frequency 0.
+fn gabor_impl_spots_layer(slot: i32, at: GaborWarped, density: vec2<f32>, seed: u32, index: i32) -> GaborLayer {
+    let _e8 = gabor_lobe_seed(seed, index);
+    return GaborLayer(slot, at, density, vec2(0f), 1f, _e8);
+}
+
+fn gabor_impl_waves_layer(slot: i32, at: GaborWarped, density: vec2<f32>, frequency: f32, orientation: f32, seed: u32, index: i32) -> GaborLayer {
+    let _e7 = gabor_wave_vector(frequency, orientation);
+    let _e9 = gabor_lobe_seed(seed, index);
+    return GaborLayer(slot, at, density, _e7, 1f, _e9);
+}
+
+// Octave i of `count`, each with spots of about half the previous size and `gain` times the amplitude.
+fn gabor_impl_octave(at: GaborWarped, density: vec2<f32>, i: i32, count: i32, gain: f32, seed: u32) -> GaborLayer {
+    var power_5: f32;
+    power_5 = ((1f - pow(gain, (2f * f32(count)))) / (1f - (gain * gain)));
+    let _e27 = power_5;
+    let _e30 = gabor_lobe_seed(seed, i);
+    return GaborLayer(0i, at, (density * exp2((1.0214797f * f32(i)))), vec2(0f), (pow(gain, f32(i)) * inverseSqrt(_e27)), _e30);
+}
+
+// Two independent noises with their derivatives along x and y of p, the quadrature and noise of a layer's field; the
+// share of their variance that a filter removed, and the covariance of their derivatives that it removed.
+struct GaborPair {
+    first: vec3<f32>,
+    second: vec3<f32>,
+    removed: f32,
+    lost: vec3<f32>,
+}
+
+// The pairs of a material.
+struct GaborPairs {
+    a: GaborPair,
+    b: GaborPair,
+    c: GaborPair,
+    d: GaborPair,
+    e: GaborPair,
+}
+
+fn gabor_impl_no_pair() -> GaborPair {
+    return GaborPair(vec3(0f), vec3(0f), 0f, vec3(0f));
+}
+
+fn gabor_impl_no_pairs() -> GaborPairs {
+    var none_1: GaborPair;
+    let _e0 = gabor_impl_no_pair();
+    none_1 = _e0;
+    let _e2 = none_1;
+    let _e3 = none_1;
+    let _e4 = none_1;
+    let _e5 = none_1;
+    let _e6 = none_1;
+    return GaborPairs(_e2, _e3, _e4, _e5, _e6);
+}
+
+fn gabor_impl_pair(layer: GaborLayer, field: GaborField, lost: vec3<f32>) -> GaborPair {
+    var x_17: vec2<f32>;
+    var y_13: vec2<f32>;
+    x_17 = (layer.density * layer.at.x);
+    y_13 = (layer.density * layer.at.y);
+    let _e15 = x_17;
+    let _e18 = y_13;
+    let _e23 = x_17;
+    let _e26 = y_13;
+    let _e30 = x_17;
+    let _e31 = y_13;
+    let _e32 = gabor_impl_turned_square(lost, _e30, _e31);
+    return GaborPair(vec3<f32>(field.quadrature, dot(field.quadrature_gradient, _e15), dot(field.quadrature_gradient, _e18)), vec3<f32>(field.noise, dot(field.gradient, _e23), dot(field.gradient, _e26)), field.removed, _e32);
+}
+
+fn gabor_impl_plus(sum: GaborPair, pair: GaborPair, amplitude: f32) -> GaborPair {
+    return GaborPair((sum.first + (amplitude * pair.first)), (sum.second + (amplitude * pair.second)), (sum.removed + ((amplitude * amplitude) * pair.removed)), (sum.lost + ((amplitude * amplitude) * pair.lost)));
+}
+
+fn gabor_impl_spots_pair(layer: GaborLayer) -> GaborPair {
+    let _e3 = gabor_impl_place(layer.at, layer.density);
+    let _e5 = gabor_impl_spots(_e3, layer.seed);
+    let _e8 = gabor_impl_pair(layer, _e5, vec3(0f));
+    return _e8;
+}
+
+// A sum and an octave of it.
+fn gabor_impl_plus_octave(sum: GaborPair, layer: GaborLayer) -> GaborPair {
+    let _e2 = gabor_impl_spots_pair(layer);
+    let _e4 = gabor_impl_plus(sum, _e2, layer.amplitude);
+    return _e4;
+}
+
+fn gabor_impl_waves_pair(layer: GaborLayer) -> GaborPair {
+    let _e3 = gabor_impl_place(layer.at, layer.density);
+    let _e6 = gabor_field(_e3, layer.wave, layer.seed);
+    let _e9 = gabor_impl_pair(layer, _e6, vec3(0f));
+    return _e9;
+}
+
+// ---- Filtered spots: see gabor_filter.wgsl, with real windows ------------------------------------------------------
+
+// A node's window with three waves and its fade: the window, the part of its derivative that couples the axes, and the
+// derivatives of both.
+fn gabor_impl_spots_node(value: f32, slope: f32, damped: f32, fade: vec2<f32>) -> vec4<f32> {
+    var window_3: f32;
+    window_3 = (0.5f + (damped * (value - 0.5f)));
+    let _e11 = window_3;
+    let _e20 = window_3;
+    let _e27 = window_3;
+    return vec4<f32>((fade.x * _e11), ((fade.x * damped) * slope), (((fade.x * damped) * slope) + (fade.y * _e20)), ((-9.869604f * fade.x) * (_e27 - 0.5f)));
+}
+
+// The nodes of an axis with its words.
+struct GaborSpotsAxis {
+    word: vec3<u32>,
+    first: vec4<f32>,
+    middle: vec4<f32>,
+    last: vec4<f32>,
+}
+
+fn gabor_impl_spots_axis(cell: i32, local: f32, period: i32, salt: u32, variance: f32) -> GaborSpotsAxis {
+    var zero_3: f32;
+    var offset_1: f32;
+    var damped_1: f32;
+    var width_4: f32;
+    var t_9: vec2<f32>;
+    var fade_5: vec2<f32>;
+    var change_1: vec2<f32>;
+    var value_14: vec4<f32>;
+    var slope_12: vec4<f32>;
+    zero_3 = floor((local + 0.5f));
+    let _e9 = zero_3;
+    offset_1 = clamp((local - _e9), -0.5f, 0.5f);
+    damped_1 = exp((-4.934802f * variance));
+    width_4 = clamp((0.5f * sqrt(variance)), 0.001f, 0.05f);
+    let _e30 = offset_1;
+    let _e32 = offset_1;
+    let _e37 = width_4;
+    t_9 = clamp(((vec2(0.33333334f) + (0.6666667f * vec2<f32>(-(_e30), _e32))) / vec2(_e37)), vec2(0f), vec2(1f));
+    let _e46 = t_9;
+    let _e47 = t_9;
+    let _e51 = t_9;
+    fade_5 = ((_e46 * _e47) * (vec2(3f) - (2f * _e51)));
+    let _e58 = width_4;
+    let _e60 = t_9;
+    let _e63 = t_9;
+    change_1 = ((((6f / _e58) * _e60) * (vec2(1f) - _e63)) * vec2<f32>(-1f, 1f));
+    let _e75 = offset_1;
+    gabor_impl_windows(_e75, (&value_14), (&slope_12));
+    let _e80 = zero_3;
+    let _e85 = gabor_impl_three_line_words(((cell + i32(_e80)) - 1i), period, salt);
+    let _e86 = value_14;
+    let _e88 = slope_12;
+    let _e90 = damped_1;
+    let _e91 = fade_5;
+    let _e93 = change_1;
+    let _e96 = gabor_impl_spots_node(_e86.x, _e88.x, _e90, vec2<f32>(_e91.x, _e93.x));
+    let _e97 = value_14;
+    let _e99 = slope_12;
+    let _e101 = damped_1;
+    let _e105 = gabor_impl_spots_node(_e97.y, _e99.y, _e101, vec2<f32>(1f, 0f));
+    let _e106 = value_14;
+    let _e108 = slope_12;
+    let _e110 = damped_1;
+    let _e111 = fade_5;
+    let _e113 = change_1;
+    let _e116 = gabor_impl_spots_node(_e106.z, _e108.z, _e110, vec2<f32>(_e111.y, _e113.y));
+    return GaborSpotsAxis(_e85, _e96, _e105, _e116);
+}
+
+// Adds a row of nodes to (value, value, d/dx, d/dx) and (d/dy, d/dy) of two noises.
+fn gabor_impl_add_spots_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, x: GaborSpotsAxis, word: u32, y: vec4<f32>, coupling: f32) {
+    var a_11: vec2<f32>;
+    var b_13: vec2<f32>;
+    var c_7: vec2<f32>;
+    var real_3: vec4<f32>;
+    var imaginary_3: vec4<f32>;
+    let _e9 = gabor_impl_amplitude((x.word.x * word));
+    a_11 = _e9;
+    let _e14 = gabor_impl_amplitude((x.word.y * word));
+    b_13 = _e14;
+    let _e19 = gabor_impl_amplitude((x.word.z * word));
+    c_7 = _e19;
+    let _e22 = a_11;
+    let _e26 = b_13;
+    let _e31 = c_7;
+    real_3 = (((x.first * _e22.x) + (x.middle * _e26.x)) + (x.last * _e31.x));
+    let _e37 = a_11;
+    let _e41 = b_13;
+    let _e46 = c_7;
+    imaginary_3 = (((x.first * _e37.y) + (x.middle * _e41.y)) + (x.last * _e46.y));
+    let _e51 = (*sum);
+    let _e53 = real_3;
+    let _e55 = imaginary_3;
+    let _e57 = real_3;
+    let _e59 = imaginary_3;
+    let _e65 = real_3;
+    let _e67 = imaginary_3;
+    let _e69 = real_3;
+    let _e71 = imaginary_3;
+    (*sum) = (_e51 + ((y.x * vec4<f32>(_e53.x, _e55.x, _e57.z, _e59.z)) + ((coupling * y.y) * vec4<f32>(_e65.y, _e67.y, _e69.w, _e71.w))));
+    let _e77 = (*along_y);
+    let _e79 = real_3;
+    let _e81 = imaginary_3;
+    let _e87 = real_3;
+    let _e89 = imaginary_3;
+    (*along_y) = (_e77 + ((y.z * vec2<f32>(_e79.x, _e81.x)) + ((coupling * y.w) * vec2<f32>(_e87.y, _e89.y))));
+    return;
+}
+
+// A line's window with seven waves, for each factor, where the second is imaginary, and its fade.
+struct GaborSpotsLine {
+    word: u32,
+    window: vec3<f32>,
+    fade: vec2<f32>,
+}
+
+fn gabor_impl_spots_line(b: GaborFilteredAxis, index: i32) -> GaborSpotsLine {
+    var turn_11: vec2<f32>;
+    var real_4: vec3<f32>;
+    var imaginary_4: f32;
+    let _e9 = gabor_impl_wave(((0.5f / b.reach) * (b.offset - f32(index))));
+    turn_11 = _e9;
+    let _e12 = turn_11;
+    let _e15 = turn_11;
+    let _e18 = turn_11;
+    real_4 = (b.even_0_ + (_e12.x * (b.even_1_ + (_e15.x * (b.even_2_ + (_e18.x * b.even_3_))))));
+    let _e28 = turn_11;
+    let _e32 = turn_11;
+    let _e36 = turn_11;
+    imaginary_4 = (_e28.y * (b.odd_1_.y + (_e32.x * (b.odd_2_.y + (_e36.x * b.odd_3_.y)))));
+    let _e49 = gabor_impl_wrap((b.first + index), b.period);
+    let _e51 = gabor_impl_line_word(_e49, b.salt);
+    let _e52 = real_4;
+    let _e54 = imaginary_4;
+    let _e55 = real_4;
+    let _e58 = gabor_impl_fade(b, index);
+    return GaborSpotsLine(_e51, vec3<f32>(_e52.x, _e54, _e55.z), _e58);
+}
+
+// The sums of a row over its columns: the factors times both parts of the amplitudes, and those with the derivative of
+// the
+// fade.
+struct GaborSpotsRow {
+    real: vec3<f32>,
+    imaginary: vec3<f32>,
+    edge: vec2<f32>,
+}
+
+fn gabor_impl_add_spot(row: ptr<function, GaborSpotsRow>, x: GaborSpotsLine, row_word: u32) {
+    var a_12: vec2<f32>;
+    let _e5 = gabor_impl_amplitude((x.word * row_word));
+    a_12 = _e5;
+    let _e8 = (*row);
+    let _e12 = a_12;
+    (*row).real = (_e8.real + ((x.fade.x * _e12.x) * x.window));
+    let _e19 = (*row);
+    let _e23 = a_12;
+    (*row).imaginary = (_e19.imaginary + ((x.fade.x * _e23.y) * x.window));
+    let _e30 = (*row);
+    let _e37 = a_12;
+    (*row).edge = (_e30.edge + ((x.fade.y * x.window.x) * _e37));
+    return;
+}
+
+fn gabor_impl_spots_wide(place: GaborPlace, s: vec3<f32>, wanted: bool, salt: u32) -> GaborField {
+    var m_3: vec2<f32>;
+    var rho_1: f32;
+    var r_2: f32;
+    var lambda_1: f32;
+    var mixed_1: f32;
+    var across_1: GaborFilteredAxis;
+    var along_1: GaborFilteredAxis;
+    var x_0_: GaborSpotsLine;
+    var x_1_: GaborSpotsLine;
+    var x_2_: GaborSpotsLine;
+    var x_3_: GaborSpotsLine;
+    var x_4_: GaborSpotsLine;
+    var value_15: vec2<f32> = vec2(0f);
+    var next_x_1: vec2<f32> = vec2(0f);
+    var next_y_1: vec2<f32> = vec2(0f);
+    var edge_x_1: vec2<f32> = vec2(0f);
+    var edge_y_1: vec2<f32> = vec2(0f);
+    var local_32: i32;
+    var rows_4: i32;
+    var j_5: i32 = 0i;
+    var y_15: GaborSpotsLine;
+    var row_8: GaborSpotsRow;
+    var w: vec3<f32>;
+    var sum_18: vec2<f32>;
+    var before_1: vec2<f32>;
+    var x_20: vec2<f32>;
+    var y_16: vec2<f32>;
+    var local_33: f32;
+    var scale_2: f32;
+    m_3 = (s.xy + vec2(0.13069098f));
+    let _e10 = m_3;
+    let _e12 = m_3;
+    rho_1 = (s.z * inverseSqrt((_e10.x * _e12.y)));
+    let _e19 = rho_1;
+    let _e20 = rho_1;
+    r_2 = sqrt((1f - (_e19 * _e20)));
+    let _e25 = rho_1;
+    let _e27 = r_2;
+    lambda_1 = (_e25 / (1f + _e27));
+    let _e34 = r_2;
+    let _e37 = r_2;
+    mixed_1 = (((78.95683f * s.z) * _e34) / (1f + _e37));
+    let _e43 = r_2;
+    let _e44 = m_3;
+    let _e57 = gabor_impl_filtered_axis(sqrt(s.x), (_e43 * _e44.x), 0f, place.cell.x, place.local.x, place.period.x, salt, vec2<f32>(1f, 0f));
+    across_1 = _e57;
+    let _e61 = r_2;
+    let _e62 = m_3;
+    let _e77 = gabor_impl_filtered_axis(sqrt(s.y), (_e61 * _e62.y), 0f, place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), vec2<f32>(1f, 0f));
+    along_1 = _e77;
+    let _e79 = across_1;
+    let _e81 = gabor_impl_spots_line(_e79, 0i);
+    x_0_ = _e81;
+    let _e83 = across_1;
+    let _e85 = gabor_impl_spots_line(_e83, 1i);
+    x_1_ = _e85;
+    let _e87 = across_1;
+    let _e89 = gabor_impl_spots_line(_e87, 2i);
+    x_2_ = _e89;
+    let _e91 = across_1;
+    let _e93 = gabor_impl_spots_line(_e91, 3i);
+    x_3_ = _e93;
+    let _e95 = x_3_;
+    x_4_ = _e95;
+    let _e97 = across_1;
+    if (_e97.count == 5i) {
+        let _e101 = across_1;
+        let _e103 = gabor_impl_spots_line(_e101, 4i);
+        x_4_ = _e103;
+    }
+    if wanted {
+        let _e119 = along_1;
+        local_32 = _e119.count;
+    } else {
+        local_32 = 0i;
+    }
+    let _e123 = local_32;
+    rows_4 = _e123;
+    loop {
+        {
+            let _e127 = along_1;
+            let _e128 = j_5;
+            let _e129 = gabor_impl_spots_line(_e127, _e128);
+            y_15 = _e129;
+            row_8 = GaborSpotsRow(vec3(0f), vec3(0f), vec2(0f));
+            let _e140 = x_0_;
+            let _e141 = y_15;
+            gabor_impl_add_spot((&row_8), _e140, _e141.word);
+            let _e145 = x_1_;
+            let _e146 = y_15;
+            gabor_impl_add_spot((&row_8), _e145, _e146.word);
+            let _e150 = x_2_;
+            let _e151 = y_15;
+            gabor_impl_add_spot((&row_8), _e150, _e151.word);
+            let _e155 = x_3_;
+            let _e156 = y_15;
+            gabor_impl_add_spot((&row_8), _e155, _e156.word);
+            let _e159 = across_1;
+            if (_e159.count == 5i) {
+                let _e164 = x_4_;
+                let _e165 = y_15;
+                gabor_impl_add_spot((&row_8), _e164, _e165.word);
+            }
+            let _e169 = mixed_1;
+            let _e171 = mixed_1;
+            let _e173 = mixed_1;
+            let _e176 = y_15;
+            w = (vec3<f32>(1f, _e169, ((0.5f * _e171) * _e173)) * _e176.window);
+            let _e180 = w;
+            let _e181 = row_8;
+            let _e184 = w;
+            let _e185 = row_8;
+            sum_18 = vec2<f32>(dot(_e180, _e181.real), dot(_e184, _e185.imaginary));
+            let _e190 = value_15;
+            let _e191 = y_15;
+            let _e194 = sum_18;
+            value_15 = (_e190 + (_e191.fade.x * _e194));
+            let _e197 = next_x_1;
+            let _e198 = y_15;
+            let _e201 = w;
+            let _e203 = row_8;
+            let _e206 = row_8;
+            let _e211 = w;
+            let _e213 = row_8;
+            let _e216 = row_8;
+            next_x_1 = (_e197 + (_e198.fade.x * ((_e201.x * vec2<f32>(_e203.real.y, _e206.imaginary.y)) - (_e211.y * vec2<f32>(_e213.real.z, _e216.imaginary.z)))));
+            let _e224 = next_y_1;
+            let _e225 = y_15;
+            let _e228 = y_15;
+            let _e231 = row_8;
+            let _e234 = row_8;
+            let _e239 = mixed_1;
+            let _e240 = y_15;
+            let _e244 = row_8;
+            let _e247 = row_8;
+            next_y_1 = (_e224 + (_e225.fade.x * ((_e228.window.y * vec2<f32>(_e231.real.x, _e234.imaginary.x)) - ((_e239 * _e240.window.z) * vec2<f32>(_e244.real.y, _e247.imaginary.y)))));
+            let _e255 = edge_x_1;
+            let _e256 = y_15;
+            let _e259 = w;
+            let _e262 = row_8;
+            edge_x_1 = (_e255 + ((_e256.fade.x * _e259.x) * _e262.edge));
+            let _e266 = edge_y_1;
+            let _e267 = y_15;
+            let _e270 = sum_18;
+            edge_y_1 = (_e266 + (_e267.fade.y * _e270));
+        }
+        let _e273 = j_5;
+        let _e275 = (_e273 + 1i);
+        j_5 = _e275;
+        let _e276 = rows_4;
+        if !((_e275 < _e276)) {
+            break;
+        }
+    }
+    let _e279 = lambda_1;
+    let _e280 = m_3;
+    let _e282 = m_3;
+    before_1 = (_e279 * sqrt((_e280.yx / _e282)));
+    let _e287 = edge_x_1;
+    let _e289 = next_x_1;
+    let _e290 = before_1;
+    let _e292 = next_y_1;
+    x_20 = (_e287 - (6.2831855f * (_e289 - (_e290.x * _e292))));
+    let _e298 = edge_y_1;
+    let _e300 = next_y_1;
+    let _e301 = before_1;
+    let _e303 = next_x_1;
+    y_16 = (_e298 - (6.2831855f * (_e300 - (_e301.y * _e303))));
+    let _e310 = lambda_1;
+    let _e311 = lambda_1;
+    if false {
+        local_33 = 1f;
+    } else {
+        local_33 = 1.125f;
+    }
+    let _e325 = local_33;
+    scale_2 = (sqrt((1f - (_e310 * _e311))) / (1459955300000000000000000000f * _e325));
+    let _e329 = scale_2;
+    let _e330 = value_15;
+    let _e333 = scale_2;
+    let _e334 = x_20;
+    let _e336 = y_16;
+    let _e340 = scale_2;
+    let _e341 = value_15;
+    let _e344 = scale_2;
+    let _e345 = x_20;
+    let _e347 = y_16;
+    return GaborField((_e329 * _e330.y), (_e333 * vec2<f32>(_e334.y, _e336.y)), (_e340 * _e341.x), (_e344 * vec2<f32>(_e345.x, _e347.x)), 0f);
+}
+
+fn gabor_impl_spots_narrow(place: GaborPlace, s: vec3<f32>, salt: u32) -> GaborField {
+    var x_21: GaborSpotsAxis;
+    var y_17: GaborSpotsAxis;
+    var sum_19: vec4<f32> = vec4(0f);
+    var along_y_5: vec2<f32> = vec2(0f);
+    var local_34: f32;
+    var scale_3: f32;
+    let _e10 = gabor_impl_spots_axis(place.cell.x, place.local.x, place.period.x, salt, s.x);
+    x_21 = _e10;
+    let _e21 = gabor_impl_spots_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), s.y);
+    y_17 = _e21;
+    let _e31 = x_21;
+    let _e32 = y_17;
+    let _e35 = y_17;
+    gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e31, _e32.word.x, _e35.first, s.z);
+    let _e42 = x_21;
+    let _e43 = y_17;
+    let _e46 = y_17;
+    gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e42, _e43.word.y, _e46.middle, s.z);
+    let _e53 = x_21;
+    let _e54 = y_17;
+    let _e57 = y_17;
+    gabor_impl_add_spots_row((&sum_19), (&along_y_5), _e53, _e54.word.z, _e57.last, s.z);
+    if false {
+        local_34 = 1f;
+    } else {
+        local_34 = 1.125f;
+    }
+    let _e73 = local_34;
+    scale_3 = (1f / (1459955300000000000000000000f * _e73));
+    let _e77 = scale_3;
+    let _e78 = sum_19;
+    let _e81 = scale_3;
+    let _e82 = sum_19;
+    let _e84 = along_y_5;
+    let _e88 = scale_3;
+    let _e89 = sum_19;
+    let _e92 = scale_3;
+    let _e93 = sum_19;
+    let _e95 = along_y_5;
+    return GaborField((_e77 * _e78.y), (_e81 * vec2<f32>(_e82.w, _e84.y)), (_e88 * _e89.x), (_e92 * vec2<f32>(_e93.z, _e95.x)), 0f);
+}
+
+// The same as gabor_field_filtered with the wave vector 0.
+fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborField {
+    var stretch_7: vec2<f32>;
+    var footprint_4: GaborFootprint;
+    var wide_1: f32;
+    var kept_1: f32;
+    var amplitude_7: f32;
+    var sum_20: GaborField = GaborField(0f, vec2(0f), 0f, vec2(0f), 0f);
+    var salt_15: u32;
+    stretch_7 = (place.radius / vec2(1.5f));
+    let _e12 = stretch_7;
+    let _e14 = stretch_7;
+    let _e16 = gabor_impl_footprint((_e12 * dx), (_e14 * dy));
+    footprint_4 = _e16;
+    let _e18 = footprint_4;
+    let _e19 = gabor_impl_wide_share(_e18);
+    wide_1 = _e19;
+    let _e23 = footprint_4;
+    let _e25 = gabor_impl_transmitted(vec2(0f), _e23.covariance);
+    kept_1 = _e25;
+    let _e27 = kept_1;
+    let _e30 = footprint_4;
+    let _e32 = gabor_impl_transmitted(vec2(0f), _e30.resolved);
+    amplitude_7 = sqrt((_e27 / _e32));
+    let _e45 = gabor_impl_salt(seed);
+    salt_15 = _e45;
+    let _e47 = wide_1;
+    if (_e47 < 1f) {
+        let _e51 = footprint_4;
+        let _e53 = salt_15;
+        let _e54 = gabor_impl_spots_narrow(place, _e51.resolved, _e53);
+        let _e56 = wide_1;
+        let _e58 = amplitude_7;
+        let _e60 = stretch_7;
+        gabor_impl_add_field((&sum_20), _e54, ((1f - _e56) * _e58), _e60);
+    }
+    let _e62 = wide_1;
+    if (_e62 > 0f) {
+        let _e66 = footprint_4;
+        let _e68 = wide_1;
+        let _e71 = salt_15;
+        let _e72 = gabor_impl_spots_wide(place, _e66.resolved, (_e68 > 0f), _e71);
+        let _e73 = wide_1;
+        let _e74 = amplitude_7;
+        let _e76 = stretch_7;
+        gabor_impl_add_field((&sum_20), _e72, (_e73 * _e74), _e76);
+    }
+    let _e80 = kept_1;
+    sum_20.removed = (1f - _e80);
+    let _e82 = sum_20;
+    return _e82;
+}
+
+// The share of a layer's variance that a filter removes, and the covariance of its gradient that it removes: see
+// gabor_impl_transmitted. The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave
+// vector (1 + 2/3 pi^2 S)^-1 F.
+fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField, s: vec3<f32>) -> GaborPair {
+    var a_13: vec3<f32>;
+    var inverse: vec3<f32>;
+    var whole_2: vec3<f32>;
+    var left_1: vec3<f32>;
+    a_13 = (6.579736f * s);
+    let _e7 = a_13;
+    let _e11 = a_13;
+    let _e14 = a_13;
+    inverse = vec3<f32>((1f + _e7.y), (1f + _e11.x), -(_e14.z));
+    let _e19 = inverse;
+    let _e20 = inverse;
+    let _e22 = inverse;
+    let _e25 = a_13;
+    let _e27 = a_13;
+    inverse = (_e19 / vec3(((_e20.x * _e22.y) - (_e25.z * _e27.z))));
+    let _e39 = gabor_impl_square(layer.wave);
+    whole_2 = (vec3<f32>(3.289868f, 3.289868f, 0f) + (39.478416f * _e39));
+    let _e44 = inverse;
+    let _e47 = inverse;
+    let _e49 = gabor_impl_symmetric(_e47, layer.wave);
+    let _e50 = gabor_impl_square(_e49);
+    left_1 = ((3.289868f * _e44) + (39.478416f * _e50));
+    let _e54 = whole_2;
+    let _e58 = left_1;
+    let _e61 = gabor_impl_pair(layer, field, (_e54 - ((1f - field.removed) * _e58)));
+    return _e61;
+}
+
+fn gabor_impl_filtered_waves(layer: GaborLayer, pixel: GaborPixel) -> GaborPair {
+    var dx_9: vec2<f32>;
+    var dy_9: vec2<f32>;
+    var field_13: GaborField;
+    let _e5 = gabor_impl_step_of(layer.at, pixel.dx);
+    dx_9 = (layer.density * _e5);
+    let _e11 = gabor_impl_step_of(layer.at, pixel.dy);
+    dy_9 = (layer.density * _e11);
+    let _e16 = gabor_impl_place(layer.at, layer.density);
+    let _e17 = dx_9;
+    let _e18 = dy_9;
+    let _e21 = gabor_field_filtered(_e16, _e17, _e18, layer.wave, layer.seed);
+    field_13 = _e21;
+    let _e23 = field_13;
+    let _e24 = dx_9;
+    let _e25 = dy_9;
+    let _e26 = gabor_impl_footprint(_e24, _e25);
+    let _e28 = gabor_impl_filtered_pair(layer, _e23, _e26.covariance);
+    return _e28;
+}
+
+fn gabor_impl_filtered_spots(layer: GaborLayer, pixel: GaborPixel) -> GaborPair {
+    var dx_10: vec2<f32>;
+    var dy_10: vec2<f32>;
+    var field_14: GaborField;
+    let _e5 = gabor_impl_step_of(layer.at, pixel.dx);
+    dx_10 = (layer.density * _e5);
+    let _e11 = gabor_impl_step_of(layer.at, pixel.dy);
+    dy_10 = (layer.density * _e11);
+    let _e16 = gabor_impl_place(layer.at, layer.density);
+    let _e17 = dx_10;
+    let _e18 = dy_10;
+    let _e20 = gabor_impl_spots_filtered(_e16, _e17, _e18, layer.seed);
+    field_14 = _e20;
+    let _e22 = field_14;
+    let _e23 = dx_10;
+    let _e24 = dy_10;
+    let _e25 = gabor_impl_footprint(_e23, _e24);
+    let _e27 = gabor_impl_filtered_pair(layer, _e22, _e25.covariance);
+    return _e27;
+}
+
+fn gabor_impl_add_filtered_spots(pairs: ptr<function, GaborPairs>, layer: GaborLayer, pixel: GaborPixel) {
+    var pair_2: GaborPair;
+    let _e3 = gabor_impl_filtered_spots(layer, pixel);
+    pair_2 = _e3;
+    if (layer.slot == 0i) {
+        let _e9 = (*pairs);
+        let _e11 = pair_2;
+        let _e13 = gabor_impl_plus(_e9.a, _e11, layer.amplitude);
+        (*pairs).a = _e13;
+        return;
+    } else {
+        if (layer.slot == 1i) {
+            let _e18 = (*pairs);
+            let _e20 = pair_2;
+            let _e22 = gabor_impl_plus(_e18.b, _e20, layer.amplitude);
+            (*pairs).b = _e22;
+            return;
+        } else {
+            if (layer.slot == 2i) {
+                let _e27 = (*pairs);
+                let _e29 = pair_2;
+                let _e31 = gabor_impl_plus(_e27.c, _e29, layer.amplitude);
+                (*pairs).c = _e31;
+                return;
+            } else {
+                if (layer.slot == 3i) {
+                    let _e36 = (*pairs);
+                    let _e38 = pair_2;
+                    let _e40 = gabor_impl_plus(_e36.d, _e38, layer.amplitude);
+                    (*pairs).d = _e40;
+                    return;
+                } else {
+                    let _e42 = (*pairs);
+                    let _e44 = pair_2;
+                    let _e46 = gabor_impl_plus(_e42.e, _e44, layer.amplitude);
+                    (*pairs).e = _e46;
+                    return;
+                }
+            }
+        }
+    }
+}
+
 // ---- Functions of noise, averaged over what the filter removed -----------------------------------------------------
 
-// A soft threshold: the normal distribution function of (noise - threshold) / softness, within 2e-5.
-fn gabor_impl_above(noise: f32, removed: f32, threshold: f32, softness: f32) -> f32 {
+// The normal distribution function, within 2e-5.
+fn gabor_impl_below(x: f32) -> f32 {
+    var x_23: f32;
+    x_23 = x;
+    let _e2 = x_23;
+    x_23 = clamp(_e2, -8f, 8f);
+    let _e9 = x_23;
+    let _e12 = x_23;
+    let _e13 = x_23;
+    let _e17 = x_23;
+    let _e19 = x_23;
+    return (1f / (1f + exp2((-(_e9) * (2.301726f + ((_e12 * _e13) * (0.1061787f - ((0.00091164f * _e17) * _e19))))))));
+}
+
+// A soft threshold: the normal distribution function of (noise - threshold) / softness.
+fn gabor_impl_above(noise: vec3<f32>, removed: f32, threshold: f32, softness: f32) -> vec3<f32> {
     var scale_4: f32;
-    var x_15: f32;
+    var x_24: f32;
     scale_4 = inverseSqrt(((softness * softness) + removed));
     let _e8 = scale_4;
-    let _e10 = scale_4;
-    x_15 = clamp(((_e8 * noise) - (_e10 * threshold)), -8f, 8f);
-    let _e20 = x_15;
-    let _e23 = x_15;
-    let _e24 = x_15;
-    let _e28 = x_15;
-    let _e30 = x_15;
-    return (1f / (1f + exp2((-(_e20) * (2.301726f + ((_e23 * _e24) * (0.1061787f - ((0.00091164f * _e28) * _e30))))))));
+    let _e11 = scale_4;
+    x_24 = ((_e8 * noise.x) - (_e11 * threshold));
+    let _e15 = x_24;
+    let _e16 = gabor_impl_below(_e15);
+    let _e18 = scale_4;
+    let _e22 = x_24;
+    let _e23 = x_24;
+    let _e31 = (((0.3989423f * _e18) * exp((-0.5f * min((_e22 * _e23), 100f)))) * noise.yz);
+    return vec3<f32>(_e16, _e31.x, _e31.y);
+}
+
+// The covariance of its slopes that the filter removed.
+fn gabor_impl_above_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, threshold: f32, softness: f32) -> vec3<f32> {
+    var scale_5: f32;
+    var variance_2: f32;
+    var d_6: f32;
+    var mean_2: f32;
+    var square: f32;
+    scale_5 = inverseSqrt(((softness * softness) + removed));
+    variance_2 = (((0.5f * softness) * softness) + removed);
+    d_6 = ((noise.x - threshold) * (noise.x - threshold));
+    let _e21 = scale_5;
+    let _e25 = d_6;
+    let _e26 = scale_5;
+    let _e28 = scale_5;
+    mean_2 = ((0.3989423f * _e21) * exp((-0.5f * min(((_e25 * _e26) * _e28), 100f))));
+    let _e38 = variance_2;
+    let _e43 = d_6;
+    let _e44 = variance_2;
+    square = (((0.11253954f / softness) * inverseSqrt(_e38)) * exp((-0.5f * min((_e43 / _e44), 100f))));
+    let _e52 = square;
+    let _e54 = square;
+    let _e55 = mean_2;
+    let _e56 = mean_2;
+    let _e60 = gabor_impl_square(noise.yz);
+    return ((_e52 * lost) + ((_e54 - (_e55 * _e56)) * _e60));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
-fn gabor_impl_line(noise: f32, removed: f32, width: f32) -> f32 {
-    var variance_1: f32;
-    variance_1 = ((width * width) + removed);
-    let _e6 = variance_1;
-    let _e13 = variance_1;
-    return ((width * inverseSqrt(_e6)) * exp((((-0.5f * noise) * noise) / _e13)));
+fn gabor_impl_line(noise: vec3<f32>, removed: f32, width: f32) -> vec3<f32> {
+    var variance_3: f32;
+    var line_5: f32;
+    variance_3 = ((width * width) + removed);
+    let _e6 = variance_3;
+    let _e14 = variance_3;
+    line_5 = ((width * inverseSqrt(_e6)) * exp((-0.5f * min(((noise.x * noise.x) / _e14), 100f))));
+    let _e22 = line_5;
+    let _e26 = variance_3;
+    let _e29 = ((-(noise.x) / _e26) * noise.yz);
+    return (_e22 * vec3<f32>(1f, _e29.x, _e29.y));
 }
 
-// A factor of mean 1: exp(contrast noise - contrast^2 / 2).
-fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> f32 {
-    return exp((contrast * (noise - ((0.5f * contrast) * (1f - removed)))));
+// The covariance of its slopes that the filter removed.
+fn gabor_impl_line_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, width: f32) -> vec3<f32> {
+    var half_square: f32;
+    var variance_4: f32;
+    var mean_3: f32;
+    var spread: f32;
+    var square_1: f32;
+    var slope_13: vec3<f32>;
+    half_square = ((0.5f * width) * width);
+    let _e8 = half_square;
+    variance_4 = (_e8 + removed);
+    let _e12 = half_square;
+    let _e14 = variance_4;
+    mean_3 = ((noise.x * _e12) / _e14);
+    let _e17 = half_square;
+    let _e19 = variance_4;
+    spread = ((_e17 * removed) / _e19);
+    let _e22 = half_square;
+    let _e23 = variance_4;
+    let _e31 = variance_4;
+    let _e38 = mean_3;
+    let _e39 = mean_3;
+    let _e41 = spread;
+    let _e45 = half_square;
+    let _e47 = half_square;
+    square_1 = (((sqrt((_e22 / _e23)) * exp((-0.5f * min(((noise.x * noise.x) / _e31), 100f)))) * ((_e38 * _e39) + _e41)) / ((4f * _e45) * _e47));
+    let _e55 = gabor_impl_line(vec3<f32>(noise.x, 1f, 0f), removed, width);
+    slope_13 = _e55;
+    let _e57 = square_1;
+    let _e59 = square_1;
+    let _e60 = slope_13;
+    let _e62 = slope_13;
+    let _e67 = gabor_impl_square(noise.yz);
+    return ((_e57 * lost) + ((_e59 - (_e60.y * _e62.y)) * _e67));
 }
 
-// The phase of a complex noise as a vector: of length 1, or shorter where the filter averages over phases.
-fn gabor_impl_phase(layer: vec3<f32>) -> vec2<f32> {
-    return (layer.xy * inverseSqrt(((dot(layer.xy, layer.xy) + (2.5f * layer.z)) + 0.000001f)));
+// A factor of mean 1, exp(contrast noise - contrast^2 / 2), as its logarithm and the variance of the logarithm that the
+// filter removed. A product of factors is the sum of their vectors.
+fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> vec2<f32> {
+    return vec2<f32>(((contrast * noise) - ((0.5f * contrast) * contrast)), ((contrast * contrast) * removed));
 }
 
-// The integral of the square of a sawtooth that rises from 0 to 1.
-fn gabor_impl_rise_integral(x: f32) -> f32 {
-    var turns_4: f32;
-    var t_6: f32;
-    turns_4 = floor(x);
-    let _e3 = turns_4;
-    t_6 = (x - _e3);
-    let _e7 = turns_4;
-    let _e8 = t_6;
-    let _e9 = t_6;
-    let _e11 = t_6;
-    return (0.33333334f * (_e7 + ((_e8 * _e9) * _e11)));
+// The mean of min(colour * tone, 1). If the logarithm of X is normal with mean m and variance r, and P is the normal
+// distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
+// sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
+fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
+    var mean_4: vec3<f32>;
+    var s_10: f32;
+    var d_7: vec3<f32>;
+    var i_9: i32 = 0i;
+    mean_4 = (colour * exp((tone.x + (0.5f * tone.y))));
+    if (tone.y > 0f) {
+        {
+            s_10 = sqrt(tone.y);
+            let _e24 = s_10;
+            d_7 = ((vec3(-(tone.x)) - log(max(colour, vec3(0.000001f)))) / vec3(_e24));
+            let _e28 = d_7;
+            let _e30 = d_7;
+            let _e33 = d_7;
+            if (min(min(_e28.x, _e30.y), _e33.z) < 3f) {
+                loop {
+                    let _e40 = i_9;
+                    if !((_e40 < 3i)) {
+                        break;
+                    }
+                    let _e47 = i_9;
+                    let _e49 = i_9;
+                    let _e51 = mean_4[_e49];
+                    let _e52 = i_9;
+                    let _e54 = d_7[_e52];
+                    let _e55 = s_10;
+                    let _e57 = gabor_impl_below((_e54 - _e55));
+                    let _e61 = i_9;
+                    let _e63 = d_7[_e61];
+                    let _e64 = gabor_impl_below(_e63);
+                    mean_4[_e47] = (((_e51 * _e57) + 1f) - _e64);
+                    continuing {
+                        let _e44 = i_9;
+                        i_9 = (_e44 + 1i);
+                    }
+                }
+            }
+        }
+    }
+    let _e66 = mean_4;
+    return min(_e66, vec3(1f));
 }
 
-// The mean of the square of a sawtooth over the interval (phase, width) that gabor_impl_phase_of returns.
-fn gabor_impl_rise(phase: vec2<f32>) -> f32 {
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
+// see
+// gabor_impl_ends_at. `phase` is in turns.
+fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     var ends_4: vec3<f32>;
-    let _e3 = gabor_impl_ends(phase.x, phase.y);
-    ends_4 = _e3;
-    let _e5 = ends_4;
-    let _e7 = ends_4;
-    let _e9 = gabor_impl_rise_integral(_e7.y);
+    var turns_4: vec2<f32>;
+    var t_10: vec2<f32>;
+    var integral: vec2<f32>;
+    var mean_5: f32;
+    var change_2: f32;
+    var widen: f32;
+    let _e4 = gabor_impl_ends_at(phase.x, span.x);
+    ends_4 = _e4;
+    let _e6 = ends_4;
+    turns_4 = floor(_e6.xy);
     let _e10 = ends_4;
-    let _e12 = gabor_impl_rise_integral(_e10.x);
-    return (_e5.z * (_e9 - _e12));
+    let _e12 = turns_4;
+    t_10 = (_e10.xy - _e12);
+    let _e16 = turns_4;
+    let _e17 = t_10;
+    let _e18 = t_10;
+    let _e20 = t_10;
+    integral = (0.33333334f * (_e16 + ((_e17 * _e18) * _e20)));
+    let _e25 = ends_4;
+    let _e27 = integral;
+    let _e29 = integral;
+    mean_5 = (_e25.z * (_e27.y - _e29.x));
+    let _e34 = ends_4;
+    let _e36 = t_10;
+    let _e38 = t_10;
+    let _e41 = t_10;
+    let _e43 = t_10;
+    change_2 = (_e34.z * ((_e36.y * _e38.y) - (_e41.x * _e43.x)));
+    let _e49 = ends_4;
+    let _e52 = t_10;
+    let _e54 = t_10;
+    let _e57 = t_10;
+    let _e59 = t_10;
+    let _e64 = mean_5;
+    let _e69 = ends_4;
+    widen = ((_e49.z * ((0.5f * ((_e52.y * _e54.y) + (_e57.x * _e59.x))) - _e64)) * (-0.5f / (_e69.z * max((1f - span.x), 0.001f))));
+    let _e80 = mean_5;
+    let _e81 = change_2;
+    let _e84 = widen;
+    let _e87 = ((_e81 * phase.yz) + (_e84 * span.yz));
+    return vec3<f32>(_e80, _e87.x, _e87.y);
 }
 
-// Clamps the colour to [0, 1], which a product of tones can exceed.
-fn gabor_impl_material(colour: vec3<f32>, height: f32, roughness: f32, metalness: f32) -> GaborMaterial {
-    return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height, roughness, metalness);
+// The variance of its slope per turn over the phases that the filter added; at a span of `full`, it added none. Where
+// the sawtooth rises, over a share 1 - w of the phases, its slope is 2 t; where it falls, over w, it is
+// -(1 - w) (1 - w + 2 t) / w, with t from 0 to w.
+fn gabor_impl_rise_lost(phase: f32, span: f32, full: f32) -> f32 {
+    var ends_5: vec3<f32>;
+    var turns_5: vec2<f32>;
+    var t_11: vec2<f32>;
+    var w_1: f32;
+    var rise_2: f32;
+    var risen: f32;
+    var fallen: f32;
+    var integral_1: vec2<f32>;
+    var change_3: f32;
+    let _e3 = gabor_impl_ends_at(phase, span);
+    ends_5 = _e3;
+    let _e5 = ends_5;
+    turns_5 = floor(_e5.xy);
+    let _e9 = ends_5;
+    let _e11 = turns_5;
+    t_11 = (_e9.xy - _e11);
+    let _e16 = gabor_impl_ends_at(0f, full);
+    w_1 = (1f / _e16.z);
+    let _e21 = w_1;
+    rise_2 = (1f - _e21);
+    let _e25 = w_1;
+    let _e27 = w_1;
+    let _e30 = w_1;
+    let _e32 = w_1;
+    risen = (1.3333333f - (_e25 * ((2f - _e27) + ((0.33333334f * _e30) * _e32))));
+    let _e38 = rise_2;
+    let _e39 = rise_2;
+    let _e42 = w_1;
+    let _e45 = w_1;
+    fallen = ((_e38 * _e39) * ((1f / _e42) + (0.33333334f * _e45)));
+    let _e50 = risen;
+    let _e51 = turns_5;
+    let _e52 = t_11;
+    let _e53 = t_11;
+    let _e55 = t_11;
+    let _e59 = fallen;
+    let _e60 = turns_5;
+    integral_1 = ((_e50 * (_e51 + ((_e52 * _e53) * _e55))) + (_e59 * _e60));
+    let _e64 = ends_5;
+    let _e66 = t_11;
+    let _e68 = t_11;
+    let _e71 = t_11;
+    let _e73 = t_11;
+    change_3 = (_e64.z * ((_e66.y * _e68.y) - (_e71.x * _e73.x)));
+    let _e79 = ends_5;
+    let _e81 = integral_1;
+    let _e83 = integral_1;
+    let _e87 = change_3;
+    let _e88 = change_3;
+    return (max(((_e79.z * (_e81.y - _e83.x)) - (_e87 * _e88)), 0f) * max((1f - ((span * span) / (full * full))), 0f));
 }
 
-// ---- Materials -----------------------------------------------------------------------------------------------------
+// A smoothstep from `low` to `high`.
+fn gabor_impl_step(low: vec3<f32>, high: vec3<f32>, x: vec3<f32>) -> vec3<f32> {
+    var width_7: f32;
+    var t_12: f32;
+    var slope_14: vec2<f32>;
+    width_7 = (high.x - low.x);
+    let _e10 = width_7;
+    t_12 = clamp(((x.x - low.x) / _e10), 0f, 1f);
+    let _e19 = t_12;
+    let _e25 = width_7;
+    slope_14 = (((x.yz - low.yz) - (_e19 * (high.yz - low.yz))) / vec2(_e25));
+    let _e29 = t_12;
+    let _e30 = t_12;
+    let _e34 = t_12;
+    let _e39 = t_12;
+    let _e42 = t_12;
+    let _e45 = slope_14;
+    let _e46 = (((6f * _e39) * (1f - _e42)) * _e45);
+    return vec3<f32>(((_e29 * _e30) * (3f - (2f * _e34))), _e46.x, _e46.y);
+}
 
+fn gabor_impl_material(colour: vec3<f32>, height: vec3<f32>, lost: vec3<f32>, roughness: f32, metalness: f32) -> GaborMaterial {
+    return GaborMaterial(clamp(colour, vec3(0f), vec3(1f)), height.x, height.yz, roughness, metalness, lost);
+}
+
+// ---- Wood ----------------------------------------------------------------------------------------------------------
+//
 // Rings are lines of constant x that noise of low frequency bends until they close.
-fn gabor_wood_at(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborMaterial {
+
+fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborWarped {
     var bends: vec2<f32>;
-    var board: GaborPixel;
-    var years: GaborPixel;
-    var rings: f32;
-    var steps: f32;
-    var kept_1: f32;
-    var ring: f32;
-    var pore: vec3<f32>;
-    var fibre: vec3<f32>;
-    var tone: vec3<f32>;
-    var tones: f32;
-    var pores: f32;
+    var board: GaborWarped;
+    bends = (vec2<f32>(0.43f, 0.018f) * wood.waviness);
+    let _e9 = gabor_impl_unwarped(pixel);
+    board = _e9;
+    let _e11 = board;
+    let _e15 = bends;
+    let _e20 = gabor_impl_warp(pixel, _e11, vec2<f32>(1.1f, 0.24f), vec2<f32>(_e15.x, 0f), seed, 0i);
+    board = _e20;
+    let _e21 = board;
+    let _e25 = bends;
+    let _e30 = gabor_impl_warp(pixel, _e21, vec2<f32>(4f, 0.9f), vec2<f32>(_e25.y, 0f), seed, 1i);
+    return _e30;
+}
+
+// Pores, fibres and tone.
+fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborWarped, seed: u32) -> GaborLayer {
+    var local_35: vec2<f32>;
+    if (i == 2i) {
+        let _e11 = gabor_impl_spots_layer(2i, board, vec2<f32>(3.5f, 0.35f), seed, 5i);
+        return _e11;
+    }
+    let _e12 = gabor_impl_unwarped(pixel);
+    if (i == 0i) {
+        local_35 = vec2<f32>(90f, 4.5f);
+    } else {
+        local_35 = vec2<f32>(150f, 2f);
+    }
+    let _e22 = local_35;
+    let _e25 = gabor_impl_spots_layer(i, _e12, _e22, seed, (3i + i));
+    return _e25;
+}
+
+fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of_: GaborPairs, seed: u32) -> GaborMaterial {
+    var board_3: GaborWarped;
+    var years: vec3<f32>;
+    var kept_2: f32;
+    var ring: vec3<f32>;
+    var pores: vec3<f32>;
+    var within_1: vec3<f32>;
+    var deep: vec3<f32>;
     var early: f32;
     var late: f32;
-    var deep: f32;
-    var colour_1: vec3<f32>;
-    var height_1: f32;
-    bends = (vec2<f32>(0.43f, 0.018f) * wood.waviness);
-    let _e12 = bends;
-    let _e17 = gabor_lobe_seed(seed, 0i);
-    let _e18 = gabor_impl_warp(pixel, vec2<f32>(1.1f, 0.24f), vec2<f32>(_e12.x, 0f), _e17);
-    board = _e18;
-    let _e20 = board;
-    let _e24 = bends;
-    let _e29 = gabor_lobe_seed(seed, 1i);
-    let _e30 = gabor_impl_warp(_e20, vec2<f32>(4f, 0.9f), vec2<f32>(_e24.y, 0f), _e29);
-    board = _e30;
-    let _e31 = board;
-    let _e41 = gabor_lobe_seed(seed, 2i);
-    let _e42 = gabor_impl_warp(_e31, vec2<f32>(6.5f, 0.08f), vec2<f32>((0.455f / wood.rings), 0f), _e41);
-    years = _e42;
-    let _e46 = gabor_impl_repeated(pixel, wood.rings, 1f);
-    rings = _e46.x;
-    let _e49 = rings;
-    let _e50 = rings;
-    let _e52 = years;
-    let _e55 = years;
-    let _e59 = years;
-    let _e62 = years;
-    steps = ((_e49 * _e50) * ((_e52.dx.x * _e55.dx.x) + (_e59.dy.x * _e62.dy.x)));
-    let _e71 = steps;
-    kept_1 = (0.97f * exp(-(min((4.934802f * _e71), 40f))));
-    let _e79 = rings;
-    let _e80 = years;
-    let _e84 = kept_1;
-    let _e87 = gabor_impl_phase_of(vec2<f32>(_e84, 0f));
-    let _e90 = gabor_impl_rise(vec2<f32>((_e79 * _e80.p.x), _e87.y));
-    ring = _e90;
-    let _e96 = gabor_lobe_seed(seed, 3i);
-    let _e97 = gabor_impl_spots(pixel, vec2<f32>(90f, 4.5f), _e96);
-    pore = _e97;
-    let _e103 = gabor_lobe_seed(seed, 4i);
-    let _e104 = gabor_impl_spots(pixel, vec2<f32>(150f, 2f), _e103);
-    fibre = _e104;
-    let _e106 = board;
-    let _e111 = gabor_lobe_seed(seed, 5i);
-    let _e112 = gabor_impl_spots(_e106, vec2<f32>(3.5f, 0.35f), _e111);
-    tone = _e112;
-    let _e114 = fibre;
-    let _e116 = fibre;
-    let _e119 = gabor_impl_tone(_e114.y, _e116.z, 0.11f);
-    let _e120 = tone;
-    let _e122 = tone;
-    let _e125 = gabor_impl_tone(_e120.y, _e122.z, 0.13f);
-    tones = (_e119 * _e125);
-    let _e129 = pore;
-    let _e131 = pore;
-    let _e135 = gabor_impl_above(_e129.y, _e131.z, 1.1f, 0.25f);
-    pores = (wood.pores * _e135);
-    let _e139 = ring;
-    let _e142 = pores;
-    early = ((1f - _e139) * (1f - _e142));
-    let _e146 = ring;
-    let _e149 = pores;
-    late = (_e146 * (1f - (0.25f * _e149)));
-    let _e155 = early;
-    let _e157 = late;
-    deep = ((1f - _e155) - _e157);
-    let _e160 = tones;
-    let _e161 = early;
-    let _e165 = tones;
-    let _e166 = late;
-    let _e169 = deep;
-    colour_1 = (((_e160 * _e161) * wood.early) + (((_e165 * _e166) + (0.45f * _e169)) * wood.late));
-    let _e177 = ring;
-    let _e180 = deep;
-    let _e184 = fibre;
-    height_1 = (((0.0006f * _e177) - (0.0024f * _e180)) + (0.0002f * _e184.y));
-    let _e189 = colour_1;
-    let _e190 = height_1;
-    let _e194 = ring;
-    let _e199 = gabor_impl_material(_e189, _e190, (wood.roughness * (1f - (0.2f * _e194))), 0f);
-    return _e199;
+    var tones: vec2<f32>;
+    var colour_2: vec3<f32>;
+    var height_1: vec3<f32>;
+    var depth: f32;
+    var lost_4: vec3<f32>;
+    board_3 = board;
+    let _e6 = board_3;
+    let _e16 = gabor_impl_warp(pixel, _e6, vec2<f32>(6.5f, 0.08f), vec2<f32>((0.455f / wood.rings), 0f), seed, 2i);
+    board_3 = _e16;
+    let _e19 = gabor_impl_repeated(pixel, wood.rings, 1f);
+    let _e21 = board_3;
+    let _e22 = gabor_impl_along_x(_e21);
+    years = (_e19.x * _e22);
+    let _e27 = years;
+    let _e28 = gabor_impl_steps(pixel, _e27);
+    kept_2 = (0.97f * exp(-(min((4.934802f * _e28), 40f))));
+    let _e36 = years;
+    let _e37 = kept_2;
+    let _e41 = gabor_impl_rise(_e36, vec3<f32>(_e37, 0f, 0f));
+    ring = _e41;
+    let _e50 = gabor_impl_above(of_.a.second, of_.a.removed, 1.1f, 0.25f);
+    pores = (wood.pores * _e50);
+    let _e58 = ring;
+    within_1 = (vec3<f32>(1f, 0f, 0f) - (0.75f * _e58));
+    let _e62 = pores;
+    let _e63 = within_1;
+    let _e64 = gabor_impl_times(_e62, _e63);
+    deep = _e64;
+    let _e67 = ring;
+    let _e71 = pores;
+    early = ((1f - _e67.x) * (1f - _e71.x));
+    let _e76 = ring;
+    let _e80 = pores;
+    late = (_e76.x * (1f - (0.25f * _e80.x)));
+    let _e92 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.11f);
+    let _e99 = gabor_impl_tone(of_.c.second.x, of_.c.removed, 0.13f);
+    tones = (_e92 + _e99);
+    let _e102 = early;
+    let _e104 = tones;
+    let _e105 = gabor_impl_toned(wood.early, _e104);
+    let _e107 = late;
+    let _e109 = tones;
+    let _e110 = gabor_impl_toned(wood.late, _e109);
+    let _e114 = deep;
+    colour_2 = (((_e102 * _e105) + (_e107 * _e110)) + ((0.45f * _e114.x) * wood.late));
+    let _e122 = ring;
+    let _e125 = deep;
+    height_1 = (((0.0006f * _e122) - (0.0024f * _e125)) + (0.0002f * of_.b.second));
+    let _e139 = within_1;
+    let _e141 = within_1;
+    let _e146 = kept_2;
+    let _e147 = kept_2;
+    depth = (((0.00000576f * wood.pores) * wood.pores) * ((_e139.x * _e141.x) + (0.05f * (1f - (_e146 * _e147)))));
+    let _e155 = years;
+    let _e157 = kept_2;
+    let _e159 = gabor_impl_rise_lost(_e155.x, _e157, 0.97f);
+    let _e161 = years;
+    let _e163 = gabor_impl_square(_e161.yz);
+    let _e170 = depth;
+    let _e179 = gabor_impl_above_lost(of_.a.second, of_.a.removed, of_.a.lost, 1.1f, 0.25f);
+    lost_4 = ((((0.00000036f * _e159) * _e163) + (0.00000004f * of_.b.lost)) + (_e170 * _e179));
+    let _e183 = colour_2;
+    let _e184 = height_1;
+    let _e185 = lost_4;
+    let _e189 = ring;
+    let _e195 = gabor_impl_material(_e183, _e184, _e185, (wood.roughness * (1f - (0.2f * _e189.x))), 0f);
+    return _e195;
 }
 
-fn gabor_fabric_at(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var count_2: vec2<f32>;
-    var cloth: GaborPixel;
-    var upright: vec3<f32>;
-    var level: vec3<f32>;
-    var upright_fibre: vec3<f32>;
-    var level_fibre: vec3<f32>;
-    var at: vec2<f32>;
-    var thread: vec2<f32>;
-    var within_1: vec2<f32>;
-    var local_36: f32;
-    var parity: f32;
-    var thick: vec2<f32>;
-    var inside_1: vec2<f32>;
-    var crest: vec2<f32>;
-    var first_3: bool;
-    var top: f32;
-    var local_37: vec3<f32>;
-    var tone_1: vec3<f32>;
-    var local_38: vec3<f32>;
-    var fibre_1: vec3<f32>;
-    var steps_1: vec2<f32>;
-    var kept_2: f32;
-    var uneven: f32;
-    var light: f32;
+fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
+    var pixel_10: GaborPixel;
+    var board_4: GaborWarped;
+    var of_1: GaborPairs;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_10 = _e8;
+    let _e10 = pixel_10;
+    let _e11 = gabor_impl_board(_e10, wood, seed);
+    board_4 = _e11;
+    let _e13 = gabor_impl_no_pairs();
+    of_1 = _e13;
+    let _e17 = pixel_10;
+    let _e18 = board_4;
+    let _e19 = gabor_impl_wood_layer(0i, _e17, _e18, seed);
+    let _e20 = gabor_impl_spots_pair(_e19);
+    of_1.a = _e20;
+    let _e23 = pixel_10;
+    let _e24 = board_4;
+    let _e25 = gabor_impl_wood_layer(1i, _e23, _e24, seed);
+    let _e26 = gabor_impl_spots_pair(_e25);
+    of_1.b = _e26;
+    let _e29 = pixel_10;
+    let _e30 = board_4;
+    let _e31 = gabor_impl_wood_layer(2i, _e29, _e30, seed);
+    let _e32 = gabor_impl_spots_pair(_e31);
+    of_1.c = _e32;
+    let _e33 = pixel_10;
+    let _e34 = board_4;
+    let _e35 = of_1;
+    let _e36 = gabor_impl_wood(_e33, _e34, wood, _e35, seed);
+    return _e36;
+}
+
+// ---- Weaves --------------------------------------------------------------------------------------------------------
+
+// The part of a weave that the filter keeps; x and y are positions along its axes, in threads.
+fn gabor_impl_weave_kept(pixel: GaborPixel, x: vec3<f32>, y: vec3<f32>) -> f32 {
+    let _e4 = gabor_impl_steps(pixel, x);
+    let _e5 = gabor_impl_steps(pixel, y);
+    return exp(-(min((2.5f * (_e4 + _e5)), 40f)));
+}
+
+fn gabor_impl_cloth(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborWarped {
+    let _e3 = gabor_impl_unwarped(pixel);
+    let _e11 = gabor_impl_warp(pixel, _e3, vec2(0.7f), vec2((0.02f * fabric.unevenness)), seed, 0i);
+    return _e11;
+}
+
+// The thickness and course of threads along y and x, and their fibres.
+fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
+    var local_36: vec2<f32>;
+    var local_37: vec2<f32>;
+    var local_38: vec2<f32>;
+    var density_5: vec2<f32>;
+    if (i == 0i) {
+        local_38 = vec2<f32>((0.7f * count.x), 1.1f);
+    } else {
+        if (i == 1i) {
+            local_37 = vec2<f32>(1.1f, (0.7f * count.y));
+        } else {
+            if (i == 2i) {
+                local_36 = (vec2<f32>(14f, 2f) * count);
+            } else {
+                local_36 = (vec2<f32>(2f, 14f) * count);
+            }
+            let _e29 = local_36;
+            local_37 = _e29;
+        }
+        let _e31 = local_37;
+        local_38 = _e31;
+    }
+    let _e33 = local_38;
+    density_5 = _e33;
+    let _e35 = density_5;
+    let _e38 = gabor_impl_spots_layer(i, cloth, _e35, seed, (1i + i));
+    return _e38;
+}
+
+// The height of a thread: a circle of radius `thick` that goes over a crossing thread if `bend` is 1 and under it if
+// -1.
+fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32) -> vec3<f32> {
+    var square_2: f32;
+    var side_2: f32;
+    var turn_12: f32;
+    var slope_15: vec2<f32>;
     var local_39: f32;
-    var share: f32;
-    var colour_2: vec3<f32>;
-    var height_2: f32;
-    var cords: f32;
-    var damped: f32;
-    var turn_11: f32;
-    var cord: f32;
-    let _e5 = gabor_impl_repeated(pixel, fabric.threads, 2f);
-    count_2 = _e5;
-    let _e14 = gabor_lobe_seed(seed, 0i);
-    let _e15 = gabor_impl_warp(pixel, vec2(0.7f), vec2((0.02f * fabric.unevenness)), _e14);
-    cloth = _e15;
-    let _e17 = cloth;
-    let _e19 = count_2;
-    let _e25 = gabor_lobe_seed(seed, 1i);
-    let _e26 = gabor_impl_spots(_e17, vec2<f32>((0.7f * _e19.x), 1.1f), _e25);
-    upright = _e26;
-    let _e28 = cloth;
-    let _e31 = count_2;
-    let _e36 = gabor_lobe_seed(seed, 2i);
-    let _e37 = gabor_impl_spots(_e28, vec2<f32>(1.1f, (0.7f * _e31.y)), _e36);
-    level = _e37;
-    let _e39 = cloth;
-    let _e43 = count_2;
-    let _e46 = gabor_lobe_seed(seed, 3i);
-    let _e47 = gabor_impl_spots(_e39, (vec2<f32>(14f, 2f) * _e43), _e46);
-    upright_fibre = _e47;
-    let _e49 = cloth;
-    let _e53 = count_2;
-    let _e56 = gabor_lobe_seed(seed, 4i);
-    let _e57 = gabor_impl_spots(_e49, (vec2<f32>(2f, 14f) * _e53), _e56);
-    level_fibre = _e57;
-    let _e59 = count_2;
-    let _e60 = cloth;
-    let _e66 = upright;
-    let _e68 = level;
-    at = ((_e59 * _e60.p) + ((0.13f * fabric.unevenness) * vec2<f32>(_e66.x, _e68.x)));
-    let _e74 = at;
-    thread = floor(_e74);
-    let _e77 = at;
-    let _e78 = thread;
-    within_1 = ((_e77 - _e78) - vec2(0.5f));
-    let _e85 = thread;
-    let _e87 = thread;
-    if (fract((0.5f * (_e85.x + _e87.y))) > 0.25f) {
-        local_36 = -1f;
+    var local_40: vec2<f32>;
+    square_2 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
+    let _e14 = square_2;
+    side_2 = sqrt(max(_e14, 0f));
+    turn_12 = (3.1415927f * along.x);
+    let _e32 = side_2;
+    slope_15 = (((thick.x * thick.yz) - ((4.2f * across.x) * across.yz)) / vec2(max(_e32, 0.05f)));
+    let _e38 = side_2;
+    let _e39 = square_2;
+    if (_e39 < 0f) {
+        local_39 = 2f;
     } else {
-        local_36 = 1f;
-    }
-    let _e98 = local_36;
-    parity = _e98;
-    let _e104 = upright;
-    let _e106 = level;
-    thick = (vec2(1f) + ((0.16f * fabric.unevenness) * vec2<f32>(_e104.y, _e106.y)));
-    let _e115 = within_1;
-    let _e117 = within_1;
-    let _e119 = thick;
-    let _e120 = thick;
-    inside_1 = (vec2(1f) - (((4.2f * _e115) * _e117) / (_e119 * _e120)));
-    let _e126 = thick;
-    let _e127 = inside_1;
-    let _e137 = parity;
-    let _e140 = within_1;
-    let _e153 = inside_1;
-    crest = ((((_e126 * sqrt(max(_e127, vec2(0f)))) - vec2(1f)) + (((0.55f * _e137) * cos((3.1415927f * _e140.yx))) * vec2<f32>(1f, -1f))) - (vec2(1f) - step(vec2(0f), _e153)));
-    let _e160 = crest;
-    let _e162 = crest;
-    first_3 = (_e160.x > _e162.y);
-    let _e166 = crest;
-    let _e168 = crest;
-    top = max(max(_e166.x, _e168.y), -1.3f);
-    let _e175 = first_3;
-    if _e175 {
-        let _e176 = upright;
-        local_37 = _e176;
-    } else {
-        let _e177 = level;
-        local_37 = _e177;
-    }
-    let _e179 = local_37;
-    tone_1 = _e179;
-    let _e181 = first_3;
-    if _e181 {
-        let _e182 = upright_fibre;
-        local_38 = _e182;
-    } else {
-        let _e183 = level_fibre;
-        local_38 = _e183;
-    }
-    let _e185 = local_38;
-    fibre_1 = _e185;
-    let _e187 = count_2;
-    let _e188 = count_2;
-    let _e190 = cloth;
-    let _e192 = cloth;
-    let _e195 = cloth;
-    let _e197 = cloth;
-    steps_1 = ((_e187 * _e188) * ((_e190.dx * _e192.dx) + (_e195.dy * _e197.dy)));
-    let _e204 = steps_1;
-    let _e206 = steps_1;
-    kept_2 = exp(-(min((2.5f * (_e204.x + _e206.y)), 40f)));
-    uneven = fabric.unevenness;
-    let _e218 = uneven;
-    let _e221 = uneven;
-    let _e229 = top;
-    let _e231 = kept_2;
-    light = mix((0.8572f + (_e218 * (0.005f + (0.0083f * _e221)))), smoothstep(-1.3f, 0.5f, _e229), _e231);
-    let _e235 = first_3;
-    if _e235 {
         local_39 = 1f;
-    } else {
-        local_39 = 0f;
     }
-    let _e239 = local_39;
-    let _e240 = kept_2;
-    share = mix(0.5f, _e239, _e240);
-    let _e245 = share;
-    let _e250 = light;
-    colour_2 = (mix(fabric.weft, fabric.warp, vec3(_e245)) * mix(0.18f, 1f, _e250));
-    let _e254 = colour_2;
-    let _e255 = tone_1;
-    let _e257 = tone_1;
-    let _e262 = gabor_impl_tone(_e255.y, _e257.z, (0.09f * fabric.unevenness));
-    let _e263 = fibre_1;
-    let _e265 = fibre_1;
-    let _e268 = gabor_impl_tone(_e263.y, _e265.z, 0.12f);
-    colour_2 = (_e254 * (_e262 * _e268));
-    let _e272 = uneven;
-    let _e275 = uneven;
-    let _e280 = top;
-    let _e281 = kept_2;
-    top = mix((0.1352f + (_e272 * (0.0045f + (0.0062f * _e275)))), _e280, _e281);
-    let _e287 = top;
-    let _e290 = fibre_1;
-    height_2 = ((fabric.relief / fabric.threads) * ((0.3f * _e287) + (0.035f * _e290.y)));
+    let _e45 = local_39;
+    let _e49 = turn_12;
+    let _e53 = square_2;
+    if (_e53 < 0f) {
+        local_40 = vec2(0f);
+    } else {
+        let _e58 = slope_15;
+        local_40 = _e58;
+    }
+    let _e60 = local_40;
+    let _e63 = turn_12;
+    let _e68 = (_e60 - (((1.727876f * bend) * sin(_e63)) * along.yz));
+    return vec3<f32>(((_e38 - _e45) + ((0.55f * bend) * cos(_e49))), _e68.x, _e68.y);
+}
+
+// The means to which the filter fades the weave were measured; they depend on the unevenness.
+fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fabric: GaborFabric, of_: GaborPairs) -> GaborMaterial {
+    var uneven: f32;
+    var unit_5: f32;
+    var one: vec3<f32> = vec3<f32>(1f, 0f, 0f);
+    var x_27: vec3<f32>;
+    var y_19: vec3<f32>;
+    var kept_3: f32;
+    var local_41: f32;
+    var parity: f32;
+    var along_y_6: vec3<f32>;
+    var along_x_4: vec3<f32>;
+    var first_3: bool;
+    var local_42: vec3<f32>;
+    var top: vec3<f32>;
+    var local_43: vec3<f32>;
+    var fibre: vec3<f32>;
+    var local_44: vec3<f32>;
+    var lost_5: vec3<f32>;
+    var local_45: f32;
+    var local_46: f32;
+    var local_47: f32;
+    var tones_1: vec2<f32>;
+    var light: f32;
+    var local_48: f32;
+    var colour_3: vec3<f32>;
+    var height_2: vec3<f32>;
+    var at_9: vec3<f32>;
+    var damped_2: f32;
+    var half_cord: f32;
+    var second_3: f32;
+    var turn_13: f32;
+    var cord: f32;
+    var depth_1: f32;
+    var swing: f32;
+    uneven = fabric.unevenness;
+    unit_5 = (fabric.relief / fabric.threads);
+    let _e17 = gabor_impl_along_x(cloth);
+    x_27 = (count.x * _e17);
+    let _e21 = gabor_impl_along_y(cloth);
+    y_19 = (count.y * _e21);
+    let _e24 = x_27;
+    let _e25 = y_19;
+    let _e26 = gabor_impl_weave_kept(pixel, _e24, _e25);
+    kept_3 = _e26;
+    let _e28 = x_27;
+    let _e30 = uneven;
+    x_27 = (_e28 + ((0.13f * _e30) * of_.a.first));
+    let _e36 = y_19;
+    let _e38 = uneven;
+    y_19 = (_e36 + ((0.13f * _e38) * of_.b.first));
+    let _e45 = x_27;
+    let _e48 = y_19;
+    if (fract((0.5f * (floor(_e45.x) + floor(_e48.x)))) > 0.25f) {
+        local_41 = -1f;
+    } else {
+        local_41 = 1f;
+    }
+    let _e60 = local_41;
+    parity = _e60;
+    let _e63 = x_27;
+    let _e65 = x_27;
+    x_27.x = (_e63.x - (floor(_e65.x) + 0.5f));
+    let _e72 = y_19;
+    let _e74 = y_19;
+    y_19.x = (_e72.x - (floor(_e74.x) + 0.5f));
+    let _e80 = x_27;
+    let _e81 = one;
+    let _e83 = uneven;
+    let _e89 = y_19;
+    let _e90 = parity;
+    let _e91 = gabor_impl_thread(_e80, (_e81 + ((0.16f * _e83) * of_.a.second)), _e89, _e90);
+    along_y_6 = _e91;
+    let _e93 = y_19;
+    let _e94 = one;
+    let _e96 = uneven;
+    let _e102 = x_27;
+    let _e103 = parity;
+    let _e105 = gabor_impl_thread(_e93, (_e94 + ((0.16f * _e96) * of_.b.second)), _e102, -(_e103));
+    along_x_4 = _e105;
+    let _e107 = along_y_6;
+    let _e109 = along_x_4;
+    first_3 = (_e107.x > _e109.x);
+    let _e113 = first_3;
+    if _e113 {
+        let _e114 = along_y_6;
+        local_42 = _e114;
+    } else {
+        let _e115 = along_x_4;
+        local_42 = _e115;
+    }
+    let _e117 = local_42;
+    top = _e117;
+    let _e119 = first_3;
+    if _e119 {
+        local_43 = of_.c.second;
+    } else {
+        local_43 = of_.d.second;
+    }
+    let _e125 = local_43;
+    fibre = _e125;
+    let _e127 = first_3;
+    if _e127 {
+        local_44 = of_.c.lost;
+    } else {
+        local_44 = of_.d.lost;
+    }
+    let _e133 = local_44;
+    lost_5 = _e133;
+    let _e135 = top;
+    if (_e135.x < -1.3f) {
+        top = vec3<f32>(-1.3f, 0f, 0f);
+    }
+    let _e145 = first_3;
+    if _e145 {
+        local_45 = of_.a.second.x;
+    } else {
+        local_45 = of_.b.second.x;
+    }
+    let _e153 = local_45;
+    let _e154 = first_3;
+    if _e154 {
+        local_46 = of_.a.removed;
+    } else {
+        local_46 = of_.b.removed;
+    }
+    let _e160 = local_46;
+    let _e162 = uneven;
+    let _e164 = gabor_impl_tone(_e153, _e160, (0.09f * _e162));
+    let _e165 = fibre;
+    let _e167 = first_3;
+    if _e167 {
+        local_47 = of_.c.removed;
+    } else {
+        local_47 = of_.d.removed;
+    }
+    let _e173 = local_47;
+    let _e175 = gabor_impl_tone(_e165.x, _e173, 0.12f);
+    tones_1 = (_e164 + _e175);
+    let _e179 = uneven;
+    let _e182 = uneven;
+    let _e190 = top;
+    let _e193 = kept_3;
+    light = mix((0.8572f + (_e179 * (0.005f + (0.0083f * _e182)))), smoothstep(-1.3f, 0.5f, _e190.x), _e193);
+    let _e197 = tones_1;
+    let _e198 = gabor_impl_toned(fabric.weft, _e197);
+    let _e200 = tones_1;
+    let _e201 = gabor_impl_toned(fabric.warp, _e200);
+    let _e203 = first_3;
+    if _e203 {
+        local_48 = 1f;
+    } else {
+        local_48 = 0f;
+    }
+    let _e207 = local_48;
+    let _e208 = kept_3;
+    let _e214 = light;
+    colour_3 = (mix(_e198, _e201, vec3(mix(0.5f, _e207, _e208))) * mix(0.18f, 1f, _e214));
+    let _e219 = uneven;
+    let _e222 = uneven;
+    let _e227 = top;
+    let _e229 = kept_3;
+    let _e231 = kept_3;
+    let _e232 = top;
+    let _e234 = (_e231 * _e232.yz);
+    height_2 = vec3<f32>(mix((0.1352f + (_e219 * (0.0045f + (0.0062f * _e222)))), _e227.x, _e229), _e234.x, _e234.y);
+    let _e239 = unit_5;
+    let _e241 = height_2;
+    let _e244 = fibre;
+    height_2 = (_e239 * ((0.3f * _e241) + (0.035f * _e244)));
+    let _e248 = unit_5;
+    let _e249 = unit_5;
+    let _e253 = kept_3;
+    let _e254 = kept_3;
+    let _e258 = (count * count);
+    let _e265 = lost_5;
+    lost_5 = ((_e248 * _e249) * (((0.29f * (1f - (_e253 * _e254))) * vec3<f32>(_e258.x, _e258.y, 0f)) + (0.001225f * _e265)));
     if (fabric.cords > 0f) {
         {
-            let _e301 = gabor_impl_repeated(pixel, fabric.cords, 1f);
-            cords = _e301.x;
-            let _e305 = cords;
-            let _e307 = cords;
-            let _e309 = cloth;
-            let _e312 = cloth;
-            let _e316 = cloth;
-            let _e319 = cloth;
-            damped = exp(-(min((((4.934802f * _e305) * _e307) * ((_e309.dx.x * _e312.dx.x) + (_e316.dy.x * _e319.dy.x))), 20f)));
-            let _e331 = cords;
-            let _e332 = cloth;
-            turn_11 = (6.2831855f * fract((_e331 * _e332.p.x)));
-            let _e340 = damped;
-            let _e342 = turn_11;
-            let _e346 = damped;
-            let _e348 = damped;
-            let _e350 = damped;
-            let _e353 = turn_11;
-            cord = (0.625f - (_e340 * ((0.5f * cos(_e342)) + ((((0.125f * _e346) * _e348) * _e350) * cos((2f * _e353))))));
-            let _e361 = colour_2;
-            let _e364 = cord;
-            colour_2 = (_e361 * mix(0.3f, 1f, _e364));
-            let _e367 = height_2;
-            let _e371 = cords;
-            let _e373 = cord;
-            height_2 = (_e367 + (((0.3f * fabric.relief) / _e371) * _e373));
+            let _e274 = gabor_impl_repeated(pixel, fabric.cords, 1f);
+            let _e276 = gabor_impl_along_x(cloth);
+            at_9 = (_e274.x * _e276);
+            let _e280 = at_9;
+            let _e281 = gabor_impl_steps(pixel, _e280);
+            damped_2 = exp(-(min((4.934802f * _e281), 20f)));
+            let _e289 = damped_2;
+            half_cord = (0.5f * _e289);
+            let _e293 = damped_2;
+            let _e295 = damped_2;
+            let _e297 = damped_2;
+            let _e299 = damped_2;
+            second_3 = ((((0.125f * _e293) * _e295) * _e297) * _e299);
+            let _e303 = at_9;
+            turn_13 = (6.2831855f * fract(_e303.x));
+            let _e309 = half_cord;
+            let _e310 = turn_13;
+            let _e314 = second_3;
+            let _e316 = turn_13;
+            cord = ((0.625f - (_e309 * cos(_e310))) - (_e314 * cos((2f * _e316))));
+            let _e327 = gabor_impl_repeated(pixel, fabric.cords, 1f);
+            depth_1 = ((0.3f * fabric.relief) / _e327.x);
+            let _e331 = depth_1;
+            swing = (_e331 * 6.2831855f);
+            let _e335 = colour_3;
+            let _e338 = cord;
+            colour_3 = (_e335 * mix(0.3f, 1f, _e338));
+            let _e341 = height_2;
+            let _e342 = depth_1;
+            let _e343 = cord;
+            let _e345 = swing;
+            let _e346 = half_cord;
+            let _e347 = turn_13;
+            let _e351 = second_3;
+            let _e354 = turn_13;
+            let _e360 = at_9;
+            let _e362 = ((_e345 * ((_e346 * sin(_e347)) + ((2f * _e351) * sin((2f * _e354))))) * _e360.yz);
+            height_2 = (_e341 + vec3<f32>((_e342 * _e343), _e362.x, _e362.y));
+            let _e367 = lost_5;
+            let _e368 = swing;
+            let _e369 = swing;
+            let _e373 = half_cord;
+            let _e375 = half_cord;
+            let _e379 = second_3;
+            let _e381 = second_3;
+            let _e385 = at_9;
+            let _e387 = gabor_impl_square(_e385.yz);
+            lost_5 = (_e367 + (((_e368 * _e369) * ((0.15625f - ((0.5f * _e373) * _e375)) - ((2f * _e379) * _e381))) * _e387));
         }
     }
-    let _e376 = colour_2;
-    let _e377 = height_2;
-    let _e380 = gabor_impl_material(_e376, _e377, fabric.roughness, 0f);
-    return _e380;
+    let _e390 = colour_3;
+    let _e391 = height_2;
+    let _e392 = lost_5;
+    let _e395 = gabor_impl_material(_e390, _e391, _e392, fabric.roughness, 0f);
+    return _e395;
 }
 
-// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
-fn gabor_leather_at(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var skin: GaborPixel;
-    var density_7: vec2<f32>;
-    var one: vec3<f32>;
-    var other_1: vec3<f32>;
-    var fine: vec3<f32>;
-    var tone_2: vec3<f32>;
-    var powers: vec2<f32>;
-    var a_7: vec2<f32>;
-    var b_9: vec2<f32>;
-    var cells: f32;
-    var shares: vec2<f32>;
-    var kept_3: f32;
-    var blur: f32;
-    var pebble: f32;
-    var colour_3: vec3<f32>;
-    var dome: f32;
-    var height_3: f32;
-    let _e10 = gabor_lobe_seed(seed, 0i);
-    let _e11 = gabor_impl_warp(pixel, vec2(0.9f), vec2((0.07f * leather.wrinkles)), _e10);
-    skin = _e11;
-    let _e13 = skin;
-    let _e21 = gabor_lobe_seed(seed, 1i);
-    let _e22 = gabor_impl_warp(_e13, vec2(4f), vec2((0.014f * leather.wrinkles)), _e21);
-    skin = _e22;
-    density_7 = vec2((leather.cells / 1.6f));
-    let _e28 = skin;
-    let _e29 = density_7;
-    let _e33 = gabor_lobe_seed(seed, 2i);
-    let _e34 = gabor_impl_layer(_e28, _e29, 1.6f, 0.2f, _e33);
-    one = _e34;
-    let _e36 = skin;
-    let _e37 = density_7;
-    let _e41 = gabor_lobe_seed(seed, 3i);
-    let _e42 = gabor_impl_layer(_e36, _e37, 1.6f, 2.2944f, _e41);
-    other_1 = _e42;
-    let _e49 = gabor_lobe_seed(seed, 4i);
-    let _e50 = gabor_impl_octaves(pixel, vec2(18f), 3i, 0.75f, _e49);
-    fine = _e50;
-    let _e55 = gabor_lobe_seed(seed, 5i);
-    let _e56 = gabor_impl_spots(pixel, vec2(0.8f), _e55);
-    tone_2 = _e56;
-    let _e58 = one;
-    let _e60 = one;
-    let _e63 = other_1;
-    let _e65 = other_1;
-    powers = vec2<f32>(dot(_e58.xy, _e60.xy), dot(_e63.xy, _e65.xy));
-    let _e70 = one;
-    let _e72 = powers;
-    a_7 = (_e70.xy * inverseSqrt((_e72.x + 0.12f)));
-    let _e79 = other_1;
-    let _e81 = powers;
-    b_9 = (_e79.xy * inverseSqrt((_e81.y + 0.12f)));
-    let _e88 = a_7;
-    let _e90 = b_9;
-    let _e93 = a_7;
-    let _e94 = b_9;
-    let _e95 = gabor_impl_product(_e93, _e94);
-    cells = ((_e88.x + _e90.x) + _e95.x);
-    let _e99 = powers;
-    let _e100 = powers;
-    let _e102 = one;
-    let _e104 = other_1;
-    shares = (_e99 / (_e100 + (2.5f * vec2<f32>(_e102.z, _e104.z))));
-    let _e111 = shares;
-    let _e113 = shares;
-    kept_3 = sqrt((_e111.x * _e113.y));
-    let _e119 = kept_3;
-    blur = (1f - _e119);
-    let _e125 = blur;
-    let _e129 = blur;
-    let _e131 = cells;
-    let _e133 = fine;
-    let _e138 = kept_3;
-    pebble = mix(0.806f, smoothstep((-1.45f - _e125), (-0.55f + _e129), (_e131 + (0.1f * _e133.y))), _e138);
-    let _e143 = pebble;
-    colour_3 = mix(leather.crease, leather.pebble, vec3(_e143));
-    let _e147 = colour_3;
-    let _e148 = tone_2;
-    let _e150 = tone_2;
-    let _e153 = gabor_impl_tone(_e148.y, _e150.z, 0.14f);
-    let _e154 = fine;
-    let _e156 = fine;
-    let _e159 = gabor_impl_tone(_e154.x, _e156.z, 0.08f);
-    colour_3 = (_e147 * (_e153 * _e159));
-    let _e166 = cells;
-    let _e168 = kept_3;
-    dome = mix(0.236f, smoothstep(-1f, 3f, _e166), _e168);
-    let _e173 = pebble;
-    let _e176 = dome;
-    let _e180 = fine;
-    height_3 = (leather.relief * (((0.016f * _e173) + (0.013f * _e176)) + (0.0016f * _e180.y)));
-    let _e186 = colour_3;
-    let _e187 = height_3;
-    let _e191 = pebble;
-    let _e196 = gabor_impl_material(_e186, _e187, (leather.roughness + (0.15f * (1f - _e191))), 0f);
-    return _e196;
+fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
+    var pixel_14: GaborPixel;
+    var cloth_2: GaborWarped;
+    var count_4: vec2<f32>;
+    var of_3: GaborPairs;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_14 = _e8;
+    let _e10 = pixel_14;
+    let _e11 = gabor_impl_cloth(_e10, fabric, seed);
+    cloth_2 = _e11;
+    let _e13 = pixel_14;
+    let _e16 = gabor_impl_repeated(_e13, fabric.threads, 2f);
+    count_4 = _e16;
+    let _e18 = gabor_impl_no_pairs();
+    of_3 = _e18;
+    let _e22 = cloth_2;
+    let _e23 = count_4;
+    let _e24 = gabor_impl_fabric_layer(0i, _e22, _e23, seed);
+    let _e25 = gabor_impl_spots_pair(_e24);
+    of_3.a = _e25;
+    let _e28 = cloth_2;
+    let _e29 = count_4;
+    let _e30 = gabor_impl_fabric_layer(1i, _e28, _e29, seed);
+    let _e31 = gabor_impl_spots_pair(_e30);
+    of_3.b = _e31;
+    let _e34 = cloth_2;
+    let _e35 = count_4;
+    let _e36 = gabor_impl_fabric_layer(2i, _e34, _e35, seed);
+    let _e37 = gabor_impl_spots_pair(_e36);
+    of_3.c = _e37;
+    let _e40 = cloth_2;
+    let _e41 = count_4;
+    let _e42 = gabor_impl_fabric_layer(3i, _e40, _e41, seed);
+    let _e43 = gabor_impl_spots_pair(_e42);
+    of_3.d = _e43;
+    let _e44 = pixel_14;
+    let _e45 = cloth_2;
+    let _e46 = count_4;
+    let _e47 = of_3;
+    let _e48 = gabor_impl_fabric(_e44, _e45, _e46, fabric, _e47);
+    return _e48;
 }
 
-// Adds veins: lines along the zeros of layer.x, drawn only where layer.y exceeds a threshold, so they have
-// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
-fn gabor_impl_vein(colour: vec3<f32>, layer: vec3<f32>, threshold: f32, halo: vec3<f32>, core: vec3<f32>, width: vec2<f32>, strength: vec2<f32>) -> vec3<f32> {
-    var strength_1: vec2<f32>;
-    var open: f32;
-    strength_1 = strength;
-    let _e11 = gabor_impl_above(layer.y, layer.z, threshold, 0.5f);
-    open = _e11;
-    let _e14 = strength_1;
-    let _e16 = open;
-    let _e20 = gabor_impl_line(layer.x, layer.z, width.y);
-    strength_1.y = (_e14.y * (_e16 * _e20));
-    let _e24 = strength_1;
-    let _e26 = open;
-    let _e30 = gabor_impl_line(layer.x, layer.z, width.x);
-    let _e32 = strength_1;
-    strength_1.x = (_e24.x * ((_e26 * _e30) - _e32.y));
-    let _e36 = strength_1;
-    let _e41 = strength_1;
-    return ((colour + (_e36.x * (halo - colour))) + (_e41.y * (core - colour)));
+fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
+    let _e2 = gabor_impl_unwarped(pixel);
+    let _e8 = gabor_impl_warp(pixel, _e2, vec2(0.8f), vec2(0.008f), seed, 0i);
+    return _e8;
 }
 
-fn gabor_marble_at(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var bends_1: vec4<f32>;
-    var stone: GaborPixel;
-    var large: vec3<f32>;
-    var middle: vec3<f32>;
-    var thin: vec3<f32>;
-    var hair: vec3<f32>;
-    var cloud: vec3<f32>;
-    var crystal: vec3<f32>;
-    var colour_5: vec3<f32>;
-    var grey: vec3<f32>;
-    bends_1 = (vec4<f32>(0.17f, 0.038f, 0.01f, 0.003f) * marble.turbulence);
-    let _e13 = bends_1;
-    let _e17 = gabor_lobe_seed(seed, 0i);
-    let _e18 = gabor_impl_warp(pixel, vec2(1.1f), vec2(_e13.x), _e17);
-    stone = _e18;
-    let _e20 = stone;
-    let _e23 = bends_1;
-    let _e27 = gabor_lobe_seed(seed, 1i);
-    let _e28 = gabor_impl_warp(_e20, vec2(4f), vec2(_e23.y), _e27);
-    stone = _e28;
-    let _e29 = stone;
-    let _e32 = bends_1;
-    let _e36 = gabor_lobe_seed(seed, 2i);
-    let _e37 = gabor_impl_warp(_e29, vec2(13f), vec2(_e32.z), _e36);
-    stone = _e37;
-    let _e38 = stone;
-    let _e41 = bends_1;
-    let _e45 = gabor_lobe_seed(seed, 3i);
-    let _e46 = gabor_impl_warp(_e38, vec2(40f), vec2(_e41.w), _e45);
-    stone = _e46;
-    let _e47 = stone;
-    let _e53 = gabor_lobe_seed(seed, 4i);
-    let _e54 = gabor_impl_layer(_e47, vec2(0.95f), 0.85f, 0.65f, _e53);
-    large = _e54;
-    let _e56 = stone;
-    let _e63 = gabor_lobe_seed(seed, 5i);
-    let _e64 = gabor_impl_layer(_e56, vec2(1.9f), 0.95f, -0.45f, _e63);
-    middle = _e64;
-    let _e66 = stone;
-    let _e72 = gabor_lobe_seed(seed, 6i);
-    let _e73 = gabor_impl_layer(_e66, vec2(4.5f), 0.95f, 0.95f, _e72);
-    thin = _e73;
-    let _e75 = stone;
-    let _e81 = gabor_lobe_seed(seed, 7i);
-    let _e82 = gabor_impl_layer(_e75, vec2(13f), 0.9f, 0.2f, _e81);
-    hair = _e82;
-    let _e84 = stone;
-    let _e90 = gabor_lobe_seed(seed, 8i);
-    let _e91 = gabor_impl_octaves(_e84, vec2(1.5f), 3i, 0.6f, _e90);
-    cloud = _e91;
-    let _e96 = gabor_lobe_seed(seed, 9i);
-    let _e97 = gabor_impl_spots(pixel, vec2(75f), _e96);
-    crystal = _e97;
-    let _e102 = cloud;
-    let _e104 = cloud;
-    let _e108 = gabor_impl_above(_e102.y, _e104.z, 0.5f, 0.8f);
-    colour_5 = (marble.stone * (1f - (marble.clouds * _e108)));
-    let _e113 = colour_5;
-    let _e114 = crystal;
-    let _e116 = crystal;
-    let _e119 = gabor_impl_tone(_e114.x, _e116.z, 0.02f);
-    colour_5 = (_e113 * _e119);
-    grey = mix(marble.stone, marble.vein, vec3(0.65f));
-    let _e127 = colour_5;
-    let _e128 = middle;
-    let _e130 = grey;
-    let _e144 = gabor_impl_vein(_e127, _e128, 0.5f, _e130, mix(marble.stone, marble.vein, vec3(0.9f)), vec2<f32>(0.25f, 0.035f), (vec2<f32>(0.6f, 0.6f) * marble.veins));
-    colour_5 = _e144;
-    let _e145 = colour_5;
-    let _e146 = large;
-    let _e149 = grey;
-    let _e159 = gabor_impl_vein(_e145, _e146, -0.4f, _e149, marble.vein, vec2<f32>(0.35f, 0.05f), (vec2<f32>(0.55f, 0.75f) * marble.veins));
-    colour_5 = _e159;
-    let _e160 = colour_5;
-    let _e161 = thin;
-    let _e163 = grey;
-    let _e164 = grey;
-    let _e173 = gabor_impl_vein(_e160, _e161, 0.8f, _e163, _e164, vec2<f32>(1f, 0.04f), (vec2<f32>(0f, 0.45f) * marble.veins));
-    colour_5 = _e173;
-    let _e174 = colour_5;
-    let _e175 = hair;
-    let _e177 = grey;
-    let _e191 = gabor_impl_vein(_e174, _e175, 1.1f, _e177, mix(marble.stone, marble.vein, vec3(0.45f)), vec2<f32>(1f, 0.05f), (vec2<f32>(0f, 0.45f) * marble.veins));
-    colour_5 = _e191;
-    let _e192 = colour_5;
-    let _e194 = crystal;
-    let _e199 = gabor_impl_material(_e192, (0.00012f * _e194.y), marble.roughness, 0f);
-    return _e199;
-}
-
-fn gabor_sand_at(pixel: GaborPixel, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var dune: GaborPixel;
-    var density_8: vec2<f32>;
-    var wind: vec3<f32>;
-    var grain: vec3<f32>;
-    var large_1: vec3<f32>;
-    var ripple: f32;
-    var colour_6: vec3<f32>;
-    var bright: vec3<f32>;
-    var height_4: f32;
-    let _e8 = gabor_lobe_seed(seed, 0i);
-    let _e9 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.15f), _e8);
-    dune = _e9;
-    let _e11 = dune;
-    let _e17 = gabor_lobe_seed(seed, 1i);
-    let _e18 = gabor_impl_warp(_e11, vec2(3f), vec2(0.02f), _e17);
-    dune = _e18;
-    density_8 = (vec2<f32>(0.23255815f, 0.43927652f) * sand.ripples);
-    let _e32 = dune;
-    let _e33 = density_8;
-    let _e37 = gabor_lobe_seed(seed, 2i);
-    let _e38 = gabor_impl_layer(_e32, _e33, 2.3f, 1.4f, _e37);
-    wind = _e38;
-    let _e43 = gabor_lobe_seed(seed, 3i);
-    let _e44 = gabor_impl_spots(pixel, vec2(75f), _e43);
-    grain = _e44;
-    let _e51 = gabor_lobe_seed(seed, 4i);
-    let _e52 = gabor_impl_octaves(pixel, vec2(0.6f), 3i, 0.5f, _e51);
-    large_1 = _e52;
-    let _e55 = wind;
-    let _e56 = gabor_impl_phase(_e55);
-    let _e58 = gabor_impl_phase_of((0.9f * _e56));
-    let _e59 = gabor_impl_rise(_e58);
-    ripple = _e59;
-    let _e63 = ripple;
-    colour_6 = mix(sand.trough, sand.crest, vec3(_e63));
-    let _e67 = colour_6;
-    let _e68 = grain;
-    let _e70 = grain;
-    let _e73 = gabor_impl_tone(_e68.x, _e70.z, sand.grain);
-    let _e74 = large_1;
-    let _e76 = large_1;
-    let _e79 = gabor_impl_tone(_e74.y, _e76.z, 0.06f);
-    colour_6 = (_e67 * (_e73 * _e79));
-    let _e82 = colour_6;
-    let _e89 = grain;
-    let _e91 = grain;
-    let _e95 = gabor_impl_above(_e89.y, _e91.z, 1.9f, 0.15f);
-    colour_6 = mix(_e82, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e95)));
-    bright = mix(sand.crest, vec3(1f), vec3(0.6f));
-    let _e106 = colour_6;
-    let _e107 = bright;
-    let _e111 = grain;
-    let _e114 = grain;
-    let _e118 = gabor_impl_above(-(_e111.y), _e114.z, 1.9f, 0.15f);
-    colour_6 = mix(_e106, _e107, vec3(((3f * sand.grain) * _e118)));
-    let _e123 = ripple;
-    let _e127 = large_1;
-    let _e133 = large_1;
-    let _e140 = grain;
-    height_4 = ((((sand.relief * _e123) * (1f + (0.2f * _e127.x))) + (0.03f * _e133.x)) + ((0.00875f * sand.grain) * _e140.x));
-    let _e145 = colour_6;
-    let _e146 = height_4;
-    let _e149 = gabor_impl_material(_e145, _e146, sand.roughness, 0f);
-    return _e149;
-}
-
-// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
-// the filter removed does not change the mean of the harmonic.
-fn gabor_ripples_at(pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborMaterial {
-    var height_5: f32 = 0f;
-    var crest_1: f32 = 0f;
-    var removed_12: f32 = 0f;
-    var power_6: f32 = 0f;
-    var i_8: i32 = 0i;
-    var waves: f32;
-    var angle_1: f32;
-    var wave_20: vec3<f32>;
-    var amplitude_6: f32;
-    var light_1: f32;
-    var colour_7: vec3<f32>;
-    loop {
-        let _e13 = i_8;
-        if !((_e13 < 14i)) {
-            break;
-        }
-        {
-            let _e22 = i_8;
-            waves = (ripples.waves * exp2((0.27f * f32(_e22))));
-            let _e31 = i_8;
-            angle_1 = (ripples.direction + (ripples.spread * (fract(((0.618034f * f32(_e31)) + 0.1f)) - 0.5f)));
-            let _e42 = waves;
-            let _e47 = angle_1;
-            let _e48 = i_8;
-            let _e49 = gabor_lobe_seed(seed, _e48);
-            let _e50 = gabor_impl_layer(pixel, vec2((_e42 / 2.2f)), 2.2f, _e47, _e49);
-            wave_20 = _e50;
-            let _e54 = i_8;
-            amplitude_6 = exp2((-0.351f * f32(_e54)));
-            let _e59 = height_5;
-            let _e60 = amplitude_6;
-            let _e61 = wave_20;
-            let _e64 = wave_20;
-            let _e66 = wave_20;
-            let _e69 = wave_20;
-            let _e71 = wave_20;
-            height_5 = (_e59 + (_e60 * (_e61.x + (0.2f * ((_e64.x * _e66.x) - (_e69.y * _e71.y))))));
-            let _e79 = crest_1;
-            let _e80 = amplitude_6;
-            let _e81 = wave_20;
-            crest_1 = (_e79 + (_e80 * _e81.x));
-            let _e85 = removed_12;
-            let _e86 = amplitude_6;
-            let _e87 = amplitude_6;
-            let _e89 = wave_20;
-            removed_12 = (_e85 + ((_e86 * _e87) * _e89.z));
-            let _e93 = power_6;
-            let _e94 = amplitude_6;
-            let _e95 = amplitude_6;
-            power_6 = (_e93 + (_e94 * _e95));
-        }
-        continuing {
-            let _e17 = i_8;
-            i_8 = (_e17 + 1i);
-        }
+// The fibres of tows along y and x.
+fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
+    var local_49: vec2<f32>;
+    if (i == 0i) {
+        local_49 = vec2<f32>(20f, 0.6f);
+    } else {
+        local_49 = vec2<f32>(0.6f, 20f);
     }
-    let _e98 = crest_1;
-    let _e99 = power_6;
-    let _e102 = removed_12;
-    let _e103 = power_6;
-    let _e107 = gabor_impl_above((_e98 * inverseSqrt(_e99)), (_e102 / _e103), 0.5f, 1f);
-    light_1 = _e107;
-    let _e111 = light_1;
-    colour_7 = mix(ripples.deep, ripples.shallow, vec3(_e111));
-    let _e115 = colour_7;
-    let _e117 = height_5;
-    let _e121 = gabor_impl_material(_e115, (ripples.relief * _e117), ripples.roughness, 0f);
-    return _e121;
-}
-
-fn gabor_brushed_metal_at(pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var height_6: f32 = 0f;
-    var tone_3: vec2<f32> = vec2(0f);
-    var i_9: i32 = 0i;
-    var fine_1: f32;
-    var density_9: vec2<f32>;
-    var streak: vec3<f32>;
-    var colour_8: vec3<f32>;
-    loop {
-        let _e10 = i_9;
-        if !((_e10 < 5i)) {
-            break;
-        }
-        {
-            let _e17 = i_9;
-            fine_1 = exp2(f32(_e17));
-            let _e23 = fine_1;
-            let _e27 = fine_1;
-            density_9 = vec2<f32>((0.3f + (0.12f * _e23)), (metal.streaks * _e27));
-            let _e31 = density_9;
-            let _e32 = i_9;
-            let _e33 = gabor_lobe_seed(seed, _e32);
-            let _e34 = gabor_impl_spots(pixel, _e31, _e33);
-            streak = _e34;
-            let _e36 = height_6;
-            let _e38 = fine_1;
-            let _e40 = streak;
-            height_6 = (_e36 + ((metal.relief / _e38) * _e40.x));
-            let _e44 = tone_3;
-            let _e48 = streak;
-            tone_3 = (_e44 + (vec2<f32>(0.4472136f, 0.2f) * _e48.yz));
-        }
-        continuing {
-            let _e14 = i_9;
-            i_9 = (_e14 + 1i);
-        }
-    }
-    let _e53 = tone_3;
-    let _e55 = tone_3;
-    let _e58 = gabor_impl_tone(_e53.x, _e55.y, metal.contrast);
-    colour_8 = (metal.colour * _e58);
-    let _e61 = colour_8;
-    let _e62 = height_6;
-    let _e65 = gabor_impl_material(_e61, _e62, metal.roughness, 1f);
-    return _e65;
-}
-
-// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
-fn gabor_scratches_at(pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var whole_2: f32 = 1f;
-    var height_7: f32 = 0f;
-    var size_1: f32 = 1f;
-    var turn_12: f32 = 0.0955f;
-    var threshold_2: f32;
-    var i_10: i32 = 0i;
-    var turned_2: GaborPixel;
-    var density_10: vec2<f32>;
-    var noise_7: vec3<f32>;
-    var scratch: f32;
-    threshold_2 = sqrt((5.76f - (2f * log(scratches.amount))));
-    loop {
-        let _e21 = i_10;
-        if !((_e21 < 14i)) {
-            break;
-        }
-        {
-            let _e30 = turn_12;
-            let _e35 = gabor_impl_turned(pixel, (scratches.direction + (scratches.spread * (_e30 - 0.5f))));
-            turned_2 = _e35;
-            let _e37 = turned_2;
-            let _e45 = i_10;
-            let _e47 = gabor_lobe_seed(seed, (2i * _e45));
-            let _e48 = gabor_impl_warp(_e37, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), _e47);
-            turned_2 = _e48;
-            let _e54 = size_1;
-            density_10 = (vec2<f32>((1f / scratches.reach), 42f) / vec2(_e54));
-            let _e58 = turned_2;
-            let _e59 = density_10;
-            let _e61 = i_10;
-            let _e65 = gabor_lobe_seed(seed, ((2i * _e61) + 1i));
-            let _e66 = gabor_impl_spots(_e58, _e59, _e65);
-            noise_7 = _e66;
-            let _e68 = noise_7;
-            let _e70 = noise_7;
-            let _e72 = threshold_2;
-            let _e74 = gabor_impl_above(_e68.x, _e70.z, _e72, 0.2f);
-            scratch = _e74;
-            let _e76 = scratch;
-            let _e77 = noise_7;
-            let _e79 = noise_7;
-            let _e83 = gabor_impl_above(_e77.y, _e79.z, 0.3f, 0.7f);
-            scratch = (_e76 * _e83);
-            let _e85 = whole_2;
-            let _e89 = size_1;
-            let _e92 = scratch;
-            whole_2 = (_e85 * (1f - ((0.25f + (0.7f * _e89)) * _e92)));
-            let _e96 = height_7;
-            let _e98 = size_1;
-            let _e100 = scratch;
-            height_7 = (_e96 - ((scratches.depth * _e98) * _e100));
-            let _e103 = size_1;
-            size_1 = (_e103 * 0.9138315f);
-            let _e106 = turn_12;
-            turn_12 = fract((_e106 + 0.763932f));
-        }
-        continuing {
-            let _e25 = i_10;
-            i_10 = (_e25 + 1i);
-        }
-    }
-    let _e112 = whole_2;
-    let _e115 = height_7;
-    let _e118 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, vec3(_e112)), _e115, scratches.roughness, 0f);
-    return _e118;
-}
-
-fn gabor_zebra_at(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var skin_1: GaborPixel;
-    var place_25: GaborPlace;
-    var lean: f32;
-    var stripe: vec3<f32>;
-    var hair_1: vec3<f32>;
-    var tone_4: vec3<f32>;
-    var intensity_2: f32;
-    var ragged: f32;
-    var dark: f32;
-    var colour_9: vec3<f32>;
-    let _e8 = gabor_lobe_seed(seed, 0i);
-    let _e9 = gabor_impl_warp(pixel, vec2(0.9f), vec2(0.14f), _e8);
-    skin_1 = _e9;
-    let _e13 = gabor_impl_place(pixel, vec2(0.6f));
-    place_25 = _e13;
-    let _e15 = place_25;
-    let _e18 = gabor_kernel(0f, 0f);
-    let _e20 = gabor_lobe_seed(seed, 1i);
-    let _e21 = gabor_field(_e15, _e18, _e20);
-    lean = _e21.value.x;
-    let _e25 = skin_1;
-    let _e33 = lean;
-    let _e37 = gabor_lobe_seed(seed, 2i);
-    let _e38 = gabor_impl_layer(_e25, vec2((zebra.stripes / 1.4f)), 1.4f, (zebra.direction + (zebra.bends * _e33)), _e37);
-    stripe = _e38;
-    let _e40 = skin_1;
-    let _e42 = gabor_impl_turned(_e40, 2.0707963f);
-    let _e47 = gabor_lobe_seed(seed, 3i);
-    let _e48 = gabor_impl_spots(_e42, vec2<f32>(6f, 80f), _e47);
-    hair_1 = _e48;
-    let _e53 = gabor_lobe_seed(seed, 4i);
-    let _e54 = gabor_impl_spots(pixel, vec2(1.2f), _e53);
-    tone_4 = _e54;
-    let _e56 = stripe;
-    intensity_2 = length(_e56.xy);
-    ragged = (0.1f * zebra.hair);
-    let _e64 = stripe;
-    let _e66 = ragged;
-    let _e67 = intensity_2;
-    let _e69 = hair_1;
-    let _e73 = stripe;
-    let _e75 = ragged;
-    let _e76 = ragged;
-    let _e78 = hair_1;
-    let _e85 = intensity_2;
-    let _e88 = gabor_impl_above((_e64.x + ((_e66 * _e67) * _e69.x)), (_e73.z + ((_e75 * _e76) * _e78.z)), 0f, (0.01f + (0.09f * _e85)));
-    dark = _e88;
-    let _e92 = dark;
-    colour_9 = mix(zebra.bright, zebra.stripe, vec3(_e92));
-    let _e96 = colour_9;
-    let _e97 = hair_1;
-    let _e99 = hair_1;
-    let _e104 = gabor_impl_tone(_e97.y, _e99.z, (0.14f * zebra.hair));
-    let _e105 = tone_4;
-    let _e107 = tone_4;
-    let _e110 = gabor_impl_tone(_e105.y, _e107.z, 0.08f);
-    colour_9 = (_e96 * (_e104 * _e110));
-    let _e113 = colour_9;
-    let _e117 = hair_1;
-    let _e122 = gabor_impl_material(_e113, ((0.002f * zebra.hair) * _e117.x), zebra.roughness, 0f);
-    return _e122;
-}
-
-fn gabor_bark_at(pixel: GaborPixel, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var trunk: GaborPixel;
-    var density_11: vec2<f32>;
-    var furrow: vec3<f32>;
-    var crack: vec3<f32>;
-    var rough: vec3<f32>;
-    var moss: vec3<f32>;
-    var shape: f32;
-    var plate: f32;
-    var worn: f32;
-    var covered: f32;
-    var top_1: vec3<f32>;
-    var colour_10: vec3<f32>;
-    var height_8: f32;
-    let _e10 = gabor_lobe_seed(seed, 0i);
-    let _e11 = gabor_impl_warp(pixel, vec2<f32>(0.8f, 0.35f), vec2<f32>(0.22f, 0.1f), _e10);
-    trunk = _e11;
-    let _e13 = trunk;
-    let _e21 = gabor_lobe_seed(seed, 1i);
-    let _e22 = gabor_impl_warp(_e13, vec2<f32>(3f, 1.6f), vec2<f32>(0.05f, 0.05f), _e21);
-    trunk = _e22;
-    let _e23 = trunk;
-    let _e29 = gabor_lobe_seed(seed, 2i);
-    let _e30 = gabor_impl_warp(_e23, vec2(10f), vec2(0.013f), _e29);
-    trunk = _e30;
-    density_11 = (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows);
-    let _e44 = trunk;
-    let _e45 = density_11;
-    let _e49 = gabor_lobe_seed(seed, 3i);
-    let _e50 = gabor_impl_layer(_e44, _e45, 1.3f, 0.1f, _e49);
-    furrow = _e50;
-    let _e52 = trunk;
-    let _e59 = gabor_lobe_seed(seed, 4i);
-    let _e60 = gabor_impl_layer(_e52, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, _e59);
-    crack = _e60;
-    let _e62 = trunk;
-    let _e69 = gabor_lobe_seed(seed, 5i);
-    let _e70 = gabor_impl_octaves(_e62, vec2<f32>(7f, 3f), 5i, 0.75f, _e69);
-    rough = _e70;
-    let _e76 = gabor_lobe_seed(seed, 6i);
-    let _e77 = gabor_impl_spots(pixel, vec2<f32>(1.1f, 0.7f), _e76);
-    moss = _e77;
-    let _e79 = furrow;
-    let _e82 = rough;
-    shape = (_e79.x + (0.2f * _e82.x));
-    let _e87 = shape;
-    let _e88 = furrow;
-    let _e91 = rough;
-    let _e98 = gabor_impl_above(_e87, (_e88.z + (0.04f * _e91.z)), -0.15f, 0.35f);
-    let _e101 = crack;
-    let _e103 = crack;
-    let _e106 = gabor_impl_line(_e101.x, _e103.z, 0.13f);
-    plate = (_e98 * (1f - (0.55f * _e106)));
-    let _e112 = rough;
-    let _e115 = rough;
-    let _e119 = rough;
-    let _e123 = gabor_impl_above((_e112.y + (0.25f * _e115.z)), _e119.z, 0.5f, 0.4f);
-    worn = (0.5f * _e123);
-    let _e127 = moss;
-    let _e129 = moss;
-    let _e133 = gabor_impl_above(_e127.y, _e129.z, 0.9f, 0.5f);
-    covered = (bark.cover * _e133);
-    let _e143 = worn;
-    top_1 = mix(bark.plate, mix(bark.plate, vec3(1f), vec3(0.13f)), vec3(_e143));
-    let _e149 = covered;
-    let _e152 = top_1;
-    let _e155 = covered;
-    let _e159 = plate;
-    colour_10 = mix(mix(bark.furrow, bark.moss, vec3(_e149)), mix(_e152, bark.moss, vec3((0.6f * _e155))), vec3(_e159));
-    let _e163 = colour_10;
-    let _e164 = rough;
-    let _e166 = rough;
-    let _e169 = gabor_impl_tone(_e164.y, _e166.z, 0.25f);
-    colour_10 = (_e163 * _e169);
-    let _e172 = plate;
-    let _e175 = rough;
-    let _e180 = plate;
-    height_8 = ((bark.depth * _e172) + ((0.018f * _e175.x) * (0.4f + (0.6f * _e180))));
-    let _e186 = colour_10;
-    let _e187 = height_8;
-    let _e190 = gabor_impl_material(_e186, _e187, bark.roughness, 0f);
-    return _e190;
+    let _e13 = local_49;
+    let _e17 = gabor_impl_spots_layer(i, cloth, (_e13 * count), seed, (1i + i));
+    return _e17;
 }
 
 // A 2/2 twill: each tow goes over two and under two, and each row is shifted by one.
-fn gabor_carbon_fibre_at(pixel: GaborPixel, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var count_3: vec2<f32>;
-    var cloth_1: GaborPixel;
-    var upright_1: vec3<f32>;
-    var level_1: vec3<f32>;
-    var tow: vec2<f32>;
-    var within_2: vec2<f32>;
-    var turn_13: f32;
-    var first_4: bool;
-    var local_40: vec3<f32>;
-    var fibre_2: vec3<f32>;
-    var local_41: vec2<f32>;
-    var along_across: vec2<f32>;
-    var local_42: f32;
-    var along_1: f32;
-    var across_1: f32;
-    var steps_2: vec2<f32>;
+fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fibres: GaborCarbonFibre, of_: GaborPairs) -> GaborMaterial {
+    var x_28: vec3<f32>;
+    var y_20: vec3<f32>;
     var kept_4: f32;
-    var bulge: f32;
-    var colour_11: vec3<f32>;
-    var height_9: f32;
-    let _e5 = gabor_impl_repeated(pixel, fibres.tows, 4f);
-    count_3 = _e5;
-    let _e12 = gabor_lobe_seed(seed, 0i);
-    let _e13 = gabor_impl_warp(pixel, vec2(0.8f), vec2(0.008f), _e12);
-    cloth_1 = _e13;
-    let _e15 = cloth_1;
-    let _e19 = count_3;
-    let _e22 = gabor_lobe_seed(seed, 1i);
-    let _e23 = gabor_impl_spots(_e15, (vec2<f32>(20f, 0.6f) * _e19), _e22);
-    upright_1 = _e23;
-    let _e25 = cloth_1;
-    let _e29 = count_3;
-    let _e32 = gabor_lobe_seed(seed, 2i);
-    let _e33 = gabor_impl_spots(_e25, (vec2<f32>(0.6f, 20f) * _e29), _e32);
-    level_1 = _e33;
-    let _e35 = count_3;
-    let _e36 = cloth_1;
-    tow = floor((_e35 * _e36.p));
-    let _e41 = count_3;
-    let _e42 = cloth_1;
-    let _e45 = tow;
-    within_2 = ((_e41 * _e42.p) - _e45);
-    let _e50 = tow;
-    let _e52 = tow;
-    turn_13 = ((4f * fract(((0.25f * (_e50.x + _e52.y)) + 0.125f))) - 0.5f);
-    let _e63 = turn_13;
-    first_4 = (_e63 < 1.5f);
-    let _e67 = first_4;
-    if _e67 {
-        let _e68 = upright_1;
-        local_40 = _e68;
+    var unit_6: f32;
+    var turn_14: f32;
+    var first_4: bool;
+    var local_50: vec3<f32>;
+    var fibre_1: vec3<f32>;
+    var local_51: vec3<f32>;
+    var lost_6: vec3<f32>;
+    var local_52: vec3<f32>;
+    var along_3: vec3<f32>;
+    var local_53: vec3<f32>;
+    var across_3: vec3<f32>;
+    var local_54: f32;
+    var cube: f32;
+    var arch: f32;
+    var wave_17: vec2<f32>;
+    var bulge: vec3<f32>;
+    var local_55: f32;
+    var tone_1: vec2<f32>;
+    var colour_4: vec3<f32>;
+    let _e6 = gabor_impl_along_x(cloth);
+    x_28 = (count.x * _e6);
+    let _e10 = gabor_impl_along_y(cloth);
+    y_20 = (count.y * _e10);
+    let _e13 = x_28;
+    let _e14 = y_20;
+    let _e15 = gabor_impl_weave_kept(pixel, _e13, _e14);
+    kept_4 = _e15;
+    unit_6 = (fibres.relief / fibres.tows);
+    let _e23 = x_28;
+    let _e26 = y_20;
+    turn_14 = ((4f * fract(((0.25f * (floor(_e23.x) + floor(_e26.x))) + 0.125f))) - 0.5f);
+    let _e39 = x_28;
+    let _e41 = x_28;
+    x_28.x = (_e39.x - floor(_e41.x));
+    let _e46 = y_20;
+    let _e48 = y_20;
+    y_20.x = (_e46.x - floor(_e48.x));
+    let _e52 = turn_14;
+    first_4 = (_e52 < 1.5f);
+    let _e56 = first_4;
+    if _e56 {
+        local_50 = of_.a.first;
     } else {
-        let _e69 = level_1;
-        local_40 = _e69;
+        local_50 = of_.b.first;
     }
-    let _e71 = local_40;
-    fibre_2 = _e71;
+    let _e62 = local_50;
+    fibre_1 = _e62;
+    let _e64 = first_4;
+    if _e64 {
+        local_51 = of_.a.lost;
+    } else {
+        local_51 = of_.b.lost;
+    }
+    let _e70 = local_51;
+    lost_6 = _e70;
     let _e73 = first_4;
     if _e73 {
-        let _e74 = within_2;
-        local_41 = _e74.yx;
+        let _e74 = y_20;
+        local_52 = _e74;
     } else {
-        let _e76 = within_2;
-        local_41 = _e76;
+        let _e75 = x_28;
+        local_52 = _e75;
     }
-    let _e78 = local_41;
-    along_across = _e78;
-    let _e81 = along_across;
-    let _e84 = turn_13;
-    if (fract(((0.5f * _e84) + 0.25f)) < 0.5f) {
-        local_42 = 0f;
+    let _e77 = local_52;
+    along_3 = (0.5f * _e77);
+    let _e81 = first_4;
+    if _e81 {
+        let _e82 = x_28;
+        local_53 = _e82;
     } else {
-        local_42 = 1f;
+        let _e83 = y_20;
+        local_53 = _e83;
     }
-    let _e94 = local_42;
-    along_1 = (0.5f * (_e81.x + _e94));
-    let _e99 = along_across;
-    across_1 = ((2f * _e99.y) - 1f);
-    let _e105 = count_3;
-    let _e106 = count_3;
-    let _e108 = cloth_1;
-    let _e110 = cloth_1;
-    let _e113 = cloth_1;
-    let _e115 = cloth_1;
-    steps_2 = ((_e105 * _e106) * ((_e108.dx * _e110.dx) + (_e113.dy * _e115.dy)));
-    let _e122 = steps_2;
-    let _e124 = steps_2;
-    kept_4 = exp(-(min((2.5f * (_e122.x + _e124.y)), 40f)));
-    let _e135 = along_1;
-    let _e139 = across_1;
-    let _e140 = across_1;
-    let _e142 = across_1;
-    let _e144 = across_1;
-    let _e148 = kept_4;
-    bulge = mix(0.5093f, (sin((3.1415927f * _e135)) * (1f - (((_e139 * _e140) * _e142) * _e144))), _e148);
-    let _e154 = bulge;
-    let _e158 = fibre_2;
-    let _e160 = fibre_2;
-    let _e163 = gabor_impl_tone(_e158.x, _e160.z, fibres.contrast);
-    colour_11 = ((fibres.colour * (0.35f + (0.65f * _e154))) * _e163);
-    let _e170 = bulge;
-    let _e173 = fibre_2;
-    height_9 = ((fibres.relief / fibres.tows) * ((0.16f * _e170) + (0.006f * _e173.x)));
-    let _e179 = colour_11;
-    let _e180 = height_9;
-    let _e183 = gabor_impl_material(_e179, _e180, fibres.roughness, 0f);
-    return _e183;
+    let _e85 = local_53;
+    across_3 = (2f * _e85);
+    let _e89 = along_3;
+    let _e92 = turn_14;
+    if (fract(((0.5f * _e92) + 0.25f)) < 0.5f) {
+        local_54 = 0f;
+    } else {
+        local_54 = 0.5f;
+    }
+    let _e102 = local_54;
+    along_3.x = (_e89.x + _e102);
+    let _e105 = across_3;
+    across_3.x = (_e105.x - 1f);
+    let _e109 = across_3;
+    let _e111 = across_3;
+    let _e114 = across_3;
+    cube = ((_e109.x * _e111.x) * _e114.x);
+    let _e119 = cube;
+    let _e120 = across_3;
+    arch = (1f - (_e119 * _e120.x));
+    let _e126 = along_3;
+    let _e131 = along_3;
+    wave_17 = vec2<f32>(cos((3.1415927f * _e126.x)), sin((3.1415927f * _e131.x)));
+    let _e138 = wave_17;
+    let _e140 = arch;
+    let _e142 = kept_4;
+    let _e144 = kept_4;
+    let _e146 = arch;
+    let _e148 = wave_17;
+    let _e151 = along_3;
+    let _e155 = cube;
+    let _e157 = wave_17;
+    let _e160 = across_3;
+    let _e164 = (_e144 * ((((3.1415927f * _e146) * _e148.x) * _e151.yz) - (((4f * _e155) * _e157.y) * _e160.yz)));
+    bulge = vec3<f32>(mix(0.5093f, (_e138.y * _e140), _e142), _e164.x, _e164.y);
+    let _e169 = fibre_1;
+    let _e171 = first_4;
+    if _e171 {
+        local_55 = of_.a.removed;
+    } else {
+        local_55 = of_.b.removed;
+    }
+    let _e177 = local_55;
+    let _e179 = gabor_impl_tone(_e169.x, _e177, fibres.contrast);
+    tone_1 = _e179;
+    let _e183 = bulge;
+    let _e188 = tone_1;
+    let _e189 = gabor_impl_toned(fibres.colour, _e188);
+    colour_4 = ((0.35f + (0.65f * _e183.x)) * _e189);
+    let _e192 = unit_6;
+    let _e193 = unit_6;
+    let _e199 = kept_4;
+    let _e200 = kept_4;
+    let _e204 = (count * count);
+    let _e211 = lost_6;
+    lost_6 = ((_e192 * _e193) * (((0.069632f * (1f - (_e199 * _e200))) * vec3<f32>(_e204.x, _e204.y, 0f)) + (0.000036f * _e211)));
+    let _e215 = colour_4;
+    let _e216 = unit_6;
+    let _e218 = bulge;
+    let _e221 = fibre_1;
+    let _e225 = lost_6;
+    let _e228 = gabor_impl_material(_e215, (_e216 * ((0.16f * _e218) + (0.006f * _e221))), _e225, fibres.roughness, 0f);
+    return _e228;
 }
 
-fn gabor_strata_at(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborMaterial {
+fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
+    var pixel_17: GaborPixel;
+    var cloth_5: GaborWarped;
+    var count_7: vec2<f32>;
+    var of_5: GaborPairs;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_17 = _e8;
+    let _e10 = pixel_17;
+    let _e11 = gabor_impl_twill(_e10, seed);
+    cloth_5 = _e11;
+    let _e13 = pixel_17;
+    let _e16 = gabor_impl_repeated(_e13, fibres.tows, 4f);
+    count_7 = _e16;
+    let _e18 = gabor_impl_no_pairs();
+    of_5 = _e18;
+    let _e22 = cloth_5;
+    let _e23 = count_7;
+    let _e24 = gabor_impl_tow_layer(0i, _e22, _e23, seed);
+    let _e25 = gabor_impl_spots_pair(_e24);
+    of_5.a = _e25;
+    let _e28 = cloth_5;
+    let _e29 = count_7;
+    let _e30 = gabor_impl_tow_layer(1i, _e28, _e29, seed);
+    let _e31 = gabor_impl_spots_pair(_e30);
+    of_5.b = _e31;
+    let _e32 = pixel_17;
+    let _e33 = cloth_5;
+    let _e34 = count_7;
+    let _e35 = of_5;
+    let _e36 = gabor_impl_carbon_fibre(_e32, _e33, _e34, fibres, _e35);
+    return _e36;
+}
+
+// ---- Leather -------------------------------------------------------------------------------------------------------
+//
+// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's
+// middle.
+
+fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborWarped {
+    var bends_1: vec2<f32>;
+    var skin: GaborWarped;
+    bends_1 = (vec2<f32>(0.07f, 0.014f) * leather.wrinkles);
+    let _e9 = gabor_impl_unwarped(pixel);
+    let _e12 = bends_1;
+    let _e16 = gabor_impl_warp(pixel, _e9, vec2(0.9f), vec2(_e12.x), seed, 0i);
+    skin = _e16;
+    let _e18 = skin;
+    let _e21 = bends_1;
+    let _e25 = gabor_impl_warp(pixel, _e18, vec2(4f), vec2(_e21.y), seed, 1i);
+    return _e25;
+}
+
+// Three octaves of fine grain, the tone, and the first two waves.
+fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leather: GaborLeather, seed: u32) -> GaborLayer {
+    var local_56: f32;
+    if (i < 3i) {
+        let _e7 = gabor_impl_unwarped(pixel);
+        let _e13 = gabor_lobe_seed(seed, 4i);
+        let _e14 = gabor_impl_octave(_e7, vec2(18f), i, 3i, 0.75f, _e13);
+        return _e14;
+    }
+    if (i == 3i) {
+        let _e18 = gabor_impl_unwarped(pixel);
+        let _e22 = gabor_impl_spots_layer(1i, _e18, vec2(0.8f), seed, 5i);
+        return _e22;
+    }
+    if (i == 4i) {
+        local_56 = 0.2f;
+    } else {
+        local_56 = 2.2944f;
+    }
+    let _e35 = local_56;
+    let _e38 = gabor_impl_waves_layer((i - 2i), skin, vec2((leather.cells / 1.6f)), 1.6f, _e35, seed, (i - 2i));
+    return _e38;
+}
+
+// A wave of a pair, brought near length 1: its cosine, its sine, and the share of its power that the filter kept.
+struct GaborCrest {
+    cosine: vec3<f32>,
+    sine: vec3<f32>,
+    share: vec3<f32>,
+}
+
+fn gabor_impl_crest(wave: GaborPair) -> GaborCrest {
+    var power_6: f32;
+    var whole_3: f32;
+    var change_4: vec2<f32>;
+    var unit_7: vec3<f32>;
+    power_6 = ((wave.first.x * wave.first.x) + (wave.second.x * wave.second.x));
+    let _e13 = power_6;
+    whole_3 = (_e13 + (2.5f * wave.removed));
+    change_4 = (2f * ((wave.first.x * wave.first.yz) + (wave.second.x * wave.second.yz)));
+    let _e33 = power_6;
+    let _e40 = power_6;
+    let _e44 = change_4;
+    let _e45 = ((-0.5f / (_e40 + 0.12f)) * _e44);
+    unit_7 = (inverseSqrt((_e33 + 0.12f)) * vec3<f32>(1f, _e45.x, _e45.y));
+    let _e52 = unit_7;
+    let _e53 = gabor_impl_times(wave.first, _e52);
+    let _e55 = unit_7;
+    let _e56 = gabor_impl_times(wave.second, _e55);
+    let _e57 = power_6;
+    let _e61 = whole_3;
+    let _e63 = change_4;
+    let _e64 = (((2.5f * wave.removed) / _e61) * _e63);
+    let _e68 = whole_3;
+    return GaborCrest(_e53, _e56, (vec3<f32>(_e57, _e64.x, _e64.y) / vec3(_e68)));
+}
+
+// The means to which the filter fades, and the mean squares of the slopes, were measured.
+fn gabor_impl_leather(leather: GaborLeather, of_: GaborPairs) -> GaborMaterial {
+    var a_14: GaborCrest;
+    var b_15: GaborCrest;
+    var one_1: vec3<f32> = vec3<f32>(1f, 0f, 0f);
+    var shares: vec3<f32>;
+    var cells: vec3<f32>;
+    var root: f32;
+    var kept_5: vec3<f32>;
+    var blur: vec3<f32>;
+    var pebble: vec3<f32>;
+    var dome: vec3<f32>;
+    var tones_2: vec2<f32>;
+    var height_3: vec3<f32>;
+    var gone: f32;
+    var lost_7: vec3<f32>;
+    var colour_5: vec3<f32>;
+    let _e3 = gabor_impl_crest(of_.c);
+    a_14 = _e3;
+    let _e6 = gabor_impl_crest(of_.d);
+    b_15 = _e6;
+    let _e13 = a_14;
+    let _e15 = b_15;
+    let _e17 = gabor_impl_times(_e13.share, _e15.share);
+    shares = _e17;
+    let _e19 = a_14;
+    let _e21 = b_15;
+    let _e24 = a_14;
+    let _e26 = b_15;
+    let _e28 = gabor_impl_times(_e24.cosine, _e26.cosine);
+    let _e30 = a_14;
+    let _e32 = b_15;
+    let _e34 = gabor_impl_times(_e30.sine, _e32.sine);
+    cells = (((_e19.cosine + _e21.cosine) + _e28) - _e34);
+    let _e37 = shares;
+    root = sqrt(_e37.x);
+    let _e41 = root;
+    let _e43 = root;
+    let _e47 = shares;
+    let _e49 = ((0.5f / max(_e43, 0.000001f)) * _e47.yz);
+    kept_5 = vec3<f32>(_e41, _e49.x, _e49.y);
+    let _e54 = one_1;
+    let _e55 = kept_5;
+    blur = (_e54 - _e55);
+    let _e60 = one_1;
+    let _e62 = blur;
+    let _e66 = one_1;
+    let _e68 = blur;
+    let _e70 = cells;
+    let _e76 = gabor_impl_step(((-1.45f * _e60) - _e62), ((-0.55f * _e66) + _e68), (_e70 + (0.1f * of_.a.second)));
+    let _e78 = one_1;
+    pebble = (_e76 - (0.806f * _e78));
+    let _e82 = one_1;
+    let _e85 = one_1;
+    let _e87 = cells;
+    let _e88 = gabor_impl_step(-(_e82), (3f * _e85), _e87);
+    let _e90 = one_1;
+    dome = (_e88 - (0.236f * _e90));
+    let _e95 = one_1;
+    let _e97 = kept_5;
+    let _e98 = pebble;
+    let _e99 = gabor_impl_times(_e97, _e98);
+    pebble = ((0.806f * _e95) + _e99);
+    let _e102 = one_1;
+    let _e104 = kept_5;
+    let _e105 = dome;
+    let _e106 = gabor_impl_times(_e104, _e105);
+    dome = ((0.236f * _e102) + _e106);
+    let _e114 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.14f);
+    let _e121 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.08f);
+    tones_2 = (_e114 + _e121);
+    let _e126 = pebble;
+    let _e129 = dome;
+    height_3 = (leather.relief * (((0.016f * _e126) + (0.013f * _e129)) + (0.0016f * of_.a.second)));
+    let _e143 = root;
+    let _e144 = root;
+    let _e147 = blur;
+    gone = ((leather.cells * leather.cells) * (1f - ((_e143 * _e144) / (1f + _e147.x))));
+    let _e154 = gone;
+    lost_7 = ((_e154 * vec3<f32>(0.00287f, 0.0026f, 0f)) + (0.00000256f * of_.a.lost));
+    let _e167 = tones_2;
+    let _e168 = gabor_impl_toned(leather.crease, _e167);
+    let _e170 = tones_2;
+    let _e171 = gabor_impl_toned(leather.pebble, _e170);
+    let _e172 = pebble;
+    colour_5 = mix(_e168, _e171, vec3(_e172.x));
+    let _e177 = colour_5;
+    let _e178 = height_3;
+    let _e182 = lost_7;
+    let _e187 = pebble;
+    let _e193 = gabor_impl_material(_e177, _e178, ((leather.relief * leather.relief) * _e182), (leather.roughness + (0.15f * (1f - _e187.x))), 0f);
+    return _e193;
+}
+
+fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
+    var pixel_20: GaborPixel;
+    var skin_2: GaborWarped;
+    var of_7: GaborPairs;
+    var i_14: i32 = 0i;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_20 = _e8;
+    let _e10 = pixel_20;
+    let _e11 = gabor_impl_skin(_e10, leather, seed);
+    skin_2 = _e11;
+    let _e13 = gabor_impl_no_pairs();
+    of_7 = _e13;
+    loop {
+        let _e17 = i_14;
+        if !((_e17 < 3i)) {
+            break;
+        }
+        let _e25 = of_7;
+        let _e27 = i_14;
+        let _e28 = pixel_20;
+        let _e29 = skin_2;
+        let _e30 = gabor_impl_leather_layer(_e27, _e28, _e29, leather, seed);
+        let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
+        of_7.a = _e31;
+        continuing {
+            let _e21 = i_14;
+            i_14 = (_e21 + 1i);
+        }
+    }
+    let _e34 = pixel_20;
+    let _e35 = skin_2;
+    let _e36 = gabor_impl_leather_layer(3i, _e34, _e35, leather, seed);
+    let _e37 = gabor_impl_spots_pair(_e36);
+    of_7.b = _e37;
+    let _e40 = pixel_20;
+    let _e41 = skin_2;
+    let _e42 = gabor_impl_leather_layer(4i, _e40, _e41, leather, seed);
+    let _e43 = gabor_impl_waves_pair(_e42);
+    of_7.c = _e43;
+    let _e46 = pixel_20;
+    let _e47 = skin_2;
+    let _e48 = gabor_impl_leather_layer(5i, _e46, _e47, leather, seed);
+    let _e49 = gabor_impl_waves_pair(_e48);
+    of_7.d = _e49;
+    let _e50 = of_7;
+    let _e51 = gabor_impl_leather(leather, _e50);
+    return _e51;
+}
+
+// ---- Marble --------------------------------------------------------------------------------------------------------
+
+fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborWarped {
+    var bends_2: vec4<f32>;
+    var stone: GaborWarped;
+    bends_2 = (vec4<f32>(0.17f, 0.038f, 0.01f, 0.003f) * marble.turbulence);
+    let _e11 = gabor_impl_unwarped(pixel);
+    stone = _e11;
+    let _e13 = stone;
+    let _e16 = bends_2;
+    let _e20 = gabor_impl_warp(pixel, _e13, vec2(1.1f), vec2(_e16.x), seed, 0i);
+    stone = _e20;
+    let _e21 = stone;
+    let _e24 = bends_2;
+    let _e28 = gabor_impl_warp(pixel, _e21, vec2(4f), vec2(_e24.y), seed, 1i);
+    stone = _e28;
+    let _e29 = stone;
+    let _e32 = bends_2;
+    let _e36 = gabor_impl_warp(pixel, _e29, vec2(13f), vec2(_e32.z), seed, 2i);
+    stone = _e36;
+    let _e37 = stone;
+    let _e40 = bends_2;
+    let _e44 = gabor_impl_warp(pixel, _e37, vec2(40f), vec2(_e40.w), seed, 3i);
+    return _e44;
+}
+
+// Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
+fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: u32) -> GaborLayer {
+    var local_57: vec3<f32>;
+    var local_58: vec3<f32>;
+    var local_59: vec3<f32>;
+    var vein: vec3<f32>;
+    var local_60: i32;
+    var local_61: i32;
+    if (i < 3i) {
+        let _e11 = gabor_lobe_seed(seed, 8i);
+        let _e12 = gabor_impl_octave(stone, vec2(1.5f), i, 3i, 0.6f, _e11);
+        return _e12;
+    }
+    if (i == 3i) {
+        let _e16 = gabor_impl_unwarped(pixel);
+        let _e20 = gabor_impl_spots_layer(1i, _e16, vec2(75f), seed, 9i);
+        return _e20;
+    }
+    if (i == 4i) {
+        local_59 = vec3<f32>(1.9f, 0.95f, -0.45f);
+    } else {
+        if (i == 5i) {
+            local_58 = vec3<f32>(0.95f, 0.85f, 0.65f);
+        } else {
+            if (i == 6i) {
+                local_57 = vec3<f32>(4.5f, 0.95f, 0.95f);
+            } else {
+                local_57 = vec3<f32>(13f, 0.9f, 0.2f);
+            }
+            let _e45 = local_57;
+            local_58 = _e45;
+        }
+        let _e47 = local_58;
+        local_59 = _e47;
+    }
+    let _e49 = local_59;
+    vein = _e49;
+    let _e52 = vein;
+    let _e55 = vein;
+    let _e57 = vein;
+    if (i == 4i) {
+        local_61 = 5i;
+    } else {
+        if (i == 5i) {
+            local_60 = 4i;
+        } else {
+            local_60 = i;
+        }
+        let _e66 = local_60;
+        local_61 = _e66;
+    }
+    let _e68 = local_61;
+    let _e69 = gabor_impl_waves_layer(2i, stone, vec2(_e52.x), _e55.y, _e57.z, seed, _e68);
+    return _e69;
+}
+
+fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) -> GaborMaterial {
+    var clouds: f32;
+    var colour_6: vec3<f32>;
+    let _e8 = gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f);
+    clouds = (marble.clouds * _e8.x);
+    let _e14 = clouds;
+    let _e21 = gabor_impl_tone(crystal.first.x, crystal.removed, 0.02f);
+    let _e22 = gabor_impl_toned((marble.stone * (1f - _e14)), _e21);
+    colour_6 = _e22;
+    let _e24 = colour_6;
+    let _e33 = gabor_impl_material(_e24, (0.00012f * crystal.second), (0.0000000144f * crystal.lost), marble.roughness, 0f);
+    return _e33;
+}
+
+// Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
+// ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
+fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborPair) {
+    var local_62: f32;
+    var local_63: vec2<f32>;
+    var local_64: vec2<f32>;
+    var width_8: vec2<f32>;
+    var local_65: vec2<f32>;
+    var local_66: vec2<f32>;
+    var strength: vec2<f32>;
+    var local_67: f32;
+    var local_68: f32;
+    var local_69: f32;
+    var open: f32;
+    var halo: vec3<f32>;
+    var local_70: f32;
+    var local_71: f32;
+    var local_72: f32;
+    var core: vec3<f32>;
+    if (i == 4i) {
+        local_64 = vec2<f32>(0.25f, 0.035f);
+    } else {
+        if (i == 5i) {
+            local_63 = vec2<f32>(0.35f, 0.05f);
+        } else {
+            if (i == 6i) {
+                local_62 = 0.04f;
+            } else {
+                local_62 = 0.05f;
+            }
+            let _e20 = local_62;
+            local_63 = vec2<f32>(1f, _e20);
+        }
+        let _e23 = local_63;
+        local_64 = _e23;
+    }
+    let _e25 = local_64;
+    width_8 = _e25;
+    if (i == 4i) {
+        local_66 = vec2<f32>(0.6f, 0.6f);
+    } else {
+        if (i == 5i) {
+            local_65 = vec2<f32>(0.55f, 0.75f);
+        } else {
+            local_65 = vec2<f32>(0f, 0.45f);
+        }
+        let _e42 = local_65;
+        local_66 = _e42;
+    }
+    let _e44 = local_66;
+    strength = (marble.veins * _e44);
+    if (i == 4i) {
+        local_69 = 0.5f;
+    } else {
+        if (i == 5i) {
+            local_68 = -0.4f;
+        } else {
+            if (i == 6i) {
+                local_67 = 0.8f;
+            } else {
+                local_67 = 1.1f;
+            }
+            let _e61 = local_67;
+            local_68 = _e61;
+        }
+        let _e63 = local_68;
+        local_69 = _e63;
+    }
+    let _e65 = local_69;
+    let _e67 = gabor_impl_above(vein.second, vein.removed, _e65, 0.5f);
+    open = _e67.x;
+    let _e71 = strength;
+    let _e73 = open;
+    let _e76 = width_8;
+    let _e78 = gabor_impl_line(vein.first, vein.removed, _e76.y);
+    strength.y = (_e71.y * (_e73 * _e78.x));
+    let _e83 = strength;
+    let _e85 = open;
+    let _e88 = width_8;
+    let _e90 = gabor_impl_line(vein.first, vein.removed, _e88.x);
+    let _e93 = strength;
+    strength.x = (_e83.x * ((_e85 * _e90.x) - _e93.y));
+    halo = mix(marble.stone, marble.vein, vec3(0.65f));
+    if (i == 4i) {
+        local_72 = 0.9f;
+    } else {
+        if (i == 5i) {
+            local_71 = 1f;
+        } else {
+            if (i == 6i) {
+                local_70 = 0.65f;
+            } else {
+                local_70 = 0.45f;
+            }
+            let _e116 = local_70;
+            local_71 = _e116;
+        }
+        let _e118 = local_71;
+        local_72 = _e118;
+    }
+    let _e120 = local_72;
+    core = mix(marble.stone, marble.vein, vec3(_e120));
+    let _e125 = (*stone);
+    let _e127 = strength;
+    let _e129 = halo;
+    let _e130 = (*stone);
+    let _e134 = strength;
+    let _e136 = core;
+    let _e137 = (*stone);
+    (*stone).colour = (_e125.colour + ((_e127.x * (_e129 - _e130.colour)) + (_e134.y * (_e136 - _e137.colour))));
+    let _e144 = (*stone);
+    (*stone).colour = clamp(_e144.colour, vec3(0f), vec3(1f));
+    return;
+}
+
+fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
+    var pixel_23: GaborPixel;
+    var stone_3: GaborWarped;
+    var cloud_1: GaborPair;
+    var i_17: i32 = 0i;
+    var crystal_1: GaborPair;
+    var material: GaborMaterial;
+    var i_18: i32 = 4i;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_23 = _e8;
+    let _e10 = pixel_23;
+    let _e11 = gabor_impl_stone(_e10, marble, seed);
+    stone_3 = _e11;
+    let _e13 = gabor_impl_no_pair();
+    cloud_1 = _e13;
+    loop {
+        let _e17 = i_17;
+        if !((_e17 < 3i)) {
+            break;
+        }
+        let _e24 = cloud_1;
+        let _e25 = i_17;
+        let _e26 = pixel_23;
+        let _e27 = stone_3;
+        let _e28 = gabor_impl_marble_layer(_e25, _e26, _e27, seed);
+        let _e29 = gabor_impl_plus_octave(_e24, _e28);
+        cloud_1 = _e29;
+        continuing {
+            let _e21 = i_17;
+            i_17 = (_e21 + 1i);
+        }
+    }
+    let _e31 = pixel_23;
+    let _e32 = stone_3;
+    let _e33 = gabor_impl_marble_layer(3i, _e31, _e32, seed);
+    let _e34 = gabor_impl_spots_pair(_e33);
+    crystal_1 = _e34;
+    let _e36 = cloud_1;
+    let _e37 = crystal_1;
+    let _e38 = gabor_impl_marble(marble, _e36, _e37);
+    material = _e38;
+    loop {
+        let _e42 = i_18;
+        if !((_e42 < 8i)) {
+            break;
+        }
+        let _e50 = i_18;
+        let _e51 = i_18;
+        let _e52 = pixel_23;
+        let _e53 = stone_3;
+        let _e54 = gabor_impl_marble_layer(_e51, _e52, _e53, seed);
+        let _e55 = gabor_impl_waves_pair(_e54);
+        gabor_impl_add_veins((&material), marble, _e50, _e55);
+        continuing {
+            let _e46 = i_18;
+            i_18 = (_e46 + 1i);
+        }
+    }
+    let _e57 = material;
+    return _e57;
+}
+
+// ---- Sand ----------------------------------------------------------------------------------------------------------
+
+fn gabor_impl_dune(pixel: GaborPixel, seed: u32) -> GaborWarped {
+    var dune: GaborWarped;
+    let _e2 = gabor_impl_unwarped(pixel);
+    let _e8 = gabor_impl_warp(pixel, _e2, vec2(0.8f), vec2(0.15f), seed, 0i);
+    dune = _e8;
+    let _e10 = dune;
+    let _e16 = gabor_impl_warp(pixel, _e10, vec2(3f), vec2(0.02f), seed, 1i);
+    return _e16;
+}
+
+// Three octaves of large shapes, grains, and ripples.
+fn gabor_impl_sand_layer(i: i32, pixel: GaborPixel, dune: GaborWarped, sand: GaborSand, seed: u32) -> GaborLayer {
+    if (i < 3i) {
+        let _e7 = gabor_impl_unwarped(pixel);
+        let _e13 = gabor_lobe_seed(seed, 4i);
+        let _e14 = gabor_impl_octave(_e7, vec2(0.6f), i, 3i, 0.5f, _e13);
+        return _e14;
+    }
+    if (i == 3i) {
+        let _e18 = gabor_impl_unwarped(pixel);
+        let _e22 = gabor_impl_spots_layer(1i, _e18, vec2(75f), seed, 3i);
+        return _e22;
+    }
+    let _e39 = gabor_impl_waves_layer(2i, dune, (vec2<f32>(0.23255815f, 0.43927652f) * sand.ripples), 2.3f, 1.4f, seed, 2i);
+    return _e39;
+}
+
+fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> GaborMaterial {
+    var z_1: vec2<f32>;
+    var power_7: f32;
+    var whole_4: f32;
+    var span_3: f32;
+    var change_5: vec2<f32>;
+    var phase_9: vec3<f32>;
+    var ripple: vec3<f32>;
+    var tones_3: vec2<f32>;
+    var colour_7: vec3<f32>;
+    var dark: f32;
+    var bright: f32;
+    var tall: vec3<f32>;
+    var height_4: vec3<f32>;
+    var wave_19: vec2<f32>;
+    var bent: vec3<f32>;
+    var square_3: vec3<f32>;
+    var lost_8: vec3<f32>;
+    z_1 = vec2<f32>(of_.c.first.x, of_.c.second.x);
+    let _e11 = z_1;
+    let _e12 = z_1;
+    power_7 = max(dot(_e11, _e12), 0.000001f);
+    let _e17 = power_7;
+    whole_4 = (_e17 + (2.5f * of_.c.removed));
+    let _e25 = power_7;
+    let _e26 = whole_4;
+    span_3 = (0.9f * sqrt((_e25 / _e26)));
+    let _e31 = z_1;
+    let _e37 = z_1;
+    change_5 = ((_e31.x * of_.c.first.yz) + (_e37.y * of_.c.second.yz));
+    let _e45 = z_1;
+    let _e46 = gabor_phasor(_e45);
+    let _e49 = power_7;
+    let _e51 = z_1;
+    let _e57 = z_1;
+    let _e64 = ((0.15915494f / _e49) * ((_e51.x * of_.c.second.yz) - (_e57.y * of_.c.first.yz)));
+    phase_9 = vec3<f32>(_e46.x, _e64.x, _e64.y);
+    let _e69 = phase_9;
+    let _e70 = span_3;
+    let _e73 = power_7;
+    let _e76 = whole_4;
+    let _e79 = change_5;
+    let _e80 = (((1f / _e73) - (1f / _e76)) * _e79);
+    let _e85 = gabor_impl_rise(_e69, (_e70 * vec3<f32>(1f, _e80.x, _e80.y)));
+    ripple = _e85;
+    let _e93 = gabor_impl_tone(of_.b.first.x, of_.b.removed, sand.grain);
+    let _e100 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.06f);
+    tones_3 = (_e93 + _e100);
+    let _e104 = tones_3;
+    let _e105 = gabor_impl_toned(sand.trough, _e104);
+    let _e107 = tones_3;
+    let _e108 = gabor_impl_toned(sand.crest, _e107);
+    let _e109 = ripple;
+    colour_7 = mix(_e105, _e108, vec3(_e109.x));
+    let _e120 = gabor_impl_above(of_.b.second, of_.b.removed, 1.9f, 0.15f);
+    dark = _e120.x;
+    let _e130 = gabor_impl_above(-(of_.b.second), of_.b.removed, 1.9f, 0.15f);
+    bright = _e130.x;
+    let _e133 = colour_7;
+    let _e140 = dark;
+    colour_7 = mix(_e133, (0.23f * sand.trough), vec3(((3.75f * sand.grain) * _e140)));
+    let _e144 = colour_7;
+    let _e154 = bright;
+    colour_7 = mix(_e144, mix(sand.crest, vec3(1f), vec3(0.6f)), vec3(((3f * sand.grain) * _e154)));
+    tall = (vec3<f32>(sand.relief, 0f, 0f) + ((0.2f * sand.relief) * of_.a.first));
+    let _e170 = ripple;
+    let _e171 = tall;
+    let _e172 = gabor_impl_times(_e170, _e171);
+    height_4 = ((_e172 + (0.03f * of_.a.first)) + ((0.00875f * sand.grain) * of_.b.first));
+    wave_19 = (ripples.density * ripples.wave);
+    let _e190 = wave_19;
+    let _e194 = wave_19;
+    wave_19 = vec2<f32>(dot(_e190, ripples.at.x), dot(_e194, ripples.at.y));
+    let _e203 = ((0.4f * ripples.density) * ripples.density);
+    bent = vec3<f32>(_e203.x, _e203.y, 0f);
+    let _e209 = wave_19;
+    let _e210 = gabor_impl_square(_e209);
+    let _e211 = bent;
+    let _e216 = gabor_impl_turned_square(_e211, ripples.at.x, ripples.at.y);
+    square_3 = (_e210 + _e216);
+    let _e219 = tall;
+    let _e221 = tall;
+    let _e224 = phase_9;
+    let _e226 = span_3;
+    let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
+    let _e230 = square_3;
+    lost_8 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
+    let _e247 = colour_7;
+    let _e248 = height_4;
+    let _e249 = lost_8;
+    let _e252 = gabor_impl_material(_e247, _e248, _e249, sand.roughness, 0f);
+    return _e252;
+}
+
+fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
+    var pixel_26: GaborPixel;
+    var dune_2: GaborWarped;
+    var ripples_1: GaborLayer;
+    var of_9: GaborPairs;
+    var i_20: i32 = 0i;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_26 = _e8;
+    let _e10 = pixel_26;
+    let _e11 = gabor_impl_dune(_e10, seed);
+    dune_2 = _e11;
+    let _e14 = pixel_26;
+    let _e15 = dune_2;
+    let _e16 = gabor_impl_sand_layer(4i, _e14, _e15, sand, seed);
+    ripples_1 = _e16;
+    let _e18 = gabor_impl_no_pairs();
+    of_9 = _e18;
+    loop {
+        let _e22 = i_20;
+        if !((_e22 < 3i)) {
+            break;
+        }
+        let _e30 = of_9;
+        let _e32 = i_20;
+        let _e33 = pixel_26;
+        let _e34 = dune_2;
+        let _e35 = gabor_impl_sand_layer(_e32, _e33, _e34, sand, seed);
+        let _e36 = gabor_impl_plus_octave(_e30.a, _e35);
+        of_9.a = _e36;
+        continuing {
+            let _e26 = i_20;
+            i_20 = (_e26 + 1i);
+        }
+    }
+    let _e39 = pixel_26;
+    let _e40 = dune_2;
+    let _e41 = gabor_impl_sand_layer(3i, _e39, _e40, sand, seed);
+    let _e42 = gabor_impl_spots_pair(_e41);
+    of_9.b = _e42;
+    let _e44 = ripples_1;
+    let _e45 = gabor_impl_waves_pair(_e44);
+    of_9.c = _e45;
+    let _e46 = ripples_1;
+    let _e47 = of_9;
+    let _e48 = gabor_impl_sand(sand, _e46, _e47);
+    return _e48;
+}
+
+// ---- Ripples -------------------------------------------------------------------------------------------------------
+//
+// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
+// the filter removed does not change the mean of the harmonic.
+
+fn gabor_impl_ripples_layer(i: i32, pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborLayer {
+    var density_6: f32;
+    var angle_1: f32;
+    density_6 = ((ripples.waves * exp2((0.27f * f32(i)))) / 2.2f);
+    angle_1 = (ripples.direction + (ripples.spread * (fract(((0.618034f * f32(i)) + 0.1f)) - 0.5f)));
+    let _e27 = gabor_impl_unwarped(pixel);
+    let _e28 = density_6;
+    let _e31 = angle_1;
+    let _e32 = gabor_impl_waves_layer(0i, _e27, vec2(_e28), 2.2f, _e31, seed, i);
+    return _e32;
+}
+
+// Adds a wave: the first sum is the height, the second a noise.
+fn gabor_impl_add_ripple(sum: ptr<function, GaborPair>, i: i32, wave: GaborPair) {
+    var amplitude_8: f32;
+    var x_29: f32;
+    var y_21: f32;
+    var kept_6: f32;
+    var harmonic: f32;
+    var harmonics: f32;
+    amplitude_8 = exp2((-0.351f * f32(i)));
+    x_29 = wave.first.x;
+    y_21 = wave.second.x;
+    kept_6 = (1f - wave.removed);
+    let _e20 = kept_6;
+    harmonic = (0.2f * _e20);
+    let _e24 = (*sum);
+    let _e26 = amplitude_8;
+    let _e27 = x_29;
+    let _e28 = harmonic;
+    let _e29 = x_29;
+    let _e30 = x_29;
+    let _e32 = y_21;
+    let _e33 = y_21;
+    let _e40 = harmonic;
+    let _e42 = x_29;
+    let _e49 = harmonic;
+    let _e51 = y_21;
+    let _e56 = (((1f + ((2f * _e40) * _e42)) * wave.first.yz) - (((2f * _e49) * _e51) * wave.second.yz));
+    (*sum).first = (_e24.first + (_e26 * vec3<f32>((_e27 + (_e28 * ((_e29 * _e30) - (_e32 * _e33)))), _e56.x, _e56.y)));
+    let _e63 = (*sum);
+    let _e65 = amplitude_8;
+    (*sum).second = (_e63.second + (_e65 * wave.first));
+    let _e70 = (*sum);
+    let _e72 = amplitude_8;
+    let _e73 = amplitude_8;
+    (*sum).removed = (_e70.removed + ((_e72 * _e73) * wave.removed));
+    let _e78 = x_29;
+    let _e79 = x_29;
+    let _e81 = y_21;
+    let _e82 = y_21;
+    let _e87 = kept_6;
+    let _e89 = kept_6;
+    let _e90 = kept_6;
+    let _e93 = kept_6;
+    harmonics = (((((_e78 * _e79) + (_e81 * _e82)) + 1f) - _e87) + ((_e89 * _e90) * (1f + _e93)));
+    let _e99 = (*sum);
+    let _e101 = amplitude_8;
+    let _e102 = amplitude_8;
+    let _e106 = x_29;
+    let _e110 = harmonics;
+    (*sum).lost = (_e99.lost + (((_e101 * _e102) * ((1f + (1.6f * _e106)) + (0.64f * _e110))) * wave.lost));
+    return;
+}
+
+fn gabor_impl_ripples(ripples: GaborRipples, sum: GaborPair) -> GaborMaterial {
+    var power_8: f32 = 2.592656f;
+    var light_1: f32;
+    let _e4 = power_8;
+    let _e9 = power_8;
+    let _e13 = gabor_impl_above((inverseSqrt(_e4) * sum.second), (sum.removed / _e9), 0.5f, 1f);
+    light_1 = _e13.x;
+    let _e18 = light_1;
+    let _e31 = gabor_impl_material(mix(ripples.deep, ripples.shallow, vec3(_e18)), (ripples.relief * sum.first), ((ripples.relief * ripples.relief) * sum.lost), ripples.roughness, 0f);
+    return _e31;
+}
+
+fn gabor_ripples_at(p: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed: u32) -> GaborMaterial {
+    var pixel_28: GaborPixel;
+    var sum_23: GaborPair;
+    var i_23: i32 = 0i;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_28 = _e8;
+    let _e10 = gabor_impl_no_pair();
+    sum_23 = _e10;
+    loop {
+        let _e14 = i_23;
+        if !((_e14 < 14i)) {
+            break;
+        }
+        let _e22 = i_23;
+        let _e23 = i_23;
+        let _e24 = pixel_28;
+        let _e25 = gabor_impl_ripples_layer(_e23, _e24, ripples, seed);
+        let _e26 = gabor_impl_waves_pair(_e25);
+        gabor_impl_add_ripple((&sum_23), _e22, _e26);
+        continuing {
+            let _e18 = i_23;
+            i_23 = (_e18 + 1i);
+        }
+    }
+    let _e28 = sum_23;
+    let _e29 = gabor_impl_ripples(ripples, _e28);
+    return _e29;
+}
+
+// ---- Brushed metal -------------------------------------------------------------------------------------------------
+
+fn gabor_impl_streaks_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
+    var density_7: vec2<f32>;
+    density_7 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
+    let _e17 = gabor_impl_unwarped(pixel);
+    let _e18 = density_7;
+    let _e19 = gabor_impl_spots_layer(0i, _e17, _e18, seed, i);
+    return _e19;
+}
+
+// Adds streaks: the first sum is the height, the second the tone.
+fn gabor_impl_add_streaks(sum: ptr<function, GaborPair>, i: i32, pair: GaborPair) {
+    var size_1: f32;
+    size_1 = exp2(-(f32(i)));
+    let _e8 = (*sum);
+    let _e10 = size_1;
+    (*sum).first = (_e8.first + (_e10 * pair.first));
+    let _e15 = (*sum);
+    (*sum).second = (_e15.second + (0.4472136f * pair.second));
+    let _e22 = (*sum);
+    (*sum).removed = (_e22.removed + (0.2f * pair.removed));
+    let _e29 = (*sum);
+    let _e31 = size_1;
+    let _e32 = size_1;
+    (*sum).lost = (_e29.lost + ((_e31 * _e32) * pair.lost));
+    return;
+}
+
+fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, sum: GaborPair) -> GaborMaterial {
+    var colour_8: vec3<f32>;
+    let _e7 = gabor_impl_tone(sum.second.x, sum.removed, metal.contrast);
+    let _e8 = gabor_impl_toned(metal.colour, _e7);
+    colour_8 = _e8;
+    let _e10 = colour_8;
+    let _e21 = gabor_impl_material(_e10, (metal.relief * sum.first), ((metal.relief * metal.relief) * sum.lost), metal.roughness, 1f);
+    return _e21;
+}
+
+fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
+    var pixel_30: GaborPixel;
+    var sum_26: GaborPair;
+    var i_26: i32 = 0i;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_30 = _e8;
+    let _e10 = gabor_impl_no_pair();
+    sum_26 = _e10;
+    loop {
+        let _e14 = i_26;
+        if !((_e14 < 5i)) {
+            break;
+        }
+        let _e22 = i_26;
+        let _e23 = i_26;
+        let _e24 = pixel_30;
+        let _e25 = gabor_impl_streaks_layer(_e23, _e24, metal, seed);
+        let _e26 = gabor_impl_spots_pair(_e25);
+        gabor_impl_add_streaks((&sum_26), _e22, _e26);
+        continuing {
+            let _e18 = i_26;
+            i_26 = (_e18 + 1i);
+        }
+    }
+    let _e28 = sum_26;
+    let _e29 = gabor_impl_brushed_metal(metal, _e28);
+    return _e29;
+}
+
+// ---- Scratches -----------------------------------------------------------------------------------------------------
+//
+// Scratches are the peaks of noise with very long and narrow kernels, in many directions.
+
+fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborLayer {
+    var angle_2: f32;
+    var at_10: GaborWarped;
+    angle_2 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
+    let _e17 = gabor_impl_unwarped(pixel);
+    let _e18 = angle_2;
+    let _e19 = gabor_impl_turned(_e17, _e18);
+    at_10 = _e19;
+    let _e21 = at_10;
+    let _e30 = gabor_impl_warp(pixel, _e21, vec2<f32>(0.3f, 0.1f), vec2<f32>(0f, 0.17f), seed, (2i * i));
+    at_10 = _e30;
+    let _e32 = at_10;
+    let _e47 = gabor_impl_spots_layer(0i, _e32, (vec2<f32>((1f / scratches.reach), 42f) * exp2((0.13f * f32(i)))), seed, ((2i * i) + 1i));
+    return _e47;
+}
+
+// Adds scratches: the height is in units of their depth, and the colour is the share of whole lacquer.
+fn gabor_impl_add_scratches(sum: ptr<function, GaborMaterial>, scratches: GaborScratches, i: i32, noise: GaborPair) {
+    var size_2: f32;
+    var threshold_2: f32;
+    var open_1: vec3<f32>;
+    var scratch: vec3<f32>;
+    var change_6: f32;
+    size_2 = exp2((-0.13f * f32(i)));
+    threshold_2 = sqrt((5.76f - (2f * log(scratches.amount))));
+    let _e22 = gabor_impl_above(noise.second, noise.removed, 0.3f, 0.7f);
+    open_1 = _e22;
+    let _e26 = threshold_2;
+    let _e28 = gabor_impl_above(noise.first, noise.removed, _e26, 0.2f);
+    let _e29 = open_1;
+    let _e30 = gabor_impl_times(_e28, _e29);
+    scratch = _e30;
+    let _e33 = (*sum);
+    let _e38 = size_2;
+    let _e41 = scratch;
+    (*sum).colour = (_e33.colour * (1f - ((0.25f + (0.7f * _e38)) * _e41.x)));
+    let _e47 = (*sum);
+    let _e49 = size_2;
+    let _e50 = scratch;
+    (*sum).height = (_e47.height - (_e49 * _e50.x));
+    let _e55 = (*sum);
+    let _e57 = size_2;
+    let _e58 = scratch;
+    (*sum).slope = (_e55.slope - (_e57 * _e58.yz));
+    let _e70 = gabor_impl_above(vec3<f32>(noise.second.x, 1f, 0f), noise.removed, 0.3f, 0.7f);
+    change_6 = _e70.y;
+    let _e74 = (*sum);
+    let _e77 = size_2;
+    let _e79 = size_2;
+    let _e81 = open_1;
+    let _e83 = open_1;
+    let _e86 = change_6;
+    let _e87 = change_6;
+    let _e96 = threshold_2;
+    let _e98 = gabor_impl_above_lost(noise.first, noise.removed, noise.lost, _e96, 0.2f);
+    (*sum).lost = (_e74.lost + ((((1.15f * _e77) * _e79) * ((_e81.x * _e83.x) + ((_e86 * _e87) * noise.removed))) * _e98));
+    return;
+}
+
+fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborMaterial {
+    var height_5: vec3<f32>;
+    var lost_9: vec3<f32>;
+    height_5 = (scratches.depth * vec3<f32>(sum.height, sum.slope.x, sum.slope.y));
+    lost_9 = ((scratches.depth * scratches.depth) * sum.lost);
+    let _e20 = height_5;
+    let _e21 = lost_9;
+    let _e24 = gabor_impl_material(mix(scratches.scratch, scratches.lacquer, sum.colour), _e20, _e21, scratches.roughness, 0f);
+    return _e24;
+}
+
+fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
+    var pixel_32: GaborPixel;
+    var sum_29: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
+    var i_29: i32 = 0i;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_32 = _e8;
+    loop {
+        let _e23 = i_29;
+        if !((_e23 < 14i)) {
+            break;
+        }
+        let _e31 = i_29;
+        let _e32 = i_29;
+        let _e33 = pixel_32;
+        let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
+        let _e35 = gabor_impl_spots_pair(_e34);
+        gabor_impl_add_scratches((&sum_29), scratches, _e31, _e35);
+        continuing {
+            let _e27 = i_29;
+            i_29 = (_e27 + 1i);
+        }
+    }
+    let _e37 = sum_29;
+    let _e38 = gabor_impl_scratches(scratches, _e37);
+    return _e38;
+}
+
+// ---- Zebra ---------------------------------------------------------------------------------------------------------
+
+fn gabor_impl_hide(pixel: GaborPixel, seed: u32) -> GaborWarped {
+    let _e2 = gabor_impl_unwarped(pixel);
+    let _e8 = gabor_impl_warp(pixel, _e2, vec2(0.9f), vec2(0.14f), seed, 0i);
+    return _e8;
+}
+
+fn gabor_impl_stripes_direction(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> f32 {
+    var place_17: GaborPlace;
+    let _e3 = gabor_impl_unwarped(pixel);
+    let _e6 = gabor_impl_place(_e3, vec2(0.6f));
+    place_17 = _e6;
+    let _e10 = place_17;
+    let _e12 = gabor_lobe_seed(seed, 1i);
+    let _e13 = gabor_impl_spots(_e10, _e12);
+    return (zebra.direction + (zebra.bends * _e13.quadrature));
+}
+
+// Hair, tone and stripes.
+fn gabor_impl_zebra_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, direction: f32, zebra: GaborZebra, seed: u32) -> GaborLayer {
+    if (i == 0i) {
+        let _e10 = gabor_impl_turned(skin, 2.0707963f);
+        let _e15 = gabor_impl_spots_layer(0i, _e10, vec2<f32>(6f, 80f), seed, 3i);
+        return _e15;
+    }
+    if (i == 1i) {
+        let _e19 = gabor_impl_unwarped(pixel);
+        let _e23 = gabor_impl_spots_layer(1i, _e19, vec2(1.2f), seed, 4i);
+        return _e23;
+    }
+    let _e31 = gabor_impl_waves_layer(2i, skin, vec2((zebra.stripes / 1.4f)), 1.4f, direction, seed, 2i);
+    return _e31;
+}
+
+fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
+    var ragged: f32;
+    var relief: f32;
+    var intensity_1: f32;
+    var dark_1: f32;
+    var tones_4: vec2<f32>;
+    var colour_9: vec3<f32>;
+    ragged = (0.1f * zebra.hair);
+    relief = (0.002f * zebra.hair);
+    intensity_1 = length(vec2<f32>(of_.c.first.x, of_.c.second.x));
+    let _e21 = ragged;
+    let _e22 = intensity_1;
+    let _e30 = ragged;
+    let _e31 = ragged;
+    let _e40 = intensity_1;
+    let _e43 = gabor_impl_above((of_.c.first + ((_e21 * _e22) * of_.a.first)), (of_.c.removed + ((_e30 * _e31) * of_.a.removed)), 0f, (0.01f + (0.09f * _e40)));
+    dark_1 = _e43.x;
+    let _e54 = gabor_impl_tone(of_.a.second.x, of_.a.removed, (0.14f * zebra.hair));
+    let _e61 = gabor_impl_tone(of_.b.second.x, of_.b.removed, 0.08f);
+    tones_4 = (_e54 + _e61);
+    let _e65 = tones_4;
+    let _e66 = gabor_impl_toned(zebra.bright, _e65);
+    let _e68 = tones_4;
+    let _e69 = gabor_impl_toned(zebra.stripe, _e68);
+    let _e70 = dark_1;
+    colour_9 = mix(_e66, _e69, vec3(_e70));
+    let _e74 = colour_9;
+    let _e75 = relief;
+    let _e79 = relief;
+    let _e80 = relief;
+    let _e87 = gabor_impl_material(_e74, (_e75 * of_.a.first), ((_e79 * _e80) * of_.a.lost), zebra.roughness, 0f);
+    return _e87;
+}
+
+fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
+    var pixel_36: GaborPixel;
+    var skin_4: GaborWarped;
+    var direction_2: f32;
+    var of_11: GaborPairs;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_36 = _e8;
+    let _e10 = pixel_36;
+    let _e11 = gabor_impl_hide(_e10, seed);
+    skin_4 = _e11;
+    let _e13 = pixel_36;
+    let _e14 = gabor_impl_stripes_direction(_e13, zebra, seed);
+    direction_2 = _e14;
+    let _e16 = gabor_impl_no_pairs();
+    of_11 = _e16;
+    let _e20 = pixel_36;
+    let _e21 = skin_4;
+    let _e22 = direction_2;
+    let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
+    let _e24 = gabor_impl_spots_pair(_e23);
+    of_11.a = _e24;
+    let _e27 = pixel_36;
+    let _e28 = skin_4;
+    let _e29 = direction_2;
+    let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
+    let _e31 = gabor_impl_spots_pair(_e30);
+    of_11.b = _e31;
+    let _e34 = pixel_36;
+    let _e35 = skin_4;
+    let _e36 = direction_2;
+    let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
+    let _e38 = gabor_impl_waves_pair(_e37);
+    of_11.c = _e38;
+    let _e39 = of_11;
+    let _e40 = gabor_impl_zebra(zebra, _e39);
+    return _e40;
+}
+
+// ---- Bark ----------------------------------------------------------------------------------------------------------
+
+fn gabor_impl_trunk(pixel: GaborPixel, seed: u32) -> GaborWarped {
+    var trunk: GaborWarped;
+    let _e2 = gabor_impl_unwarped(pixel);
+    trunk = _e2;
+    let _e4 = trunk;
+    let _e12 = gabor_impl_warp(pixel, _e4, vec2<f32>(0.8f, 0.35f), vec2<f32>(0.22f, 0.1f), seed, 0i);
+    trunk = _e12;
+    let _e13 = trunk;
+    let _e21 = gabor_impl_warp(pixel, _e13, vec2<f32>(3f, 1.6f), vec2<f32>(0.05f, 0.05f), seed, 1i);
+    trunk = _e21;
+    let _e22 = trunk;
+    let _e28 = gabor_impl_warp(pixel, _e22, vec2(10f), vec2(0.013f), seed, 2i);
+    return _e28;
+}
+
+// Five octaves of roughness, moss, furrows, and cracks.
+fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborWarped, bark: GaborBark, seed: u32) -> GaborLayer {
+    if (i < 5i) {
+        let _e13 = gabor_lobe_seed(seed, 5i);
+        let _e14 = gabor_impl_octave(trunk, vec2<f32>(7f, 3f), i, 5i, 0.75f, _e13);
+        return _e14;
+    }
+    if (i == 5i) {
+        let _e18 = gabor_impl_unwarped(pixel);
+        let _e23 = gabor_impl_spots_layer(1i, _e18, vec2<f32>(1.1f, 0.7f), seed, 6i);
+        return _e23;
+    }
+    if (i == 6i) {
+        let _e42 = gabor_impl_waves_layer(2i, trunk, (vec2<f32>(0.7692308f, 0.24886878f) * bark.furrows), 1.3f, 0.1f, seed, 3i);
+        return _e42;
+    }
+    let _e50 = gabor_impl_waves_layer(3i, trunk, vec2<f32>(1.2f, 1.3f), 0.9f, 1.5f, seed, 4i);
+    return _e50;
+}
+
+fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
+    var shape: vec3<f32>;
+    var removed_6: f32;
+    var whole_5: vec3<f32>;
+    var risen_1: vec3<f32>;
+    var plate: vec3<f32>;
+    var weighted: vec3<f32>;
+    var worn: f32;
+    var covered: f32;
+    var tone_2: vec2<f32>;
+    var top_1: vec3<f32>;
+    var moss: vec3<f32>;
+    var colour_10: vec3<f32>;
+    var coarse: vec3<f32>;
+    var height_6: vec3<f32>;
+    var wholes: f32;
+    var rises: f32;
+    var both: f32;
+    var lost_10: vec3<f32>;
+    shape = (of_.c.first + (0.2f * of_.a.first));
+    removed_6 = (of_.c.removed + (0.04f * of_.a.removed));
+    let _e28 = gabor_impl_line(of_.d.first, of_.d.removed, 0.13f);
+    whole_5 = (vec3<f32>(1f, 0f, 0f) - (0.55f * _e28));
+    let _e32 = shape;
+    let _e33 = removed_6;
+    let _e37 = gabor_impl_above(_e32, _e33, -0.15f, 0.35f);
+    risen_1 = _e37;
+    let _e39 = risen_1;
+    let _e40 = whole_5;
+    let _e41 = gabor_impl_times(_e39, _e40);
+    plate = _e41;
+    weighted = (of_.a.second + vec3<f32>((0.25f * of_.a.removed), 0f, 0f));
+    let _e55 = weighted;
+    let _e60 = gabor_impl_above(_e55, of_.a.removed, 0.5f, 0.4f);
+    worn = (0.5f * _e60.x);
+    let _e71 = gabor_impl_above(of_.b.second, of_.b.removed, 0.9f, 0.5f);
+    covered = (bark.cover * _e71.x);
+    let _e81 = gabor_impl_tone(of_.a.second.x, of_.a.removed, 0.25f);
+    tone_2 = _e81;
+    let _e84 = tone_2;
+    let _e85 = gabor_impl_toned(bark.plate, _e84);
+    let _e92 = tone_2;
+    let _e93 = gabor_impl_toned(mix(bark.plate, vec3(1f), vec3(0.13f)), _e92);
+    let _e94 = worn;
+    top_1 = mix(_e85, _e93, vec3(_e94));
+    let _e99 = tone_2;
+    let _e100 = gabor_impl_toned(bark.moss, _e99);
+    moss = _e100;
+    let _e103 = tone_2;
+    let _e104 = gabor_impl_toned(bark.furrow, _e103);
+    let _e105 = moss;
+    let _e106 = covered;
+    let _e109 = top_1;
+    let _e110 = moss;
+    let _e112 = covered;
+    let _e116 = plate;
+    colour_10 = mix(mix(_e104, _e105, vec3(_e106)), mix(_e109, _e110, vec3((0.6f * _e112))), vec3(_e116.x));
+    let _e126 = plate;
+    coarse = (vec3<f32>(0.4f, 0f, 0f) + (0.6f * _e126));
+    let _e131 = plate;
+    let _e136 = coarse;
+    let _e137 = gabor_impl_times(of_.a.first, _e136);
+    height_6 = ((bark.depth * _e131) + (0.018f * _e137));
+    let _e142 = whole_5;
+    let _e153 = gabor_impl_line(of_.d.first, of_.d.removed, 0.0919239f);
+    wholes = (((2f * _e142.x) - 1f) + (0.3025f * _e153.x));
+    let _e158 = risen_1;
+    let _e160 = risen_1;
+    let _e163 = risen_1;
+    let _e166 = risen_1;
+    let _e170 = removed_6;
+    let _e172 = removed_6;
+    rises = ((_e158.x * _e160.x) + (((_e163.x * (1f - _e166.x)) * _e170) / (_e172 + 0.18f)));
+    let _e181 = whole_5;
+    let _e184 = shape;
+    let _e189 = removed_6;
+    let _e193 = gabor_impl_above(vec3<f32>(_e184.x, 1f, 0f), _e189, -0.15f, 0.35f);
+    both = (((0.0072f * bark.depth) * _e181.x) * _e193.y);
+    let _e200 = wholes;
+    let _e201 = shape;
+    let _e202 = removed_6;
+    let _e213 = gabor_impl_above_lost(_e201, _e202, (of_.c.lost + (0.04f * of_.a.lost)), -0.15f, 0.35f);
+    let _e216 = rises;
+    let _e225 = gabor_impl_line_lost(of_.d.first, of_.d.removed, of_.d.lost, 0.13f);
+    let _e229 = coarse;
+    let _e232 = coarse;
+    let _e235 = both;
+    lost_10 = (((bark.depth * bark.depth) * ((_e200 * _e213) + ((0.3025f * _e216) * _e225))) + ((_e229.x * ((0.000324f * _e232.x) + _e235)) * of_.a.lost));
+    let _e243 = colour_10;
+    let _e244 = height_6;
+    let _e245 = lost_10;
+    let _e248 = gabor_impl_material(_e243, _e244, _e245, bark.roughness, 0f);
+    return _e248;
+}
+
+fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
+    var pixel_39: GaborPixel;
+    var trunk_2: GaborWarped;
+    var of_13: GaborPairs;
+    var i_32: i32 = 0i;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_39 = _e8;
+    let _e10 = pixel_39;
+    let _e11 = gabor_impl_trunk(_e10, seed);
+    trunk_2 = _e11;
+    let _e13 = gabor_impl_no_pairs();
+    of_13 = _e13;
+    loop {
+        let _e17 = i_32;
+        if !((_e17 < 5i)) {
+            break;
+        }
+        let _e25 = of_13;
+        let _e27 = i_32;
+        let _e28 = pixel_39;
+        let _e29 = trunk_2;
+        let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
+        let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
+        of_13.a = _e31;
+        continuing {
+            let _e21 = i_32;
+            i_32 = (_e21 + 1i);
+        }
+    }
+    let _e34 = pixel_39;
+    let _e35 = trunk_2;
+    let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
+    let _e37 = gabor_impl_spots_pair(_e36);
+    of_13.b = _e37;
+    let _e40 = pixel_39;
+    let _e41 = trunk_2;
+    let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
+    let _e43 = gabor_impl_waves_pair(_e42);
+    of_13.c = _e43;
+    let _e46 = pixel_39;
+    let _e47 = trunk_2;
+    let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
+    let _e49 = gabor_impl_waves_pair(_e48);
+    of_13.d = _e49;
+    let _e50 = of_13;
+    let _e51 = gabor_impl_bark(bark, _e50);
+    return _e51;
+}
+
+// ---- Strata --------------------------------------------------------------------------------------------------------
+
+fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborWarped {
+    var rock: GaborWarped;
     var folds: vec4<f32>;
-    var rock: GaborPixel;
-    var layers: vec2<f32>;
-    var broad: vec3<f32>;
-    var band: vec3<f32>;
-    var thin_1: vec3<f32>;
-    var lamina: vec3<f32>;
-    var grain_1: vec3<f32>;
-    var soft: f32;
-    var colour_12: vec3<f32>;
-    var height_10: f32;
+    let _e3 = gabor_impl_unwarped(pixel);
+    rock = _e3;
     folds = (vec4<f32>(0.2f, 0.016f, 0.022f, 0.004f) * strata.folds);
-    let _e15 = folds;
-    let _e19 = gabor_lobe_seed(seed, 0i);
-    let _e20 = gabor_impl_warp(pixel, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, _e15.x), _e19);
-    rock = _e20;
-    let _e22 = rock;
-    let _e26 = folds;
-    let _e28 = folds;
-    let _e32 = gabor_lobe_seed(seed, 1i);
-    let _e33 = gabor_impl_warp(_e22, vec2<f32>(1.6f, 2.6f), vec2<f32>(_e26.y, _e28.z), _e32);
-    rock = _e33;
-    let _e34 = rock;
-    let _e38 = folds;
-    let _e42 = gabor_lobe_seed(seed, 2i);
-    let _e43 = gabor_impl_warp(_e34, vec2<f32>(7f, 10f), vec2(_e38.w), _e42);
-    rock = _e43;
-    layers = vec2<f32>(1f, strata.layers);
-    let _e48 = rock;
-    let _e52 = layers;
-    let _e55 = gabor_lobe_seed(seed, 3i);
-    let _e56 = gabor_impl_spots(_e48, (vec2<f32>(0.1f, 0.33333334f) * _e52), _e55);
-    broad = _e56;
-    let _e58 = rock;
-    let _e62 = layers;
-    let _e65 = gabor_lobe_seed(seed, 4i);
-    let _e66 = gabor_impl_spots(_e58, (vec2<f32>(0.14f, 1f) * _e62), _e65);
-    band = _e66;
-    let _e68 = rock;
-    let _e72 = layers;
-    let _e75 = gabor_lobe_seed(seed, 5i);
-    let _e76 = gabor_impl_spots(_e68, (vec2<f32>(0.25f, 2.8333333f) * _e72), _e75);
-    thin_1 = _e76;
-    let _e78 = rock;
-    let _e82 = layers;
-    let _e85 = gabor_lobe_seed(seed, 6i);
-    let _e86 = gabor_impl_spots(_e78, (vec2<f32>(0.6f, 8.333333f) * _e82), _e85);
-    lamina = _e86;
-    let _e94 = gabor_lobe_seed(seed, 7i);
-    let _e95 = gabor_impl_octaves(pixel, vec2<f32>(16f, 24f), 4i, 0.8f, _e94);
-    grain_1 = _e95;
-    let _e97 = band;
-    let _e99 = band;
-    let _e103 = gabor_impl_above(_e97.x, _e99.z, 0.5f, 0.22f);
-    soft = _e103;
-    let _e107 = broad;
-    let _e109 = broad;
-    let _e113 = gabor_impl_above(_e107.x, _e109.z, 0f, 0.5f);
-    colour_12 = mix(strata.rock, strata.sandstone, vec3(_e113));
-    let _e117 = colour_12;
-    let _e120 = soft;
-    colour_12 = mix(_e117, strata.red, vec3((0.8f * _e120)));
-    let _e124 = colour_12;
-    let _e127 = thin_1;
-    let _e129 = thin_1;
-    let _e133 = gabor_impl_above(_e127.x, _e129.z, 1f, 0.2f);
-    colour_12 = mix(_e124, strata.pale, vec3((0.75f * _e133)));
-    let _e137 = colour_12;
-    let _e142 = thin_1;
-    let _e144 = thin_1;
-    let _e148 = gabor_impl_above(_e142.y, _e144.z, 1.3f, 0.15f);
-    colour_12 = mix(_e137, (0.75f * strata.red), vec3((0.6f * _e148)));
-    let _e152 = colour_12;
-    let _e153 = lamina;
-    let _e155 = lamina;
-    let _e158 = gabor_impl_tone(_e153.x, _e155.z, 0.13f);
-    let _e159 = grain_1;
-    let _e161 = grain_1;
-    let _e164 = gabor_impl_tone(_e159.x, _e161.z, 0.11f);
-    colour_12 = (_e152 * (_e158 * _e164));
-    let _e168 = broad;
-    let _e172 = soft;
-    let _e176 = thin_1;
-    let _e181 = lamina;
-    let _e186 = grain_1;
-    height_10 = (((((0.02f * _e168.y) - (0.012f * _e172)) + (0.006f * _e176.x)) + (0.0015f * _e181.x)) + (0.003f * _e186.y));
-    let _e191 = colour_12;
-    let _e193 = height_10;
-    let _e197 = gabor_impl_material(_e191, (strata.relief * _e193), strata.roughness, 0f);
-    return _e197;
+    let _e13 = rock;
+    let _e18 = folds;
+    let _e22 = gabor_impl_warp(pixel, _e13, vec2<f32>(0.35f, 0.6f), vec2<f32>(0f, _e18.x), seed, 0i);
+    rock = _e22;
+    let _e23 = rock;
+    let _e27 = folds;
+    let _e30 = gabor_impl_warp(pixel, _e23, vec2<f32>(1.6f, 2.6f), _e27.yz, seed, 1i);
+    rock = _e30;
+    let _e31 = rock;
+    let _e35 = folds;
+    let _e39 = gabor_impl_warp(pixel, _e31, vec2<f32>(7f, 10f), vec2(_e35.w), seed, 2i);
+    return _e39;
 }
 
-// ---- Definitions of the public functions ---------------------------------------------------------------------------
-
-fn gabor_pixel(p: vec2<f32>) -> GaborPixel {
-    return GaborPixel(p, vec2(0f), vec2(0f), false, vec2(0f));
+// Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
+fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata: GaborStrata, seed: u32) -> GaborLayer {
+    var local_73: vec2<f32>;
+    var local_74: vec2<f32>;
+    var local_75: vec2<f32>;
+    var density_8: vec2<f32>;
+    if (i < 4i) {
+        let _e7 = gabor_impl_unwarped(pixel);
+        let _e14 = gabor_lobe_seed(seed, 7i);
+        let _e15 = gabor_impl_octave(_e7, vec2<f32>(16f, 24f), i, 4i, 0.8f, _e14);
+        return _e15;
+    }
+    if (i == 4i) {
+        local_75 = vec2<f32>(0.1f, 0.33333334f);
+    } else {
+        if (i == 5i) {
+            local_74 = vec2<f32>(0.14f, 1f);
+        } else {
+            if (i == 6i) {
+                local_73 = vec2<f32>(0.25f, 2.8333333f);
+            } else {
+                local_73 = vec2<f32>(0.6f, 8.333333f);
+            }
+            let _e35 = local_73;
+            local_74 = _e35;
+        }
+        let _e37 = local_74;
+        local_75 = _e37;
+    }
+    let _e39 = local_75;
+    density_8 = _e39;
+    let _e43 = density_8;
+    let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
+    return _e50;
 }
 
-fn gabor_pixel_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>) -> GaborPixel {
-    return GaborPixel(p, dx, dy, true, vec2(0f));
+fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
+    var soft: vec3<f32>;
+    var tones_5: vec2<f32>;
+    var colour_11: vec3<f32>;
+    var height_7: vec3<f32>;
+    var lost_11: vec3<f32>;
+    let _e8 = gabor_impl_above(of_.c.first, of_.c.removed, 0.5f, 0.22f);
+    soft = _e8;
+    let _e16 = gabor_impl_tone(of_.e.first.x, of_.e.removed, 0.13f);
+    let _e23 = gabor_impl_tone(of_.a.first.x, of_.a.removed, 0.11f);
+    tones_5 = (_e16 + _e23);
+    let _e27 = tones_5;
+    let _e28 = gabor_impl_toned(strata.rock, _e27);
+    let _e30 = tones_5;
+    let _e31 = gabor_impl_toned(strata.sandstone, _e30);
+    let _e38 = gabor_impl_above(of_.b.first, of_.b.removed, 0f, 0.5f);
+    colour_11 = mix(_e28, _e31, vec3(_e38.x));
+    let _e43 = colour_11;
+    let _e45 = tones_5;
+    let _e46 = gabor_impl_toned(strata.red, _e45);
+    let _e48 = soft;
+    colour_11 = mix(_e43, _e46, vec3((0.8f * _e48.x)));
+    let _e53 = colour_11;
+    let _e55 = tones_5;
+    let _e56 = gabor_impl_toned(strata.pale, _e55);
+    let _e64 = gabor_impl_above(of_.d.first, of_.d.removed, 1f, 0.2f);
+    colour_11 = mix(_e53, _e56, vec3((0.75f * _e64.x)));
+    let _e69 = colour_11;
+    let _e73 = tones_5;
+    let _e74 = gabor_impl_toned((0.75f * strata.red), _e73);
+    let _e82 = gabor_impl_above(of_.d.second, of_.d.removed, 1.3f, 0.15f);
+    colour_11 = mix(_e69, _e74, vec3((0.6f * _e82.x)));
+    let _e92 = soft;
+    height_7 = (((((0.02f * of_.b.second) - (0.012f * _e92)) + (0.006f * of_.d.first)) + (0.0015f * of_.e.first)) + (0.003f * of_.a.second));
+    let _e139 = gabor_impl_above_lost(of_.c.first, of_.c.removed, of_.c.lost, 0.5f, 0.22f);
+    lost_11 = (((((0.0004f * of_.b.lost) + (0.000036f * of_.d.lost)) + (0.00000225f * of_.e.lost)) + (0.000009f * of_.a.lost)) + (0.000144f * _e139));
+    let _e143 = colour_11;
+    let _e145 = height_7;
+    let _e150 = lost_11;
+    let _e154 = gabor_impl_material(_e143, (strata.relief * _e145), ((strata.relief * strata.relief) * _e150), strata.roughness, 0f);
+    return _e154;
 }
 
-fn gabor_pixel_tiled(pixel: GaborPixel, period: vec2<f32>) -> GaborPixel {
-    return GaborPixel((pixel.p - (period * floor((pixel.p / period)))), pixel.dx, pixel.dy, pixel.filtered, period);
+fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
+    var pixel_42: GaborPixel;
+    var rock_2: GaborWarped;
+    var of_15: GaborPairs;
+    var i_34: i32 = 0i;
+    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
+    pixel_42 = _e8;
+    let _e10 = pixel_42;
+    let _e11 = gabor_impl_rock(_e10, strata, seed);
+    rock_2 = _e11;
+    let _e13 = gabor_impl_no_pairs();
+    of_15 = _e13;
+    loop {
+        let _e17 = i_34;
+        if !((_e17 < 4i)) {
+            break;
+        }
+        let _e25 = of_15;
+        let _e27 = i_34;
+        let _e28 = pixel_42;
+        let _e29 = rock_2;
+        let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
+        let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
+        of_15.a = _e31;
+        continuing {
+            let _e21 = i_34;
+            i_34 = (_e21 + 1i);
+        }
+    }
+    let _e34 = pixel_42;
+    let _e35 = rock_2;
+    let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
+    let _e37 = gabor_impl_spots_pair(_e36);
+    of_15.b = _e37;
+    let _e40 = pixel_42;
+    let _e41 = rock_2;
+    let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
+    let _e43 = gabor_impl_spots_pair(_e42);
+    of_15.c = _e43;
+    let _e46 = pixel_42;
+    let _e47 = rock_2;
+    let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
+    let _e49 = gabor_impl_spots_pair(_e48);
+    of_15.d = _e49;
+    let _e52 = pixel_42;
+    let _e53 = rock_2;
+    let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
+    let _e55 = gabor_impl_spots_pair(_e54);
+    of_15.e = _e55;
+    let _e56 = of_15;
+    let _e57 = gabor_impl_strata(strata, _e56);
+    return _e57;
+}
+
+// ---- The same, filtered --------------------------------------------------------------------------------------------
+
+fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
+    var pixel_43: GaborPixel;
+    var board_5: GaborWarped;
+    var of_16: GaborPairs;
+    var i_35: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_43 = _e6;
+    let _e8 = pixel_43;
+    let _e9 = gabor_impl_board(_e8, wood, seed);
+    board_5 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_16 = _e11;
+    loop {
+        let _e15 = i_35;
+        if !((_e15 < 3i)) {
+            break;
+        }
+        let _e23 = i_35;
+        let _e24 = pixel_43;
+        let _e25 = board_5;
+        let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
+        let _e27 = pixel_43;
+        gabor_impl_add_filtered_spots((&of_16), _e26, _e27);
+        continuing {
+            let _e19 = i_35;
+            i_35 = (_e19 + 1i);
+        }
+    }
+    let _e29 = pixel_43;
+    let _e30 = board_5;
+    let _e31 = of_16;
+    let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
+    return _e32;
+}
+
+fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
+    var pixel_44: GaborPixel;
+    var cloth_6: GaborWarped;
+    var count_8: vec2<f32>;
+    var of_17: GaborPairs;
+    var i_36: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_44 = _e6;
+    let _e8 = pixel_44;
+    let _e9 = gabor_impl_cloth(_e8, fabric, seed);
+    cloth_6 = _e9;
+    let _e11 = pixel_44;
+    let _e14 = gabor_impl_repeated(_e11, fabric.threads, 2f);
+    count_8 = _e14;
+    let _e16 = gabor_impl_no_pairs();
+    of_17 = _e16;
+    loop {
+        let _e20 = i_36;
+        if !((_e20 < 4i)) {
+            break;
+        }
+        let _e28 = i_36;
+        let _e29 = cloth_6;
+        let _e30 = count_8;
+        let _e31 = gabor_impl_fabric_layer(_e28, _e29, _e30, seed);
+        let _e32 = pixel_44;
+        gabor_impl_add_filtered_spots((&of_17), _e31, _e32);
+        continuing {
+            let _e24 = i_36;
+            i_36 = (_e24 + 1i);
+        }
+    }
+    let _e34 = pixel_44;
+    let _e35 = cloth_6;
+    let _e36 = count_8;
+    let _e37 = of_17;
+    let _e38 = gabor_impl_fabric(_e34, _e35, _e36, fabric, _e37);
+    return _e38;
+}
+
+fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
+    var pixel_45: GaborPixel;
+    var cloth_7: GaborWarped;
+    var count_9: vec2<f32>;
+    var of_18: GaborPairs;
+    var i_37: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_45 = _e6;
+    let _e8 = pixel_45;
+    let _e9 = gabor_impl_twill(_e8, seed);
+    cloth_7 = _e9;
+    let _e11 = pixel_45;
+    let _e14 = gabor_impl_repeated(_e11, fibres.tows, 4f);
+    count_9 = _e14;
+    let _e16 = gabor_impl_no_pairs();
+    of_18 = _e16;
+    loop {
+        let _e20 = i_37;
+        if !((_e20 < 2i)) {
+            break;
+        }
+        let _e28 = i_37;
+        let _e29 = cloth_7;
+        let _e30 = count_9;
+        let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
+        let _e32 = pixel_45;
+        gabor_impl_add_filtered_spots((&of_18), _e31, _e32);
+        continuing {
+            let _e24 = i_37;
+            i_37 = (_e24 + 1i);
+        }
+    }
+    let _e34 = pixel_45;
+    let _e35 = cloth_7;
+    let _e36 = count_9;
+    let _e37 = of_18;
+    let _e38 = gabor_impl_carbon_fibre(_e34, _e35, _e36, fibres, _e37);
+    return _e38;
+}
+
+fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
+    var pixel_46: GaborPixel;
+    var skin_5: GaborWarped;
+    var of_19: GaborPairs;
+    var i_38: i32 = 0i;
+    var i_39: i32 = 4i;
+    var pair_4: GaborPair;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_46 = _e6;
+    let _e8 = pixel_46;
+    let _e9 = gabor_impl_skin(_e8, leather, seed);
+    skin_5 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_19 = _e11;
+    loop {
+        let _e15 = i_38;
+        if !((_e15 < 4i)) {
+            break;
+        }
+        let _e23 = i_38;
+        let _e24 = pixel_46;
+        let _e25 = skin_5;
+        let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
+        let _e27 = pixel_46;
+        gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
+        continuing {
+            let _e19 = i_38;
+            i_38 = (_e19 + 1i);
+        }
+    }
+    loop {
+        let _e31 = i_39;
+        if !((_e31 < 6i)) {
+            break;
+        }
+        {
+            let _e38 = i_39;
+            let _e39 = pixel_46;
+            let _e40 = skin_5;
+            let _e41 = gabor_impl_leather_layer(_e38, _e39, _e40, leather, seed);
+            let _e42 = pixel_46;
+            let _e43 = gabor_impl_filtered_waves(_e41, _e42);
+            pair_4 = _e43;
+            let _e45 = i_39;
+            if (_e45 == 4i) {
+                let _e49 = pair_4;
+                of_19.c = _e49;
+            } else {
+                let _e51 = pair_4;
+                of_19.d = _e51;
+            }
+        }
+        continuing {
+            let _e35 = i_39;
+            i_39 = (_e35 + 1i);
+        }
+    }
+    let _e52 = of_19;
+    let _e53 = gabor_impl_leather(leather, _e52);
+    return _e53;
+}
+
+fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
+    var pixel_47: GaborPixel;
+    var stone_4: GaborWarped;
+    var of_20: GaborPairs;
+    var i_40: i32 = 0i;
+    var material_1: GaborMaterial;
+    var i_41: i32 = 4i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_47 = _e6;
+    let _e8 = pixel_47;
+    let _e9 = gabor_impl_stone(_e8, marble, seed);
+    stone_4 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_20 = _e11;
+    loop {
+        let _e15 = i_40;
+        if !((_e15 < 4i)) {
+            break;
+        }
+        let _e23 = i_40;
+        let _e24 = pixel_47;
+        let _e25 = stone_4;
+        let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
+        let _e27 = pixel_47;
+        gabor_impl_add_filtered_spots((&of_20), _e26, _e27);
+        continuing {
+            let _e19 = i_40;
+            i_40 = (_e19 + 1i);
+        }
+    }
+    let _e29 = of_20;
+    let _e31 = of_20;
+    let _e33 = gabor_impl_marble(marble, _e29.a, _e31.b);
+    material_1 = _e33;
+    loop {
+        let _e37 = i_41;
+        if !((_e37 < 8i)) {
+            break;
+        }
+        let _e45 = i_41;
+        let _e46 = i_41;
+        let _e47 = pixel_47;
+        let _e48 = stone_4;
+        let _e49 = gabor_impl_marble_layer(_e46, _e47, _e48, seed);
+        let _e50 = pixel_47;
+        let _e51 = gabor_impl_filtered_waves(_e49, _e50);
+        gabor_impl_add_veins((&material_1), marble, _e45, _e51);
+        continuing {
+            let _e41 = i_41;
+            i_41 = (_e41 + 1i);
+        }
+    }
+    let _e53 = material_1;
+    return _e53;
+}
+
+fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
+    var pixel_48: GaborPixel;
+    var dune_3: GaborWarped;
+    var of_21: GaborPairs;
+    var i_42: i32 = 0i;
+    var ripples_5: GaborLayer;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_48 = _e6;
+    let _e8 = pixel_48;
+    let _e9 = gabor_impl_dune(_e8, seed);
+    dune_3 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_21 = _e11;
+    loop {
+        let _e15 = i_42;
+        if !((_e15 < 4i)) {
+            break;
+        }
+        let _e23 = i_42;
+        let _e24 = pixel_48;
+        let _e25 = dune_3;
+        let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
+        let _e27 = pixel_48;
+        gabor_impl_add_filtered_spots((&of_21), _e26, _e27);
+        continuing {
+            let _e19 = i_42;
+            i_42 = (_e19 + 1i);
+        }
+    }
+    let _e30 = pixel_48;
+    let _e31 = dune_3;
+    let _e32 = gabor_impl_sand_layer(4i, _e30, _e31, sand, seed);
+    ripples_5 = _e32;
+    let _e35 = ripples_5;
+    let _e36 = pixel_48;
+    let _e37 = gabor_impl_filtered_waves(_e35, _e36);
+    of_21.c = _e37;
+    let _e38 = ripples_5;
+    let _e39 = of_21;
+    let _e40 = gabor_impl_sand(sand, _e38, _e39);
+    return _e40;
+}
+
+fn gabor_ripples_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed: u32) -> GaborMaterial {
+    var pixel_49: GaborPixel;
+    var sum_30: GaborPair;
+    var i_43: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_49 = _e6;
+    let _e8 = gabor_impl_no_pair();
+    sum_30 = _e8;
+    loop {
+        let _e12 = i_43;
+        if !((_e12 < 14i)) {
+            break;
+        }
+        let _e20 = i_43;
+        let _e21 = i_43;
+        let _e22 = pixel_49;
+        let _e23 = gabor_impl_ripples_layer(_e21, _e22, ripples, seed);
+        let _e24 = pixel_49;
+        let _e25 = gabor_impl_filtered_waves(_e23, _e24);
+        gabor_impl_add_ripple((&sum_30), _e20, _e25);
+        continuing {
+            let _e16 = i_43;
+            i_43 = (_e16 + 1i);
+        }
+    }
+    let _e27 = sum_30;
+    let _e28 = gabor_impl_ripples(ripples, _e27);
+    return _e28;
+}
+
+fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
+    var pixel_50: GaborPixel;
+    var sum_31: GaborPair;
+    var i_44: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_50 = _e6;
+    let _e8 = gabor_impl_no_pair();
+    sum_31 = _e8;
+    loop {
+        let _e12 = i_44;
+        if !((_e12 < 5i)) {
+            break;
+        }
+        let _e20 = i_44;
+        let _e21 = i_44;
+        let _e22 = pixel_50;
+        let _e23 = gabor_impl_streaks_layer(_e21, _e22, metal, seed);
+        let _e24 = pixel_50;
+        let _e25 = gabor_impl_filtered_spots(_e23, _e24);
+        gabor_impl_add_streaks((&sum_31), _e20, _e25);
+        continuing {
+            let _e16 = i_44;
+            i_44 = (_e16 + 1i);
+        }
+    }
+    let _e27 = sum_31;
+    let _e28 = gabor_impl_brushed_metal(metal, _e27);
+    return _e28;
+}
+
+fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
+    var pixel_51: GaborPixel;
+    var sum_32: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
+    var i_45: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_51 = _e6;
+    loop {
+        let _e21 = i_45;
+        if !((_e21 < 14i)) {
+            break;
+        }
+        let _e29 = i_45;
+        let _e30 = i_45;
+        let _e31 = pixel_51;
+        let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
+        let _e33 = pixel_51;
+        let _e34 = gabor_impl_filtered_spots(_e32, _e33);
+        gabor_impl_add_scratches((&sum_32), scratches, _e29, _e34);
+        continuing {
+            let _e25 = i_45;
+            i_45 = (_e25 + 1i);
+        }
+    }
+    let _e36 = sum_32;
+    let _e37 = gabor_impl_scratches(scratches, _e36);
+    return _e37;
+}
+
+fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
+    var pixel_52: GaborPixel;
+    var skin_6: GaborWarped;
+    var direction_3: f32;
+    var of_22: GaborPairs;
+    var i_46: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_52 = _e6;
+    let _e8 = pixel_52;
+    let _e9 = gabor_impl_hide(_e8, seed);
+    skin_6 = _e9;
+    let _e11 = pixel_52;
+    let _e12 = gabor_impl_stripes_direction(_e11, zebra, seed);
+    direction_3 = _e12;
+    let _e14 = gabor_impl_no_pairs();
+    of_22 = _e14;
+    loop {
+        let _e18 = i_46;
+        if !((_e18 < 2i)) {
+            break;
+        }
+        let _e26 = i_46;
+        let _e27 = pixel_52;
+        let _e28 = skin_6;
+        let _e29 = direction_3;
+        let _e30 = gabor_impl_zebra_layer(_e26, _e27, _e28, _e29, zebra, seed);
+        let _e31 = pixel_52;
+        gabor_impl_add_filtered_spots((&of_22), _e30, _e31);
+        continuing {
+            let _e22 = i_46;
+            i_46 = (_e22 + 1i);
+        }
+    }
+    let _e35 = pixel_52;
+    let _e36 = skin_6;
+    let _e37 = direction_3;
+    let _e38 = gabor_impl_zebra_layer(2i, _e35, _e36, _e37, zebra, seed);
+    let _e39 = pixel_52;
+    let _e40 = gabor_impl_filtered_waves(_e38, _e39);
+    of_22.c = _e40;
+    let _e41 = of_22;
+    let _e42 = gabor_impl_zebra(zebra, _e41);
+    return _e42;
+}
+
+fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
+    var pixel_53: GaborPixel;
+    var trunk_3: GaborWarped;
+    var of_23: GaborPairs;
+    var i_47: i32 = 0i;
+    var i_48: i32 = 6i;
+    var pair_5: GaborPair;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_53 = _e6;
+    let _e8 = pixel_53;
+    let _e9 = gabor_impl_trunk(_e8, seed);
+    trunk_3 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_23 = _e11;
+    loop {
+        let _e15 = i_47;
+        if !((_e15 < 6i)) {
+            break;
+        }
+        let _e23 = i_47;
+        let _e24 = pixel_53;
+        let _e25 = trunk_3;
+        let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
+        let _e27 = pixel_53;
+        gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
+        continuing {
+            let _e19 = i_47;
+            i_47 = (_e19 + 1i);
+        }
+    }
+    loop {
+        let _e31 = i_48;
+        if !((_e31 < 8i)) {
+            break;
+        }
+        {
+            let _e38 = i_48;
+            let _e39 = pixel_53;
+            let _e40 = trunk_3;
+            let _e41 = gabor_impl_bark_layer(_e38, _e39, _e40, bark, seed);
+            let _e42 = pixel_53;
+            let _e43 = gabor_impl_filtered_waves(_e41, _e42);
+            pair_5 = _e43;
+            let _e45 = i_48;
+            if (_e45 == 6i) {
+                let _e49 = pair_5;
+                of_23.c = _e49;
+            } else {
+                let _e51 = pair_5;
+                of_23.d = _e51;
+            }
+        }
+        continuing {
+            let _e35 = i_48;
+            i_48 = (_e35 + 1i);
+        }
+    }
+    let _e52 = of_23;
+    let _e53 = gabor_impl_bark(bark, _e52);
+    return _e53;
+}
+
+fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
+    var pixel_54: GaborPixel;
+    var rock_3: GaborWarped;
+    var of_24: GaborPairs;
+    var i_49: i32 = 0i;
+    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
+    pixel_54 = _e6;
+    let _e8 = pixel_54;
+    let _e9 = gabor_impl_rock(_e8, strata, seed);
+    rock_3 = _e9;
+    let _e11 = gabor_impl_no_pairs();
+    of_24 = _e11;
+    loop {
+        let _e15 = i_49;
+        if !((_e15 < 8i)) {
+            break;
+        }
+        let _e23 = i_49;
+        let _e24 = pixel_54;
+        let _e25 = rock_3;
+        let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
+        let _e27 = pixel_54;
+        gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
+        continuing {
+            let _e19 = i_49;
+            i_49 = (_e19 + 1i);
+        }
+    }
+    let _e29 = of_24;
+    let _e30 = gabor_impl_strata(strata, _e29);
+    return _e30;
+}
+
+// ---- Definitions of the other public functions ---------------------------------------------------------------------
+
+fn gabor_roughness(material: GaborMaterial) -> f32 {
+    var alpha: f32;
+    alpha = (material.roughness * material.roughness);
+    let _e5 = alpha;
+    let _e6 = alpha;
+    return sqrt(sqrt(min((((_e5 * _e6) + material.lost.x) + material.lost.y), 1f)));
 }
 
 fn gabor_wood_default() -> GaborWood {
     return GaborWood(vec3<f32>(0.5f, 0.275f, 0.115f), vec3<f32>(0.2f, 0.078f, 0.027f), 13f, 1f, 0.75f, 0.5f);
 }
-
 fn gabor_fabric_default() -> GaborFabric {
     return GaborFabric(vec3<f32>(0.5f, 0.43f, 0.33f), vec3<f32>(0.6f, 0.53f, 0.42f), 12f, 1f, 1f, 0.85f, 0f);
 }
-
 fn gabor_leather_default() -> GaborLeather {
     return GaborLeather(vec3<f32>(0.2f, 0.068f, 0.026f), vec3<f32>(0.04f, 0.014f, 0.007f), 6.88f, 1f, 1f, 0.4f);
 }
-
 fn gabor_marble_default() -> GaborMarble {
     return GaborMarble(vec3<f32>(0.8f, 0.79f, 0.77f), vec3<f32>(0.13f, 0.135f, 0.145f), 1f, 1f, 0.25f, 0.2f);
 }
-
 fn gabor_sand_default() -> GaborSand {
     return GaborSand(vec3<f32>(0.43f, 0.3f, 0.17f), vec3<f32>(0.6f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f);
 }
-
 fn gabor_ripples_default() -> GaborRipples {
     return GaborRipples(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), 0.6f, 0.8726646f, 1.0471976f, 0.035f, 0.1f);
 }
-
 fn gabor_brushed_metal_default() -> GaborBrushedMetal {
     return GaborBrushedMetal(vec3<f32>(0.55f, 0.555f, 0.565f), 9f, 0.09f, 0.0012f, 0.36f);
 }
-
 fn gabor_scratches_default() -> GaborScratches {
     return GaborScratches(vec3<f32>(0.035f, 0.042f, 0.05f), vec3<f32>(0.6f, 0.61f, 0.62f), 1f, 3f, 1.5707963f, 3.1415927f, 0.0025f, 0.3f);
 }
-
 fn gabor_zebra_default() -> GaborZebra {
     return GaborZebra(vec3<f32>(0.7f, 0.64f, 0.54f), vec3<f32>(0.018f, 0.014f, 0.012f), 1.96f, 0.296706f, 0.3490659f, 1f, 0.7f);
 }
-
 fn gabor_bark_default() -> GaborBark {
     return GaborBark(vec3<f32>(0.2f, 0.145f, 0.1f), vec3<f32>(0.025f, 0.014f, 0.008f), vec3<f32>(0.1f, 0.13f, 0.045f), 2.21f, 0.35f, 0.13f, 0.9f);
 }
-
 fn gabor_carbon_fibre_default() -> GaborCarbonFibre {
     return GaborCarbonFibre(vec3<f32>(0.028f, 0.029f, 0.031f), 4f, 0.3f, 1f, 0.3f);
 }
-
 fn gabor_strata_default() -> GaborStrata {
     return GaborStrata(vec3<f32>(0.5f, 0.22f, 0.09f), vec3<f32>(0.6f, 0.35f, 0.18f), vec3<f32>(0.28f, 0.075f, 0.035f), vec3<f32>(0.74f, 0.58f, 0.4f), 6f, 1f, 1f, 0.9f);
 }
 
 fn gabor_wood(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_wood_default();
-    let _e4 = gabor_wood_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_wood_default();
+    let _e5 = gabor_wood_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_fabric(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_fabric_default();
-    let _e4 = gabor_fabric_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_fabric_default();
+    let _e5 = gabor_fabric_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_leather(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_leather_default();
-    let _e4 = gabor_leather_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_leather_default();
+    let _e5 = gabor_leather_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_marble_default();
-    let _e4 = gabor_marble_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_marble_default();
+    let _e5 = gabor_marble_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_sand_default();
-    let _e4 = gabor_sand_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_sand_default();
+    let _e5 = gabor_sand_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_ripples_default();
-    let _e4 = gabor_ripples_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_ripples_default();
+    let _e5 = gabor_ripples_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_brushed_metal_default();
-    let _e4 = gabor_brushed_metal_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_brushed_metal_default();
+    let _e5 = gabor_brushed_metal_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_scratches(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_scratches_default();
-    let _e4 = gabor_scratches_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_scratches_default();
+    let _e5 = gabor_scratches_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_zebra(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_zebra_default();
-    let _e4 = gabor_zebra_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_zebra_default();
+    let _e5 = gabor_zebra_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_bark(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_bark_default();
-    let _e4 = gabor_bark_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_bark_default();
+    let _e5 = gabor_bark_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_carbon_fibre(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_carbon_fibre_default();
-    let _e4 = gabor_carbon_fibre_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_carbon_fibre_default();
+    let _e5 = gabor_carbon_fibre_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
-
 fn gabor_strata(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e2 = gabor_pixel(p);
-    let _e3 = gabor_strata_default();
-    let _e4 = gabor_strata_at(_e2, _e3, seed);
-    return _e4;
+    let _e4 = gabor_strata_default();
+    let _e5 = gabor_strata_at(p, vec2(0f), _e4, seed);
+    return _e5;
 }
 
 fn gabor_wood_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_wood_default();
-    let _e6 = gabor_wood_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_wood_default();
+    let _e7 = gabor_wood_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_fabric_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_fabric_default();
-    let _e6 = gabor_fabric_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_fabric_default();
+    let _e7 = gabor_fabric_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_leather_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_leather_default();
-    let _e6 = gabor_leather_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_leather_default();
+    let _e7 = gabor_leather_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_marble_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_marble_default();
-    let _e6 = gabor_marble_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_marble_default();
+    let _e7 = gabor_marble_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_sand_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_sand_default();
-    let _e6 = gabor_sand_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_sand_default();
+    let _e7 = gabor_sand_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_ripples_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_ripples_default();
-    let _e6 = gabor_ripples_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_ripples_default();
+    let _e7 = gabor_ripples_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_brushed_metal_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_brushed_metal_default();
-    let _e6 = gabor_brushed_metal_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_brushed_metal_default();
+    let _e7 = gabor_brushed_metal_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_scratches_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_scratches_default();
-    let _e6 = gabor_scratches_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_scratches_default();
+    let _e7 = gabor_scratches_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_zebra_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_zebra_default();
-    let _e6 = gabor_zebra_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_zebra_default();
+    let _e7 = gabor_zebra_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_bark_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_bark_default();
-    let _e6 = gabor_bark_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_bark_default();
+    let _e7 = gabor_bark_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_carbon_fibre_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_carbon_fibre_default();
-    let _e6 = gabor_carbon_fibre_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_carbon_fibre_default();
+    let _e7 = gabor_carbon_fibre_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
-
 fn gabor_strata_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_pixel_filtered(p, dx, dy);
-    let _e5 = gabor_strata_default();
-    let _e6 = gabor_strata_at(_e4, _e5, seed);
-    return _e6;
+    let _e6 = gabor_strata_default();
+    let _e7 = gabor_strata_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
+    return _e7;
 }
 

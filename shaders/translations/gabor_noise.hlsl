@@ -3,7 +3,16 @@
 // gabor_noise.hlsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], for display
+//
+//     I want                                   call
+//     noise                                    gabor_noise(p, frequency, orientation, seed)
+//     its derivatives                          gabor_noise_gradient
+//     a texture that repeats                   gabor_noise_tiled
+//     noise that evolves in place              gabor_noise_animated
+//     stripes along any directions             gabor_stripes
+//     a phase, for patterns of my own          gabor_noise_complex, then gabor_phasor
+//     to display it                            gabor_unorm
+//     a huge world, or any of these together   a place, then gabor_field
 //
 // Values are normal up to three standard deviations. Values beyond 3.5 are 13 % too rare overall, and 56 % too rare at
 // the nodes of the lattice.
@@ -15,7 +24,7 @@
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of 1.5e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
-//                  orientation, for example in direction maps; (0, 0) gives noise of frequency 0.
+//                  orientation: gabor_wave_vector converts them. (0, 0) gives noise of frequency 0.
 //     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
 //                  fit a period below 2; to fit a longer one, their size changes by at most a sixth with GABOR_TAPS 3.
 //     seed         any number; different seeds give independent noises
@@ -41,9 +50,7 @@
 #endif
 
 // float gabor_noise(float2 p, float frequency, float orientation, uint seed)
-// float gabor_noise_wave(float2 p, float2 wave, uint seed)
 // float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed)
-// float gabor_noise_wave_tiled(float2 p, float2 period, float2 wave, uint seed)
 //     The noise, with continuous first derivatives.
 
 // float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed)
@@ -51,16 +58,10 @@
 //     cos^2(pi t). Costs three times as much as gabor_noise. Pass the fraction of the time: a float has so few digits
 //     at 1000 that the noise errs by 4e-4.
 
-// float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed)
-//     Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
-//     as much as gabor_noise.
-
 // float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed)
-// float3 gabor_noise_wave_gradient(float2 p, float2 wave, uint seed)
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
 // float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed)
-// float2 gabor_noise_wave_complex(float2 p, float2 wave, uint seed)
 //     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
 //     sines. At each point the two are independent and have variance 1.
 
@@ -69,13 +70,9 @@
 //     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
 // float3 gabor_stripes(float2 p, float2 wave, float sharpness, uint seed)
-// float3 gabor_stripes_tiled(float2 p, float2 period, float2 wave, float sharpness, uint seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
 //     2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
 //     exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
-
-// float3 gabor_stripes_of(float2 value, float sharpness)
-//     The same for any complex value.
 
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
@@ -84,65 +81,32 @@
 //     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
 //     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
-// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
+// ---- Any position, wave vector, period and time --------------------------------------------------------------------
 
 #define GABOR_RADIUS (0.5 * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector, returned by gabor_kernel or gabor_kernel_wave.
-struct GaborKernel {
-    float2 wave; // cycles per kernel radius
-};
-
-GaborKernel GaborKernel_of(float2 wave)
-{
-    GaborKernel made;
-    made.wave = wave;
-    return made;
-}
-
 // A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
-    int2 cell;    // any integers except the last few before 2^31, where the world wraps around
-    float2 local;    // offset from that cell's corner in node spacings, most precise in [0, 1)^2
-    float2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
-    int2 period;  // period in nodes, 0 for none
-    bool animated; // whether the noise changes with time
-    float moment;  // time in periods
+    int2 cell;   // any integers except the last few before 2^31, where the world wraps around
+    float2 local;   // offset from that cell's corner in node spacings, most precise in [0, 1)^2
+    float2 radius;  // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
+    int2 period; // period in nodes, 0 for none
+    float moment; // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
 };
 
-GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, bool animated, float moment)
+GaborPlace GaborPlace_of(int2 cell, float2 local, float2 radius, int2 period, float moment)
 {
     GaborPlace made;
     made.cell = cell;
     made.local = local;
     made.radius = radius;
     made.period = period;
-    made.animated = animated;
     made.moment = moment;
     return made;
 }
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
-struct GaborField {
-    float2 value;
-    float2 slope_x;
-    float2 slope_y;
-};
-
-GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
-{
-    GaborField made;
-    made.value = value;
-    made.slope_x = slope_x;
-    made.slope_y = slope_y;
-    return made;
-}
-
-// GaborKernel gabor_kernel(float frequency, float orientation)
-//     The kernel with a given frequency and orientation; ranges are those of gabor_noise.
-
-// GaborKernel gabor_kernel_wave(float2 wave)
-//     The kernel with a given wave vector; its range is that of gabor_noise_wave.
+// GaborPlace gabor_place_at(float2 p)
+//     The position p, in kernel radii.
 
 // GaborPlace gabor_place(int2 cell, float2 local)
 //     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
@@ -152,14 +116,35 @@ GaborField GaborField_of(float2 value, float2 slope_x, float2 slope_y)
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
 //     period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 
-// GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
+// float2 gabor_wave_vector(float frequency, float orientation)
+//     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel, uint seed)
-//     The noise at gabor_place(cell, local).
+// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+struct GaborField {
+    float noise;
+    float2 gradient;
+    float quadrature;
+    float2 quadrature_gradient;
+    float removed; // share of the variance that a filter removed, 0 without one: see gabor_filter.hlsl
+};
 
-// float3 gabor_stripes_at(GaborPlace place, float2 wave, float sharpness, uint seed)
-//     The same as gabor_stripes, at `place`.
+GaborField GaborField_of(float noise, float2 gradient, float quadrature, float2 quadrature_gradient, float removed)
+{
+    GaborField made;
+    made.noise = noise;
+    made.gradient = gradient;
+    made.quadrature = quadrature;
+    made.quadrature_gradient = quadrature_gradient;
+    made.removed = removed;
+    return made;
+}
+
+// GaborField gabor_field(GaborPlace place, float2 wave, uint seed)
+//     The noise at `place`. All other functions call it.
+
+// float3 gabor_stripes_of(GaborField field, float sharpness)
+//     The stripes of any noise, like gabor_stripes. If a filter removed variance, each value is its mean over what was
+//     removed, within 0.1: (cosine, sine) gets shorter, and its profiles fade to their mean.
 
 // ====================================================================================================================
 // Private implementation
@@ -229,6 +214,16 @@ float2 gabor_impl_amplitude(uint word) {
     return (u - 0.89289313 * clamp(u, -2.0119258e9, 2.0119258e9)) * (u * u + 7.3973916e18);
 }
 
+// Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
+uint4 gabor_impl_row(uint word) {
+    uint first = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    uint second = (first ^ (first >> 15u)) * 0xd35a2d97u;
+    uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
+    uint fourth = (third ^ (third >> 15u)) * 0xd35a2d97u;
+    return uint4((first >> 8u) | 0x800001u, (second >> 8u) | 0x800001u, (third >> 8u) | 0x800001u,
+                 (fourth >> 8u) | 0x800001u);
+}
+
 // ---- Waves and windows ---------------------------------------------------------------------------------------------
 
 // The product of two complex numbers.
@@ -287,6 +282,12 @@ void gabor_impl_windows(float x, out float4 value, out float4 slope) {
 #endif
 }
 
+// The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// square roots, with infinite slopes at the ends.
+float gabor_impl_takeover(float x) {
+    return x * x / (x * x + (1.0 - x) * (1.0 - x));
+}
+
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
 // Wraps an index into a period.
@@ -337,12 +338,12 @@ GaborAxis gabor_impl_axis(int cell, float local, int period, uint salt, float wa
     return axis;
 }
 
-// The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
-// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
-// take FXC four times as long through ANGLE.
-float2 gabor_impl_amplitude_at(uint word, bool animated, float moment) {
+// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
+// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
+// four times as long through ANGLE.
+float2 gabor_impl_amplitude_at(uint word, float moment) {
     float2 amplitude = gabor_impl_amplitude(word);
-    if (animated) {
+    if (moment != 0.0) {
         uint second = (word ^ (word >> 15u)) * 0xd35a2d97u;
         uint third = (second ^ (second >> 15u)) * 0xd35a2d97u;
         float2 turn = gabor_impl_wave(moment);
@@ -355,15 +356,14 @@ float2 gabor_impl_amplitude_at(uint word, bool animated, float moment) {
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-void gabor_impl_add_node_row(inout float4 sum, inout float4 slope, GaborAxis x, GaborAxis y, int j, bool animated,
-                             float moment) {
+void gabor_impl_add_node_row(inout float4 sum, inout float4 slope, GaborAxis x, GaborAxis y, int j, float moment) {
     float4 row = (float4)(0.0);
-    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, moment));
-    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, moment));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], moment));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], moment));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, moment));
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], moment));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, moment));
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], moment));
 #ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
     if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0)
 #endif
@@ -373,12 +373,12 @@ void gabor_impl_add_node_row(inout float4 sum, inout float4 slope, GaborAxis x, 
     }
 }
 
-void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float moment, out float4 sum, out float4 slope) {
+void gabor_impl_sum(GaborAxis x, GaborAxis y, float moment, out float4 sum, out float4 slope) {
     sum = slope = (float4)(0.0);
-    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, moment);
-    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, moment);
-    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, moment);
-    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, moment);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, moment);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, moment);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
@@ -387,67 +387,79 @@ GaborField gabor_impl_field(float4 sum, float4 slope, float2 turn, float2 wave, 
     turn *= 1.0 / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     float2 value = gabor_impl_product(sum.xy, turn);
     float2 turned = 6.2831853 * float2(-value.y, value.x);
-    return GaborField_of(value, stretch.x * gabor_impl_product(sum.zw, turn) + wave.x * turned,
-                      stretch.y * gabor_impl_product(slope.xy, turn) + wave.y * turned);
+    float2 along_x = stretch.x * gabor_impl_product(sum.zw, turn) + wave.x * turned;
+    float2 along_y = stretch.y * gabor_impl_product(slope.xy, turn) + wave.y * turned;
+    return GaborField_of(value.y, float2(along_x.y, along_y.y), value.x, float2(along_x.x, along_y.x), 0.0);
 }
 
-GaborField gabor_field(GaborPlace place, GaborKernel kernel_, uint seed) {
+GaborField gabor_field(GaborPlace place, float2 wave, uint seed) {
+    wave = clamp(wave, -1.0e6, 1.0e6);
     uint salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, kernel_.wave.x, place.radius.x);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel_.wave.y, place.radius.y);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     float2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     float4 sum, slope;
-    gabor_impl_sum(x, y, place.animated, place.moment, sum, slope);
-    return gabor_impl_field(sum, slope, turn, kernel_.wave, place.radius / GABOR_RADIUS);
+    gabor_impl_sum(x, y, place.moment, sum, slope);
+    return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
+}
+
+// Adds an independent noise to a sum. A unit of length of the sum is `stretch` times the noise's.
+void gabor_impl_add_field(inout GaborField sum, GaborField field, float amplitude, float2 stretch) {
+    sum.noise += amplitude * field.noise;
+    sum.gradient += amplitude * stretch * field.gradient;
+    sum.quadrature += amplitude * field.quadrature;
+    sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
+    sum.removed += amplitude * amplitude * field.removed;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GaborPlace gabor_place(int2 cell, float2 local) {
-    return GaborPlace_of(cell, local, (float2)(GABOR_RADIUS), (int2)(0), false, 0.0);
+    return GaborPlace_of(cell, local, (float2)(GABOR_RADIUS), (int2)(0), 0.0);
+}
+
+GaborPlace gabor_place_at(float2 p) {
+    return gabor_place((int2)(0), p * GABOR_RADIUS);
 }
 
 GaborPlace gabor_place_tiled(float2 p, float2 period) {
-    float2 nodes = max(floor(period * GABOR_RADIUS + 0.5), (float2)(float(GABOR_TAPS)));
+    float2 side = clamp(period, 0.0009765625, 1.0e9);
+    float2 nodes = max(floor(side * GABOR_RADIUS + 0.5), (float2)(float(GABOR_TAPS)));
     GaborPlace place = gabor_place((int2)(0), (float2)(0.0));
-    place.radius = float2(period.x > 0.0 ? nodes.x / period.x : GABOR_RADIUS,
-                        period.y > 0.0 ? nodes.y / period.y : GABOR_RADIUS);
+    place.radius = float2(period.x > 0.0 ? nodes.x / side.x : GABOR_RADIUS,
+                        period.y > 0.0 ? nodes.y / side.y : GABOR_RADIUS);
     place.period = int2(period.x > 0.0 ? int(nodes.x) : 0, period.y > 0.0 ? int(nodes.y) : 0);
     place.local = p * place.radius;
     return place;
 }
 
-GaborKernel gabor_kernel(float frequency, float orientation) {
-    return GaborKernel_of(min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6)));
-}
-
-GaborKernel gabor_kernel_wave(float2 wave) {
-    return GaborKernel_of(clamp(wave, -1.0e6, 1.0e6));
-}
-
-float gabor_noise_at(int2 cell, float2 local, GaborKernel kernel_, uint seed) {
-    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
+float2 gabor_wave_vector(float frequency, float orientation) {
+    return min(abs(frequency), 1.0e6) * gabor_impl_wave(0.15915494 * clamp(orientation, -1.0e6, 1.0e6));
 }
 
 float gabor_noise(float2 p, float frequency, float orientation, uint seed) {
-    return gabor_noise_at((int2)(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+    return gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed).noise;
+}
+
+float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed) {
+    return gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
+}
+
+float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed) {
+    GaborPlace place = gabor_place_at(p);
+    place.moment = moment;
+    return gabor_field(place, gabor_wave_vector(frequency, orientation), seed).noise;
 }
 
 float3 gabor_noise_gradient(float2 p, float frequency, float orientation, uint seed) {
-    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
-    return float3(field.value.y, field.slope_x.y, field.slope_y.y);
+    GaborField field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
+    return float3(field.noise, field.gradient);
 }
 
 float2 gabor_noise_complex(float2 p, float frequency, float orientation, uint seed) {
-    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
-}
-
-float4 gabor_noise_four(float2 p, float frequency, float orientation, uint seed) {
-    return float4(gabor_noise(p, frequency, orientation, seed),
-                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
-                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -2)),
-                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -3)));
+    GaborField field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
+    return float2(field.quadrature, field.noise);
 }
 
 float2 gabor_phasor(float2 value) {
@@ -456,50 +468,17 @@ float2 gabor_phasor(float2 value) {
     return float2(phase < 0.0 ? min(phase + 1.0, 0.99999994) : phase, intensity);
 }
 
-float gabor_noise_tiled(float2 p, float2 period, float frequency, float orientation, uint seed) {
-    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
-}
-
-float gabor_noise_animated(float2 p, float moment, float frequency, float orientation, uint seed) {
-    GaborPlace place = GaborPlace_of((int2)(0), p * GABOR_RADIUS, (float2)(GABOR_RADIUS), (int2)(0), true, moment);
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
-}
-
-float gabor_noise_wave(float2 p, float2 wave, uint seed) {
-    return gabor_noise_at((int2)(0), p * GABOR_RADIUS, gabor_kernel_wave(wave), seed);
-}
-
-float3 gabor_noise_wave_gradient(float2 p, float2 wave, uint seed) {
-    GaborField field = gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel_wave(wave), seed);
-    return float3(field.value.y, field.slope_x.y, field.slope_y.y);
-}
-
-float2 gabor_noise_wave_complex(float2 p, float2 wave, uint seed) {
-    return gabor_field(gabor_place((int2)(0), p * GABOR_RADIUS), gabor_kernel_wave(wave), seed).value;
-}
-
-float gabor_noise_wave_tiled(float2 p, float2 period, float2 wave, uint seed) {
-    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
-    return gabor_field(place, gabor_kernel_wave(wave), seed).value.y;
-}
-
-float3 gabor_stripes_of(float2 value, float sharpness) {
-    float intensity = length(value);
-    return float3(sharpness / max(sharpness * intensity, 1.0) * value, intensity);
-}
-
-float3 gabor_stripes_at(GaborPlace place, float2 wave, float sharpness, uint seed) {
-    return gabor_stripes_of(gabor_field(place, gabor_kernel_wave(wave), seed).value, sharpness);
+// For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
+// v / sqrt(|v|^2 + 8/pi r), and the mean of |z| about sqrt(|v|^2 + pi/2 r). Both are exact for small and for large |v|.
+float3 gabor_stripes_of(GaborField field, float sharpness) {
+    float2 value = float2(field.quadrature, field.noise);
+    float power = dot(value, value), removed = max(field.removed, 0.0);
+    float reach = sqrt(power + 2.5464791 * removed);
+    return float3(sharpness / max(sharpness * reach, 1.0) * value, sqrt(power + 1.5707963 * removed));
 }
 
 float3 gabor_stripes(float2 p, float2 wave, float sharpness, uint seed) {
-    return gabor_stripes_at(gabor_place((int2)(0), p * GABOR_RADIUS), wave, sharpness, seed);
-}
-
-float3 gabor_stripes_tiled(float2 p, float2 period, float2 wave, float sharpness, uint seed) {
-    GaborPlace place = gabor_place_tiled(p, clamp(period, 0.0009765625, 1.0e9));
-    return gabor_stripes_at(place, wave, sharpness, seed);
+    return gabor_stripes_of(gabor_field(gabor_place_at(p), wave, seed), sharpness);
 }
 
 float gabor_unorm(float noise) {

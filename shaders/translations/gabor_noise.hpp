@@ -4,7 +4,16 @@
 // gabor_noise.hpp: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 //     float n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     float v = gabor_unorm(n);                    // in [0, 1], for display
+//
+//     I want                                   call
+//     noise                                    gabor_noise(p, frequency, orientation, seed)
+//     its derivatives                          gabor_noise_gradient
+//     a texture that repeats                   gabor_noise_tiled
+//     noise that evolves in place              gabor_noise_animated
+//     stripes along any directions             gabor_stripes
+//     a phase, for patterns of my own          gabor_noise_complex, then gabor_phasor
+//     to display it                            gabor_unorm
+//     a huge world, or any of these together   a place, then gabor_field
 //
 // Values are normal up to three standard deviations. Values beyond 3.5 are 13 % too rare overall, and 56 % too rare at
 // the nodes of the lattice.
@@ -16,7 +25,7 @@
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of 1.5e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
-//                  orientation, for example in direction maps; (0, 0) gives noise of frequency 0.
+//                  orientation: gabor_wave_vector converts them. (0, 0) gives noise of frequency 0.
 //     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
 //                  fit a period below 2; to fit a longer one, their size changes by at most a sixth with GABOR_TAPS 3.
 //     seed         any number; different seeds give independent noises
@@ -44,9 +53,7 @@
 #endif
 
 // float gabor_noise(vec2 p, float frequency, float orientation, uint seed)
-// float gabor_noise_wave(vec2 p, vec2 wave, uint seed)
 // float gabor_noise_tiled(vec2 p, vec2 period, float frequency, float orientation, uint seed)
-// float gabor_noise_wave_tiled(vec2 p, vec2 period, vec2 wave, uint seed)
 //     The noise, with continuous first derivatives.
 
 // float gabor_noise_animated(vec2 p, float moment, float frequency, float orientation, uint seed)
@@ -54,16 +61,10 @@
 //     cos^2(pi t). Costs three times as much as gabor_noise. Pass the fraction of the time: a float has so few digits
 //     at 1000 that the noise errs by 4e-4.
 
-// vec4 gabor_noise_four(vec2 p, float frequency, float orientation, uint seed)
-//     Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
-//     as much as gabor_noise.
-
 // vec3 gabor_noise_gradient(vec2 p, float frequency, float orientation, uint seed)
-// vec3 gabor_noise_wave_gradient(vec2 p, vec2 wave, uint seed)
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
 // vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
-// vec2 gabor_noise_wave_complex(vec2 p, vec2 wave, uint seed)
 //     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
 //     sines. At each point the two are independent and have variance 1.
 
@@ -72,13 +73,9 @@
 //     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
 // vec3 gabor_stripes(vec2 p, vec2 wave, float sharpness, uint seed)
-// vec3 gabor_stripes_tiled(vec2 p, vec2 period, vec2 wave, float sharpness, uint seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
 //     2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
 //     exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
-
-// vec3 gabor_stripes_of(vec2 value, float sharpness)
-//     The same for any complex value.
 
 // float gabor_unorm(float noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
@@ -87,37 +84,21 @@
 //     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
 //     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
-// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
+// ---- Any position, wave vector, period and time --------------------------------------------------------------------
 
 #define GABOR_RADIUS (0.5f * float(GABOR_TAPS)) // nodes of the lattice per kernel radius
 
-// A wave vector, returned by gabor_kernel or gabor_kernel_wave.
-struct GaborKernel {
-    gabor_vec2 wave; // cycles per kernel radius
-};
-
 // A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
-    gabor_ivec2 cell;    // any integers except the last few before 2^31, where the world wraps around
-    gabor_vec2 local;    // offset from that cell's corner in node spacings, most precise in [0, 1)^2
-    gabor_vec2 radius;   // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
-    gabor_ivec2 period;  // period in nodes, 0 for none
-    bool animated; // whether the noise changes with time
-    float moment;  // time in periods
+    gabor_ivec2 cell;   // any integers except the last few before 2^31, where the world wraps around
+    gabor_vec2 local;   // offset from that cell's corner in node spacings, most precise in [0, 1)^2
+    gabor_vec2 radius;  // nodes per kernel radius along each axis: GABOR_RADIUS, or slightly different to fit a period
+    gabor_ivec2 period; // period in nodes, 0 for none
+    float moment; // time in periods, as in gabor_noise_animated. Set it after calling a constructor, which sets 0
 };
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
-struct GaborField {
-    gabor_vec2 value;
-    gabor_vec2 slope_x;
-    gabor_vec2 slope_y;
-};
-
-// GaborKernel gabor_kernel(float frequency, float orientation)
-//     The kernel with a given frequency and orientation; ranges are those of gabor_noise.
-
-// GaborKernel gabor_kernel_wave(vec2 wave)
-//     The kernel with a given wave vector; its range is that of gabor_noise_wave.
+// GaborPlace gabor_place_at(vec2 p)
+//     The position p, in kernel radii.
 
 // GaborPlace gabor_place(ivec2 cell, vec2 local)
 //     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
@@ -127,14 +108,24 @@ struct GaborField {
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
 //     period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 
-// GaborField gabor_field(GaborPlace place, GaborKernel kernel, uint seed)
-//     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
+// vec2 gabor_wave_vector(float frequency, float orientation)
+//     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// float gabor_noise_at(ivec2 cell, vec2 local, GaborKernel kernel, uint seed)
-//     The noise at gabor_place(cell, local).
+// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+struct GaborField {
+    float noise;
+    gabor_vec2 gradient;
+    float quadrature;
+    gabor_vec2 quadrature_gradient;
+    float removed; // share of the variance that a filter removed, 0 without one: see gabor_filter.hpp
+};
 
-// vec3 gabor_stripes_at(GaborPlace place, vec2 wave, float sharpness, uint seed)
-//     The same as gabor_stripes, at `place`.
+// GaborField gabor_field(GaborPlace place, vec2 wave, uint seed)
+//     The noise at `place`. All other functions call it.
+
+// vec3 gabor_stripes_of(GaborField field, float sharpness)
+//     The stripes of any noise, like gabor_stripes. If a filter removed variance, each value is its mean over what was
+//     removed, within 0.1: (cosine, sine) gets shorter, and its profiles fade to their mean.
 
 // ====================================================================================================================
 // Private implementation
@@ -204,6 +195,16 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude(std::uint32_t word) {
     return (u - 0.89289313f * gabor_cpp_clamp(u, -2.0119258e9f, 2.0119258e9f)) * (u * u + 7.3973916e18f);
 }
 
+// Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
+GABOR_INLINE gabor_uvec4 gabor_impl_row(std::uint32_t word) {
+    std::uint32_t first = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    std::uint32_t second = (first ^ (first >> 15u)) * 0xd35a2d97u;
+    std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
+    std::uint32_t fourth = (third ^ (third >> 15u)) * 0xd35a2d97u;
+    return gabor_uvec4((first >> 8u) | 0x800001u, (second >> 8u) | 0x800001u, (third >> 8u) | 0x800001u,
+                 (fourth >> 8u) | 0x800001u);
+}
+
 // ---- Waves and windows ---------------------------------------------------------------------------------------------
 
 // The product of two complex numbers.
@@ -262,6 +263,12 @@ GABOR_INLINE void gabor_impl_windows(float x, gabor_vec4& value, gabor_vec4& slo
 #endif
 }
 
+// The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// square roots, with infinite slopes at the ends.
+GABOR_INLINE float gabor_impl_takeover(float x) {
+    return x * x / (x * x + (1.0f - x) * (1.0f - x));
+}
+
 // ---- The sum -------------------------------------------------------------------------------------------------------
 
 // Wraps an index into a period.
@@ -312,12 +319,12 @@ GABOR_INLINE GaborAxis gabor_impl_axis(int cell, float local, int period, std::u
     return axis;
 }
 
-// The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
-// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
-// take FXC four times as long through ANGLE.
-GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animated, float moment) {
+// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
+// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
+// four times as long through ANGLE.
+GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, float moment) {
     gabor_vec2 amplitude = gabor_impl_amplitude(word);
-    if (animated) {
+    if (moment != 0.0f) {
         std::uint32_t second = (word ^ (word >> 15u)) * 0xd35a2d97u;
         std::uint32_t third = (second ^ (second >> 15u)) * 0xd35a2d97u;
         gabor_vec2 turn = gabor_impl_wave(moment);
@@ -330,15 +337,14 @@ GABOR_INLINE gabor_vec2 gabor_impl_amplitude_at(std::uint32_t word, bool animate
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, bool animated,
-                             float moment) {
+GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, GaborAxis x, GaborAxis y, int j, float moment) {
     gabor_vec4 row = gabor_vec4(0.0f);
-    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], animated, moment));
-    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], animated, moment));
+    gabor_impl_add_products(row, x.node[0], gabor_impl_amplitude_at(x.word[0] * y.word[j], moment));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude_at(x.word[1] * y.word[j], moment));
     if (GABOR_TAPS > 2)
-        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], animated, moment));
+        gabor_impl_add_products(row, x.node[2], gabor_impl_amplitude_at(x.word[2] * y.word[j], moment));
     if (GABOR_TAPS > 3)
-        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], animated, moment));
+        gabor_impl_add_products(row, x.node[3], gabor_impl_amplitude_at(x.word[3] * y.word[j], moment));
 #ifndef __cplusplus // always true: it keeps drivers for CPUs from spilling registers, but C++ from vectorizing
     if ((GABOR_TAPS > 2 && j != 1) || x.offset < 8.0f)
 #endif
@@ -348,12 +354,12 @@ GABOR_INLINE void gabor_impl_add_node_row(gabor_vec4& sum, gabor_vec4& slope, Ga
     }
 }
 
-GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, bool animated, float moment, gabor_vec4& sum, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_sum(GaborAxis x, GaborAxis y, float moment, gabor_vec4& sum, gabor_vec4& slope) {
     sum = slope = gabor_vec4(0.0f);
-    gabor_impl_add_node_row(sum, slope, x, y, 0, animated, moment);
-    gabor_impl_add_node_row(sum, slope, x, y, 1, animated, moment);
-    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, animated, moment);
-    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, animated, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 0, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 1, moment);
+    if (GABOR_TAPS > 2) gabor_impl_add_node_row(sum, slope, x, y, 2, moment);
+    if (GABOR_TAPS > 3) gabor_impl_add_node_row(sum, slope, x, y, 3, moment);
 }
 
 // Multiplies the sums by K and by the wave at the point, whose phase is 0 at node (0, 0). K makes E[n^2] = 1: E[n^2] is
@@ -362,67 +368,79 @@ GABOR_INLINE GaborField gabor_impl_field(gabor_vec4 sum, gabor_vec4 slope, gabor
     turn *= 1.0f / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     gabor_vec2 value = gabor_impl_product(sum.xy(), turn);
     gabor_vec2 turned = 6.2831853f * gabor_vec2(-value.y, value.x);
-    return GaborField{value, stretch.x * gabor_impl_product(sum.zw(), turn) + wave.x * turned,
-                      stretch.y * gabor_impl_product(slope.xy(), turn) + wave.y * turned};
+    gabor_vec2 along_x = stretch.x * gabor_impl_product(sum.zw(), turn) + wave.x * turned;
+    gabor_vec2 along_y = stretch.y * gabor_impl_product(slope.xy(), turn) + wave.y * turned;
+    return GaborField{value.y, gabor_vec2(along_x.y, along_y.y), value.x, gabor_vec2(along_x.x, along_y.x), 0.0f};
 }
 
-GABOR_INLINE GaborField gabor_field(GaborPlace place, GaborKernel kernel_, std::uint32_t seed) {
+GABOR_INLINE GaborField gabor_field(GaborPlace place, gabor_vec2 wave, std::uint32_t seed) {
+    wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f);
     std::uint32_t salt = gabor_impl_salt(seed);
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, kernel_.wave.x, place.radius.x);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
     salt ^= GABOR_IMPL_ROWS;
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, kernel_.wave.y, place.radius.y);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
     gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
     gabor_vec4 sum, slope;
-    gabor_impl_sum(x, y, place.animated, place.moment, sum, slope);
-    return gabor_impl_field(sum, slope, turn, kernel_.wave, place.radius / GABOR_RADIUS);
+    gabor_impl_sum(x, y, place.moment, sum, slope);
+    return gabor_impl_field(sum, slope, turn, wave, place.radius / GABOR_RADIUS);
+}
+
+// Adds an independent noise to a sum. A unit of length of the sum is `stretch` times the noise's.
+GABOR_INLINE void gabor_impl_add_field(GaborField& sum, GaborField field, float amplitude, gabor_vec2 stretch) {
+    sum.noise += amplitude * field.noise;
+    sum.gradient += amplitude * stretch * field.gradient;
+    sum.quadrature += amplitude * field.quadrature;
+    sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
+    sum.removed += amplitude * amplitude * field.removed;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 GABOR_INLINE GaborPlace gabor_place(gabor_ivec2 cell, gabor_vec2 local) {
-    return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), false, 0.0f};
+    return GaborPlace{cell, local, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), 0.0f};
+}
+
+GABOR_INLINE GaborPlace gabor_place_at(gabor_vec2 p) {
+    return gabor_place(gabor_ivec2(0), p * GABOR_RADIUS);
 }
 
 GABOR_INLINE GaborPlace gabor_place_tiled(gabor_vec2 p, gabor_vec2 period) {
-    gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(period * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
+    gabor_vec2 side = gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f);
+    gabor_vec2 nodes = gabor_cpp_max(gabor_cpp_floor(side * GABOR_RADIUS + 0.5f), gabor_vec2(float(GABOR_TAPS)));
     GaborPlace place = gabor_place(gabor_ivec2(0), gabor_vec2(0.0f));
-    place.radius = gabor_vec2(period.x > 0.0f ? nodes.x / period.x : GABOR_RADIUS,
-                        period.y > 0.0f ? nodes.y / period.y : GABOR_RADIUS);
+    place.radius = gabor_vec2(period.x > 0.0f ? nodes.x / side.x : GABOR_RADIUS,
+                        period.y > 0.0f ? nodes.y / side.y : GABOR_RADIUS);
     place.period = gabor_ivec2(period.x > 0.0f ? int(nodes.x) : 0, period.y > 0.0f ? int(nodes.y) : 0);
     place.local = p * place.radius;
     return place;
 }
 
-GABOR_INLINE GaborKernel gabor_kernel(float frequency, float orientation) {
-    return GaborKernel{gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * gabor_cpp_clamp(orientation, -1.0e6f, 1.0e6f))};
-}
-
-GABOR_INLINE GaborKernel gabor_kernel_wave(gabor_vec2 wave) {
-    return GaborKernel{gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f)};
-}
-
-GABOR_INLINE float gabor_noise_at(gabor_ivec2 cell, gabor_vec2 local, GaborKernel kernel_, std::uint32_t seed) {
-    return gabor_field(gabor_place(cell, local), kernel_, seed).value.y;
+GABOR_INLINE gabor_vec2 gabor_wave_vector(float frequency, float orientation) {
+    return gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f) * gabor_impl_wave(0.15915494f * gabor_cpp_clamp(orientation, -1.0e6f, 1.0e6f));
 }
 
 GABOR_INLINE float gabor_noise(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
-    return gabor_noise_at(gabor_ivec2(0), p * GABOR_RADIUS, gabor_kernel(frequency, orientation), seed);
+    return gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed).noise;
+}
+
+GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {
+    return gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
+}
+
+GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float moment, float frequency, float orientation, std::uint32_t seed) {
+    GaborPlace place = gabor_place_at(p);
+    place.moment = moment;
+    return gabor_field(place, gabor_wave_vector(frequency, orientation), seed).noise;
 }
 
 GABOR_INLINE gabor_vec3 gabor_noise_gradient(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
-    GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed);
-    return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
+    GaborField field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
+    return gabor_vec3(field.noise, field.gradient);
 }
 
 GABOR_INLINE gabor_vec2 gabor_noise_complex(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
-    return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel(frequency, orientation), seed).value;
-}
-
-GABOR_INLINE gabor_vec4 gabor_noise_four(gabor_vec2 p, float frequency, float orientation, std::uint32_t seed) {
-    return gabor_vec4(gabor_noise(p, frequency, orientation, seed),
-                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -1)),
-                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -2)),
-                gabor_noise(p, frequency, orientation, gabor_lobe_seed(seed, -3)));
+    GaborField field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
+    return gabor_vec2(field.quadrature, field.noise);
 }
 
 GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
@@ -431,50 +449,17 @@ GABOR_INLINE gabor_vec2 gabor_phasor(gabor_vec2 value) {
     return gabor_vec2(phase < 0.0f ? gabor_cpp_min(phase + 1.0f, 0.99999994f) : phase, intensity);
 }
 
-GABOR_INLINE float gabor_noise_tiled(gabor_vec2 p, gabor_vec2 period, float frequency, float orientation, std::uint32_t seed) {
-    GaborPlace place = gabor_place_tiled(p, gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f));
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
-}
-
-GABOR_INLINE float gabor_noise_animated(gabor_vec2 p, float moment, float frequency, float orientation, std::uint32_t seed) {
-    GaborPlace place = GaborPlace{gabor_ivec2(0), p * GABOR_RADIUS, gabor_vec2(GABOR_RADIUS), gabor_ivec2(0), true, moment};
-    return gabor_field(place, gabor_kernel(frequency, orientation), seed).value.y;
-}
-
-GABOR_INLINE float gabor_noise_wave(gabor_vec2 p, gabor_vec2 wave, std::uint32_t seed) {
-    return gabor_noise_at(gabor_ivec2(0), p * GABOR_RADIUS, gabor_kernel_wave(wave), seed);
-}
-
-GABOR_INLINE gabor_vec3 gabor_noise_wave_gradient(gabor_vec2 p, gabor_vec2 wave, std::uint32_t seed) {
-    GaborField field = gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel_wave(wave), seed);
-    return gabor_vec3(field.value.y, field.slope_x.y, field.slope_y.y);
-}
-
-GABOR_INLINE gabor_vec2 gabor_noise_wave_complex(gabor_vec2 p, gabor_vec2 wave, std::uint32_t seed) {
-    return gabor_field(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), gabor_kernel_wave(wave), seed).value;
-}
-
-GABOR_INLINE float gabor_noise_wave_tiled(gabor_vec2 p, gabor_vec2 period, gabor_vec2 wave, std::uint32_t seed) {
-    GaborPlace place = gabor_place_tiled(p, gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f));
-    return gabor_field(place, gabor_kernel_wave(wave), seed).value.y;
-}
-
-GABOR_INLINE gabor_vec3 gabor_stripes_of(gabor_vec2 value, float sharpness) {
-    float intensity = gabor_cpp_length(value);
-    return gabor_vec3(sharpness / gabor_cpp_max(sharpness * intensity, 1.0f) * value, intensity);
-}
-
-GABOR_INLINE gabor_vec3 gabor_stripes_at(GaborPlace place, gabor_vec2 wave, float sharpness, std::uint32_t seed) {
-    return gabor_stripes_of(gabor_field(place, gabor_kernel_wave(wave), seed).value, sharpness);
+// For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
+// v / sqrt(|v|^2 + 8/pi r), and the mean of |z| about sqrt(|v|^2 + pi/2 r). Both are exact for small and for large |v|.
+GABOR_INLINE gabor_vec3 gabor_stripes_of(GaborField field, float sharpness) {
+    gabor_vec2 value = gabor_vec2(field.quadrature, field.noise);
+    float power = gabor_cpp_dot(value, value), removed = gabor_cpp_max(field.removed, 0.0f);
+    float reach = gabor_cpp_sqrt(power + 2.5464791f * removed);
+    return gabor_vec3(sharpness / gabor_cpp_max(sharpness * reach, 1.0f) * value, gabor_cpp_sqrt(power + 1.5707963f * removed));
 }
 
 GABOR_INLINE gabor_vec3 gabor_stripes(gabor_vec2 p, gabor_vec2 wave, float sharpness, std::uint32_t seed) {
-    return gabor_stripes_at(gabor_place(gabor_ivec2(0), p * GABOR_RADIUS), wave, sharpness, seed);
-}
-
-GABOR_INLINE gabor_vec3 gabor_stripes_tiled(gabor_vec2 p, gabor_vec2 period, gabor_vec2 wave, float sharpness, std::uint32_t seed) {
-    GaborPlace place = gabor_place_tiled(p, gabor_cpp_clamp(period, 0.0009765625f, 1.0e9f));
-    return gabor_stripes_at(place, wave, sharpness, seed);
+    return gabor_stripes_of(gabor_field(gabor_place_at(p), wave, seed), sharpness);
 }
 
 GABOR_INLINE float gabor_unorm(float noise) {

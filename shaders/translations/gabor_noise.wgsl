@@ -1,10 +1,19 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 15e9b2d88d033bf0.
+// naga 30.0.1 made it from GLSL with the digest 3e55258a1aafbb58.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
 //     f32 n = gabor_noise(p, 4.0, 0.7854, 7u);   // 4 cycles per kernel radius, at 45 degrees, seed 7
-//     f32 v = gabor_unorm(n);                    // in [0, 1], for display
+//
+//     I want                                   call
+//     noise                                    gabor_noise(p, frequency, orientation, seed)
+//     its derivatives                          gabor_noise_gradient
+//     a texture that repeats                   gabor_noise_tiled
+//     noise that evolves in place              gabor_noise_animated
+//     stripes along any directions             gabor_stripes
+//     a phase, for patterns of my own          gabor_noise_complex, then gabor_phasor
+//     to display it                            gabor_unorm
+//     a huge world, or any of these together   a place, then gabor_field
 //
 // Values are normal up to three standard deviations. Values beyond 3.5 are 13 % too rare overall, and 56 % too rare at
 // the nodes of the lattice.
@@ -16,7 +25,7 @@
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
 //                  of 1.5e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
-//                  orientation, for example in direction maps; (0, 0) gives noise of frequency 0.
+//                  orientation: gabor_wave_vector converts them. (0, 0) gives noise of frequency 0.
 //     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
 //                  fit a period below 2; to fit a longer one, their size changes by at most a sixth with GABOR_TAPS 3.
 //     seed         any number; different seeds give independent noises
@@ -28,9 +37,7 @@
 const GABOR_NOISE_VERSION: u32 = 30000u;
 
 // f32 gabor_noise(vec2f p, f32 frequency, f32 orientation, u32 seed)
-// f32 gabor_noise_wave(vec2f p, vec2f wave, u32 seed)
 // f32 gabor_noise_tiled(vec2f p, vec2f period, f32 frequency, f32 orientation, u32 seed)
-// f32 gabor_noise_wave_tiled(vec2f p, vec2f period, vec2f wave, u32 seed)
 //     The noise, with continuous first derivatives.
 
 // f32 gabor_noise_animated(vec2f p, f32 moment, f32 frequency, f32 orientation, u32 seed)
@@ -38,16 +45,10 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 //     cos^2(pi t). Costs three times as much as gabor_noise. Pass the fraction of the time: a f32 has so few digits
 //     at 1000 that the noise errs by 4e-4.
 
-// vec4f gabor_noise_four(vec2f p, f32 frequency, f32 orientation, u32 seed)
-//     Four independent noises, with the seeds `seed` and gabor_lobe_seed(seed, i) for i = -1, -2, -3. Costs four times
-//     as much as gabor_noise.
-
 // vec3f gabor_noise_gradient(vec2f p, f32 frequency, f32 orientation, u32 seed)
-// vec3f gabor_noise_wave_gradient(vec2f p, vec2f wave, u32 seed)
 //     (noise, d/dx, d/dy). The derivatives are per kernel radius, for a constant wave vector.
 
 // vec2f gabor_noise_complex(vec2f p, f32 frequency, f32 orientation, u32 seed)
-// vec2f gabor_noise_wave_complex(vec2f p, vec2f wave, u32 seed)
 //     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
 //     sines. At each point the two are independent and have variance 1.
 
@@ -56,13 +57,9 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 //     is a pattern of even contrast [Tricard et al., "Procedural phasor noise", 2019].
 
 // vec3f gabor_stripes(vec2f p, vec2f wave, f32 sharpness, u32 seed)
-// vec3f gabor_stripes_tiled(vec2f p, vec2f period, vec2f wave, f32 sharpness, u32 seed)
 //     Stripes of even contrast, at right angles to the wave vector: (cosine, sine, intensity). Sharpness is 0 to 10^6;
 //     2 is a good value. If z is the complex noise, the intensity is |z|, and (cosine, sine) is z / |z| where |z|
 //     exceeds 1 / sharpness. Elsewhere it is sharpness times z, so stripes fade where they fork.
-
-// vec3f gabor_stripes_of(vec2f value, f32 sharpness)
-//     The same for any complex value.
 
 // f32 gabor_unorm(f32 noise)
 //     Maps [-2, 2] to [0, 1], for display, and clamps the other 5 % of the values.
@@ -71,12 +68,7 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 //     The seed of noise `index` in a sum of independent noises, such as octaves, which need a seed each: with one seed,
 //     frequencies 4 and 8 have a correlation of 0.86 at the nodes of the lattice.
 
-// ---- For large worlds, and for periods combined with time ----------------------------------------------------------
-
-// A wave vector, returned by gabor_kernel or gabor_kernel_wave.
-struct GaborKernel {
-    wave: vec2<f32>,
-}
+// ---- Any position, wave vector, period and time --------------------------------------------------------------------
 
 // A position in node spacings of the lattice, with a period and a time.
 struct GaborPlace {
@@ -84,22 +76,11 @@ struct GaborPlace {
     local: vec2<f32>,
     radius: vec2<f32>,
     period: vec2<i32>,
-    animated: bool,
     moment: f32,
 }
 
-// Complex noise, (quadrature, noise), and its derivatives per kernel radius. Unused parts cost nothing.
-struct GaborField {
-    value: vec2<f32>,
-    slope_x: vec2<f32>,
-    slope_y: vec2<f32>,
-}
-
-// GaborKernel gabor_kernel(f32 frequency, f32 orientation)
-//     The kernel with a given frequency and orientation; ranges are those of gabor_noise.
-
-// GaborKernel gabor_kernel_wave(vec2f wave)
-//     The kernel with a given wave vector; its range is that of gabor_noise_wave.
+// GaborPlace gabor_place_at(vec2f p)
+//     The position p, in kernel radii.
 
 // GaborPlace gabor_place(vec2i cell, vec2f local)
 //     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
@@ -109,14 +90,24 @@ struct GaborField {
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
 //     period holds a whole number of nodes, from GABOR_TAPS to 2^31.
 
-// GaborField gabor_field(GaborPlace place, GaborKernel kernel, u32 seed)
-//     The noise, its quadrature, and their gradients at `place`. All noise functions call it.
+// vec2f gabor_wave_vector(f32 frequency, f32 orientation)
+//     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.
 
-// f32 gabor_noise_at(vec2i cell, vec2f local, GaborKernel kernel, u32 seed)
-//     The noise at gabor_place(cell, local).
+// A noise, its quadrature as in gabor_noise_complex, and their gradients per kernel radius. Unused members cost nothing.
+struct GaborField {
+    noise: f32,
+    gradient: vec2<f32>,
+    quadrature: f32,
+    quadrature_gradient: vec2<f32>,
+    removed: f32,
+}
 
-// vec3f gabor_stripes_at(GaborPlace place, vec2f wave, f32 sharpness, u32 seed)
-//     The same as gabor_stripes, at `place`.
+// GaborField gabor_field(GaborPlace place, vec2f wave, u32 seed)
+//     The noise at `place`. All other functions call it.
+
+// vec3f gabor_stripes_of(GaborField field, f32 sharpness)
+//     The stripes of any noise, like gabor_stripes. If a filter removed variance, each value is its mean over what was
+//     removed, within 0.1: (cosine, sine) gets shorter, and its profiles fade to their mean.
 
 // ====================================================================================================================
 // Private implementation
@@ -199,6 +190,29 @@ fn gabor_impl_amplitude(word: u32) -> vec2<f32> {
     let _e20 = u;
     let _e21 = u;
     return ((_e9 - (0.89289314f * clamp(_e11, vec2(-2011925800f), vec2(2011925800f)))) * ((_e20 * _e21) + vec2(7397391600000000000f)));
+}
+
+// Derives four more words from a row's word. Multiplied by a column's word, each is as random as a node's own word.
+fn gabor_impl_row(word: u32) -> vec4<u32> {
+    var first: u32;
+    var second: u32;
+    var third: u32;
+    var fourth: u32;
+    first = ((word ^ (word >> 15u)) * 3545902487u);
+    let _e7 = first;
+    let _e8 = first;
+    second = ((_e7 ^ (_e8 >> 15u)) * 3545902487u);
+    let _e15 = second;
+    let _e16 = second;
+    third = ((_e15 ^ (_e16 >> 15u)) * 3545902487u);
+    let _e23 = third;
+    let _e24 = third;
+    fourth = ((_e23 ^ (_e24 >> 15u)) * 3545902487u);
+    let _e31 = first;
+    let _e36 = second;
+    let _e41 = third;
+    let _e46 = fourth;
+    return vec4<u32>(((_e31 >> 8u) | 8388609u), ((_e36 >> 8u) | 8388609u), ((_e41 >> 8u) | 8388609u), ((_e46 >> 8u) | 8388609u));
 }
 
 // ---- Waves and windows ---------------------------------------------------------------------------------------------
@@ -292,6 +306,12 @@ fn gabor_impl_windows(x: f32, value: ptr<function, vec4<f32>>, slope: ptr<functi
     let _e66 = c;
     (*slope) = vec4<f32>((_e55 - (2.720699f * _e57)), (-2f * _e62), (_e64 + (2.720699f * _e66)), 0f);
     return;
+}
+
+// The power of a noise that replaces another as x goes from 0 to 1. If the power were x itself, the amplitudes would be
+// square roots, with infinite slopes at the ends.
+fn gabor_impl_takeover(x: f32) -> f32 {
+    return ((x * x) / ((x * x) + ((1f - x) * (1f - x))));
 }
 
 // ---- The sum -------------------------------------------------------------------------------------------------------
@@ -412,62 +432,62 @@ fn gabor_impl_axis(cell: i32, local: f32, period: i32, salt: u32, wave: f32, rad
     return _e147;
 }
 
-// The amplitude of a node. If animated, it is a weighted sum of three amplitudes, from the node's word and two words
-// derived from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would
-// take FXC four times as long through ANGLE.
-fn gabor_impl_amplitude_at(word: u32, animated: bool, moment: f32) -> vec2<f32> {
+// The amplitude of a node at a time. It is a weighted sum of three amplitudes, from the node's word and two words derived
+// from it. The squared weights sum to 1; at moment 0 the weights are 1, 0, 0. A return within the branch would take FXC
+// four times as long through ANGLE.
+fn gabor_impl_amplitude_at(word: u32, moment: f32) -> vec2<f32> {
     var amplitude: vec2<f32>;
-    var second: u32;
-    var third: u32;
+    var second_1: u32;
+    var third_1: u32;
     var turn_2: vec2<f32>;
-    let _e3 = gabor_impl_amplitude(word);
-    amplitude = _e3;
-    if animated {
+    let _e2 = gabor_impl_amplitude(word);
+    amplitude = _e2;
+    if (moment != 0f) {
         {
-            second = ((word ^ (word >> 15u)) * 3545902487u);
-            let _e11 = second;
-            let _e12 = second;
-            third = ((_e11 ^ (_e12 >> 15u)) * 3545902487u);
-            let _e19 = gabor_impl_wave(moment);
-            turn_2 = _e19;
-            let _e23 = turn_2;
-            let _e27 = amplitude;
-            let _e31 = turn_2;
-            let _e35 = second;
-            let _e36 = gabor_impl_amplitude(_e35);
-            let _e40 = turn_2;
-            let _e43 = third;
-            let _e44 = gabor_impl_amplitude(_e43);
-            amplitude = ((((0.5f + (0.5f * _e23.x)) * _e27) + ((0.5f - (0.5f * _e31.x)) * _e36)) + ((0.70710677f * _e40.y) * _e44));
+            second_1 = ((word ^ (word >> 15u)) * 3545902487u);
+            let _e12 = second_1;
+            let _e13 = second_1;
+            third_1 = ((_e12 ^ (_e13 >> 15u)) * 3545902487u);
+            let _e20 = gabor_impl_wave(moment);
+            turn_2 = _e20;
+            let _e24 = turn_2;
+            let _e28 = amplitude;
+            let _e32 = turn_2;
+            let _e36 = second_1;
+            let _e37 = gabor_impl_amplitude(_e36);
+            let _e41 = turn_2;
+            let _e44 = third_1;
+            let _e45 = gabor_impl_amplitude(_e44);
+            amplitude = ((((0.5f + (0.5f * _e24.x)) * _e28) + ((0.5f - (0.5f * _e32.x)) * _e37)) + ((0.70710677f * _e41.y) * _e45));
         }
     }
-    let _e47 = amplitude;
-    return _e47;
+    let _e48 = amplitude;
+    return _e48;
 }
 
 // Adds row j of nodes to `sum`, weighted by the windows along y, and to `slope`, weighted by the derivatives of these
 // windows. In both, xy uses the windows along x, and zw their derivatives. Some compilers do not unroll or vectorize
 // loops over nodes and rows, so each node and each row has its own line.
-fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, animated: bool, moment: f32) {
+fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32, moment: f32) {
     var row: vec4<f32> = vec4(0f);
-    let _e20 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), animated, moment);
-    gabor_impl_add_products((&row), x.node[0], _e20);
-    let _e32 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), animated, moment);
-    gabor_impl_add_products((&row), x.node[1], _e32);
+    let _e19 = gabor_impl_amplitude_at((x.word[0] * y.word[j]), moment);
+    gabor_impl_add_products((&row), x.node[0], _e19);
+    let _e31 = gabor_impl_amplitude_at((x.word[1] * y.word[j]), moment);
+    gabor_impl_add_products((&row), x.node[1], _e31);
     if true {
-        let _e47 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), animated, moment);
-        gabor_impl_add_products((&row), x.node[2], _e47);
+        let _e46 = gabor_impl_amplitude_at((x.word[2] * y.word[j]), moment);
+        gabor_impl_add_products((&row), x.node[2], _e46);
     }
     if false {
-        let _e62 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), animated, moment);
-        gabor_impl_add_products((&row), x.node[3], _e62);
+        let _e61 = gabor_impl_amplitude_at((x.word[3] * y.word[j]), moment);
+        gabor_impl_add_products((&row), x.node[3], _e61);
     }
     if ((true && (j != 1i)) || (x.offset < 8f)) {
         {
-            let _e75 = row;
-            gabor_impl_add_products(sum, _e75, y.node[j].xy);
-            let _e81 = row;
-            gabor_impl_add_products(slope, _e81, y.node[j].zw);
+            let _e74 = row;
+            gabor_impl_add_products(sum, _e74, y.node[j].xy);
+            let _e80 = row;
+            gabor_impl_add_products(slope, _e80, y.node[j].zw);
             return;
         }
     } else {
@@ -475,17 +495,17 @@ fn gabor_impl_add_node_row(sum: ptr<function, vec4<f32>>, slope: ptr<function, v
     }
 }
 
-fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, animated: bool, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
-    let _e7 = vec4(0f);
-    (*slope) = _e7;
-    (*sum) = _e7;
-    gabor_impl_add_node_row(sum, slope, x, y, 0i, animated, moment);
-    gabor_impl_add_node_row(sum, slope, x, y, 1i, animated, moment);
+fn gabor_impl_sum(x: GaborAxis, y: GaborAxis, moment: f32, sum: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+    let _e6 = vec4(0f);
+    (*slope) = _e6;
+    (*sum) = _e6;
+    gabor_impl_add_node_row(sum, slope, x, y, 0i, moment);
+    gabor_impl_add_node_row(sum, slope, x, y, 1i, moment);
     if true {
-        gabor_impl_add_node_row(sum, slope, x, y, 2i, animated, moment);
+        gabor_impl_add_node_row(sum, slope, x, y, 2i, moment);
     }
     if false {
-        gabor_impl_add_node_row(sum, slope, x, y, 3i, animated, moment);
+        gabor_impl_add_node_row(sum, slope, x, y, 3i, moment);
         return;
     } else {
         return;
@@ -499,6 +519,8 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
     var local_3: f32;
     var value_2: vec2<f32>;
     var turned: vec2<f32>;
+    var along_x: vec2<f32>;
+    var along_y: vec2<f32>;
     turn_4 = turn;
     let _e6 = turn_4;
     if false {
@@ -514,270 +536,247 @@ fn gabor_impl_field(sum: vec4<f32>, slope: vec4<f32>, turn: vec2<f32>, wave: vec
     let _e27 = value_2;
     let _e30 = value_2;
     turned = (6.2831855f * vec2<f32>(-(_e27.y), _e30.x));
-    let _e35 = value_2;
-    let _e38 = turn_4;
-    let _e39 = gabor_impl_product(sum.zw, _e38);
-    let _e42 = turned;
+    let _e37 = turn_4;
+    let _e38 = gabor_impl_product(sum.zw, _e37);
+    let _e41 = turned;
+    along_x = ((stretch.x * _e38) + (wave.x * _e41));
     let _e47 = turn_4;
     let _e48 = gabor_impl_product(slope.xy, _e47);
     let _e51 = turned;
-    return GaborField(_e35, ((stretch.x * _e39) + (wave.x * _e42)), ((stretch.y * _e48) + (wave.y * _e51)));
+    along_y = ((stretch.y * _e48) + (wave.y * _e51));
+    let _e55 = value_2;
+    let _e57 = along_x;
+    let _e59 = along_y;
+    let _e62 = value_2;
+    let _e64 = along_x;
+    let _e66 = along_y;
+    return GaborField(_e55.y, vec2<f32>(_e57.y, _e59.y), _e62.x, vec2<f32>(_e64.x, _e66.x), 0f);
 }
 
-fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    var kernel_1: GaborKernel;
+fn gabor_field(place: GaborPlace, wave: vec2<f32>, seed: u32) -> GaborField {
+    var wave_3: vec2<f32>;
     var salt_3: u32;
-    var x_3: GaborAxis;
+    var x_4: GaborAxis;
     var y_3: GaborAxis;
     var turn_5: vec2<f32>;
     var sum_3: vec4<f32>;
     var slope_5: vec4<f32>;
-    kernel_1 = kernel;
-    let _e4 = gabor_impl_salt(seed);
-    salt_3 = _e4;
-    let _e12 = salt_3;
-    let _e13 = kernel_1;
-    let _e18 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e12, _e13.wave.x, place.radius.x);
-    x_3 = _e18;
-    let _e20 = salt_3;
-    salt_3 = (_e20 ^ 1540483477u);
-    let _e29 = salt_3;
-    let _e30 = kernel_1;
-    let _e35 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e29, _e30.wave.y, place.radius.y);
-    y_3 = _e35;
-    let _e37 = x_3;
-    let _e39 = x_3;
-    let _e42 = y_3;
-    let _e44 = y_3;
-    let _e48 = gabor_impl_wave(((_e37.offset * _e39.turns) + (_e42.offset * _e44.turns)));
-    turn_5 = _e48;
-    let _e52 = x_3;
-    let _e53 = y_3;
-    gabor_impl_sum(_e52, _e53, place.animated, place.moment, (&sum_3), (&slope_5));
-    let _e60 = sum_3;
-    let _e61 = slope_5;
-    let _e62 = turn_5;
-    let _e63 = kernel_1;
-    let _e72 = gabor_impl_field(_e60, _e61, _e62, _e63.wave, (place.radius / vec2(1.5f)));
-    return _e72;
+    wave_3 = wave;
+    let _e4 = wave_3;
+    wave_3 = clamp(_e4, vec2(-1000000f), vec2(1000000f));
+    let _e11 = gabor_impl_salt(seed);
+    salt_3 = _e11;
+    let _e19 = salt_3;
+    let _e20 = wave_3;
+    let _e24 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e19, _e20.x, place.radius.x);
+    x_4 = _e24;
+    let _e26 = salt_3;
+    salt_3 = (_e26 ^ 1540483477u);
+    let _e35 = salt_3;
+    let _e36 = wave_3;
+    let _e40 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e35, _e36.y, place.radius.y);
+    y_3 = _e40;
+    let _e42 = x_4;
+    let _e44 = x_4;
+    let _e47 = y_3;
+    let _e49 = y_3;
+    let _e53 = gabor_impl_wave(((_e42.offset * _e44.turns) + (_e47.offset * _e49.turns)));
+    turn_5 = _e53;
+    let _e57 = x_4;
+    let _e58 = y_3;
+    gabor_impl_sum(_e57, _e58, place.moment, (&sum_3), (&slope_5));
+    let _e64 = sum_3;
+    let _e65 = slope_5;
+    let _e66 = turn_5;
+    let _e67 = wave_3;
+    let _e75 = gabor_impl_field(_e64, _e65, _e66, _e67, (place.radius / vec2(1.5f)));
+    return _e75;
+}
+
+// Adds an independent noise to a sum. A unit of length of the sum is `stretch` times the noise's.
+fn gabor_impl_add_field(sum: ptr<function, GaborField>, field: GaborField, amplitude: f32, stretch: vec2<f32>) {
+    let _e5 = (*sum);
+    (*sum).noise = (_e5.noise + (amplitude * field.noise));
+    let _e11 = (*sum);
+    (*sum).gradient = (_e11.gradient + ((amplitude * stretch) * field.gradient));
+    let _e18 = (*sum);
+    (*sum).quadrature = (_e18.quadrature + (amplitude * field.quadrature));
+    let _e24 = (*sum);
+    (*sum).quadrature_gradient = (_e24.quadrature_gradient + ((amplitude * stretch) * field.quadrature_gradient));
+    let _e31 = (*sum);
+    (*sum).removed = (_e31.removed + ((amplitude * amplitude) * field.removed));
+    return;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
 
 fn gabor_place(cell: vec2<i32>, local: vec2<f32>) -> GaborPlace {
-    return GaborPlace(cell, local, vec2(1.5f), vec2(0i), false, 0f);
+    return GaborPlace(cell, local, vec2(1.5f), vec2(0i), 0f);
+}
+
+fn gabor_place_at(p: vec2<f32>) -> GaborPlace {
+    let _e8 = gabor_place(vec2(0i), (p * 1.5f));
+    return _e8;
 }
 
 fn gabor_place_tiled(p: vec2<f32>, period: vec2<f32>) -> GaborPlace {
+    var side: vec2<f32>;
     var nodes: vec2<f32>;
     var place_1: GaborPlace;
     var local_5: f32;
     var local_6: f32;
     var local_7: i32;
     var local_8: i32;
-    nodes = max(floor(((period * 1.5f) + vec2(0.5f))), vec2(3f));
-    let _e20 = gabor_place(vec2(0i), vec2(0f));
-    place_1 = _e20;
+    side = clamp(period, vec2(0.0009765625f), vec2(1000000000f));
+    let _e8 = side;
+    nodes = max(floor(((_e8 * 1.5f) + vec2(0.5f))), vec2(3f));
+    let _e27 = gabor_place(vec2(0i), vec2(0f));
+    place_1 = _e27;
     if (period.x > 0f) {
-        let _e26 = nodes;
-        local_5 = (_e26.x / period.x);
+        let _e33 = nodes;
+        let _e35 = side;
+        local_5 = (_e33.x / _e35.x);
     } else {
         local_5 = 1.5f;
     }
-    let _e35 = local_5;
+    let _e43 = local_5;
     if (period.y > 0f) {
-        let _e39 = nodes;
-        local_6 = (_e39.y / period.y);
+        let _e47 = nodes;
+        let _e49 = side;
+        local_6 = (_e47.y / _e49.y);
     } else {
         local_6 = 1.5f;
     }
-    let _e48 = local_6;
-    place_1.radius = vec2<f32>(_e35, _e48);
+    let _e57 = local_6;
+    place_1.radius = vec2<f32>(_e43, _e57);
     if (period.x > 0f) {
-        let _e54 = nodes;
-        local_7 = i32(_e54.x);
+        let _e63 = nodes;
+        local_7 = i32(_e63.x);
     } else {
         local_7 = 0i;
     }
-    let _e59 = local_7;
+    let _e68 = local_7;
     if (period.y > 0f) {
-        let _e63 = nodes;
-        local_8 = i32(_e63.y);
+        let _e72 = nodes;
+        local_8 = i32(_e72.y);
     } else {
         local_8 = 0i;
     }
-    let _e68 = local_8;
-    place_1.period = vec2<i32>(_e59, _e68);
-    let _e71 = place_1;
-    place_1.local = (p * _e71.radius);
-    let _e74 = place_1;
-    return _e74;
+    let _e77 = local_8;
+    place_1.period = vec2<i32>(_e68, _e77);
+    let _e80 = place_1;
+    place_1.local = (p * _e80.radius);
+    let _e83 = place_1;
+    return _e83;
 }
 
-fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
+fn gabor_wave_vector(frequency: f32, orientation: f32) -> vec2<f32> {
     let _e11 = gabor_impl_wave((0.15915494f * clamp(orientation, -1000000f, 1000000f)));
-    return GaborKernel((min(abs(frequency), 1000000f) * _e11));
-}
-
-fn gabor_kernel_wave(wave: vec2<f32>) -> GaborKernel {
-    return GaborKernel(clamp(wave, vec2(-1000000f), vec2(1000000f)));
-}
-
-fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
-    var kernel_3: GaborKernel;
-    kernel_3 = kernel;
-    let _e5 = gabor_place(cell, local);
-    let _e6 = kernel_3;
-    let _e7 = gabor_field(_e5, _e6, seed);
-    return _e7.value.y;
+    return (min(abs(frequency), 1000000f) * _e11);
 }
 
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    let _e11 = gabor_kernel(frequency, orientation);
-    let _e12 = gabor_noise_at(vec2(0i), (p * 1.5f), _e11, seed);
-    return _e12;
+    let _e4 = gabor_place_at(p);
+    let _e5 = gabor_wave_vector(frequency, orientation);
+    let _e6 = gabor_field(_e4, _e5, seed);
+    return _e6.noise;
+}
+
+fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    let _e5 = gabor_place_tiled(p, period);
+    let _e6 = gabor_wave_vector(frequency, orientation);
+    let _e7 = gabor_field(_e5, _e6, seed);
+    return _e7.noise;
+}
+
+fn gabor_noise_animated(p: vec2<f32>, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
+    var place_2: GaborPlace;
+    let _e5 = gabor_place_at(p);
+    place_2 = _e5;
+    place_2.moment = moment;
+    let _e8 = place_2;
+    let _e9 = gabor_wave_vector(frequency, orientation);
+    let _e10 = gabor_field(_e8, _e9, seed);
+    return _e10.noise;
 }
 
 fn gabor_noise_gradient(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec3<f32> {
-    var field: GaborField;
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = gabor_kernel(frequency, orientation);
-    let _e13 = gabor_field(_e11, _e12, seed);
-    field = _e13;
-    let _e15 = field;
-    let _e18 = field;
-    let _e21 = field;
-    return vec3<f32>(_e15.value.y, _e18.slope_x.y, _e21.slope_y.y);
+    var field_1: GaborField;
+    let _e4 = gabor_place_at(p);
+    let _e5 = gabor_wave_vector(frequency, orientation);
+    let _e6 = gabor_field(_e4, _e5, seed);
+    field_1 = _e6;
+    let _e8 = field_1;
+    let _e10 = field_1;
+    return vec3<f32>(_e8.noise, _e10.gradient.x, _e10.gradient.y);
 }
 
 fn gabor_noise_complex(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec2<f32> {
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = gabor_kernel(frequency, orientation);
-    let _e13 = gabor_field(_e11, _e12, seed);
-    return _e13.value;
-}
-
-fn gabor_noise_four(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> vec4<f32> {
-    let _e4 = gabor_noise(p, frequency, orientation, seed);
-    let _e7 = gabor_lobe_seed(seed, -1i);
-    let _e8 = gabor_noise(p, frequency, orientation, _e7);
-    let _e11 = gabor_lobe_seed(seed, -2i);
-    let _e12 = gabor_noise(p, frequency, orientation, _e11);
-    let _e15 = gabor_lobe_seed(seed, -3i);
-    let _e16 = gabor_noise(p, frequency, orientation, _e15);
-    return vec4<f32>(_e4, _e8, _e12, _e16);
+    var field_2: GaborField;
+    let _e4 = gabor_place_at(p);
+    let _e5 = gabor_wave_vector(frequency, orientation);
+    let _e6 = gabor_field(_e4, _e5, seed);
+    field_2 = _e6;
+    let _e8 = field_2;
+    let _e10 = field_2;
+    return vec2<f32>(_e8.quadrature, _e10.noise);
 }
 
 fn gabor_phasor(value: vec2<f32>) -> vec2<f32> {
     var intensity: f32;
-    var local_10: f32;
+    var local_9: f32;
     var phase: f32;
-    var local_11: f32;
+    var local_10: f32;
     intensity = length(value);
     let _e3 = intensity;
     if (_e3 > 0f) {
-        local_10 = (atan2(value.y, value.x) * 0.15915494f);
+        local_9 = (atan2(value.y, value.x) * 0.15915494f);
     } else {
-        local_10 = 0f;
+        local_9 = 0f;
     }
-    let _e13 = local_10;
+    let _e13 = local_9;
     phase = _e13;
     let _e15 = phase;
     if (_e15 < 0f) {
         let _e18 = phase;
-        local_11 = min((_e18 + 1f), 0.99999994f);
+        local_10 = min((_e18 + 1f), 0.99999994f);
     } else {
         let _e23 = phase;
-        local_11 = _e23;
+        local_10 = _e23;
     }
-    let _e25 = local_11;
+    let _e25 = local_10;
     let _e26 = intensity;
     return vec2<f32>(_e25, _e26);
 }
 
-fn gabor_noise_tiled(p: vec2<f32>, period: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_2: GaborPlace;
-    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_2 = _e10;
-    let _e12 = place_2;
-    let _e13 = gabor_kernel(frequency, orientation);
-    let _e14 = gabor_field(_e12, _e13, seed);
-    return _e14.value.y;
-}
-
-fn gabor_noise_animated(p: vec2<f32>, moment: f32, frequency: f32, orientation: f32, seed: u32) -> f32 {
-    var place_3: GaborPlace;
-    place_3 = GaborPlace(vec2(0i), (p * 1.5f), vec2(1.5f), vec2(0i), true, moment);
-    let _e22 = place_3;
-    let _e23 = gabor_kernel(frequency, orientation);
-    let _e24 = gabor_field(_e22, _e23, seed);
-    return _e24.value.y;
-}
-
-fn gabor_noise_wave(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
-    let _e10 = gabor_kernel_wave(wave);
-    let _e11 = gabor_noise_at(vec2(0i), (p * 1.5f), _e10, seed);
-    return _e11;
-}
-
-fn gabor_noise_wave_gradient(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec3<f32> {
-    var field_1: GaborField;
-    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e11 = gabor_kernel_wave(wave);
-    let _e12 = gabor_field(_e10, _e11, seed);
-    field_1 = _e12;
-    let _e14 = field_1;
-    let _e17 = field_1;
-    let _e20 = field_1;
-    return vec3<f32>(_e14.value.y, _e17.slope_x.y, _e20.slope_y.y);
-}
-
-fn gabor_noise_wave_complex(p: vec2<f32>, wave: vec2<f32>, seed: u32) -> vec2<f32> {
-    let _e10 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e11 = gabor_kernel_wave(wave);
-    let _e12 = gabor_field(_e10, _e11, seed);
-    return _e12.value;
-}
-
-fn gabor_noise_wave_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, seed: u32) -> f32 {
-    var place_4: GaborPlace;
-    let _e9 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_4 = _e9;
-    let _e11 = place_4;
-    let _e12 = gabor_kernel_wave(wave);
-    let _e13 = gabor_field(_e11, _e12, seed);
-    return _e13.value.y;
-}
-
-fn gabor_stripes_of(value: vec2<f32>, sharpness: f32) -> vec3<f32> {
-    var intensity_1: f32;
-    intensity_1 = length(value);
-    let _e4 = intensity_1;
-    let _e9 = ((sharpness / max((sharpness * _e4), 1f)) * value);
-    let _e10 = intensity_1;
-    return vec3<f32>(_e9.x, _e9.y, _e10);
-}
-
-fn gabor_stripes_at(place: GaborPlace, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
-    let _e4 = gabor_kernel_wave(wave);
-    let _e5 = gabor_field(place, _e4, seed);
-    let _e7 = gabor_stripes_of(_e5.value, sharpness);
-    return _e7;
+// For z = v + sqrt(r) times a complex normal number with independent parts, the mean of z / |z| is about
+// v / sqrt(|v|^2 + 8/pi r), and the mean of |z| about sqrt(|v|^2 + pi/2 r). Both are exact for small and for large |v|.
+fn gabor_stripes_of(field: GaborField, sharpness: f32) -> vec3<f32> {
+    var value_4: vec2<f32>;
+    var power: f32;
+    var removed: f32;
+    var reach: f32;
+    value_4 = vec2<f32>(field.quadrature, field.noise);
+    let _e6 = value_4;
+    let _e7 = value_4;
+    power = dot(_e6, _e7);
+    removed = max(field.removed, 0f);
+    let _e14 = power;
+    let _e16 = removed;
+    reach = sqrt((_e14 + (2.546479f * _e16)));
+    let _e21 = reach;
+    let _e26 = value_4;
+    let _e27 = ((sharpness / max((sharpness * _e21), 1f)) * _e26);
+    let _e28 = power;
+    let _e30 = removed;
+    return vec3<f32>(_e27.x, _e27.y, sqrt((_e28 + (1.5707963f * _e30))));
 }
 
 fn gabor_stripes(p: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
-    let _e11 = gabor_place(vec2(0i), (p * 1.5f));
-    let _e12 = gabor_stripes_at(_e11, wave, sharpness, seed);
-    return _e12;
-}
-
-fn gabor_stripes_tiled(p: vec2<f32>, period: vec2<f32>, wave: vec2<f32>, sharpness: f32, seed: u32) -> vec3<f32> {
-    var place_6: GaborPlace;
-    let _e10 = gabor_place_tiled(p, clamp(period, vec2(0.0009765625f), vec2(1000000000f)));
-    place_6 = _e10;
-    let _e12 = place_6;
-    let _e13 = gabor_stripes_at(_e12, wave, sharpness, seed);
-    return _e13;
+    let _e4 = gabor_place_at(p);
+    let _e5 = gabor_field(_e4, wave, seed);
+    let _e6 = gabor_stripes_of(_e5, sharpness);
+    return _e6;
 }
 
 fn gabor_unorm(noise: f32) -> f32 {

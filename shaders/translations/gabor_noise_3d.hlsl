@@ -1,117 +1,69 @@
 // Generated from gabor_noise_3d.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// gabor_noise_3d.hlsl: Gabor noise in space, and on surfaces without texture coordinates, with mean 0, variance 1 and
-// a normal distribution at every point.
+// gabor_noise_3d.hlsl: Gabor noise in 3D, and on surfaces without texture coordinates, with mean 0, variance 1 and a normal
+// distribution at every point.
 //
-// Paste or include this file after gabor_noise.hlsl and gabor_spectrum.hlsl, with GABOR_TAPS 3, the default.
+// Paste or include this file after gabor_noise.hlsl, with GABOR_TAPS 3, the default.
 //
-//     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);                   // 2 cycles per kernel radius, seed 7
-//     float s = gabor_noise_surface_isotropic(p, normal, 2.0, 7u);      // on any mesh
+//     float n = gabor_noise_3d_isotropic(p, 2.0, 7u);   // 2 cycles per kernel radius, seed 7
+//
+//     I want                                   call
+//     noise in a volume                        gabor_noise_3d
+//     the same without a direction             gabor_noise_3d_isotropic
+//     noise along a direction on any mesh      gabor_noise_surface
+//     the same without a direction             gabor_field_surface_isotropic
+//     derivatives, periods, a time             a place, then gabor_field_3d and so on
+//     noise averaged over a pixel              gabor_filter_3d.hlsl
 //
 // Arguments of all functions, besides those of gabor_noise.hlsl:
 //     direction  a vector along the wave vector, of any length from 10^-15 to 10^15; (0, 0, 0) gives noise of
 //                frequency 0
 //     normal     normal of the surface, of any length from 10^-15 to 10^15
-//     dx, dy     change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p), dFdy(p)
 // All may vary with p; where they are continuous, so is the noise.
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
 #ifndef GABOR_NOISE_3D_HLSL
 #define GABOR_NOISE_3D_HLSL
-#ifndef GABOR_SPECTRUM_HLSL
-#error Include gabor_noise.hlsl and gabor_spectrum.hlsl before gabor_noise_3d.hlsl
+#ifndef GABOR_NOISE_HLSL
+#error Include gabor_noise.hlsl before gabor_noise_3d.hlsl
 #elif GABOR_TAPS != 3
 #error gabor_noise_3d.hlsl needs GABOR_TAPS 3
 #endif
 
-// ---- Solid noise with one wave vector ------------------------------------------------------------------------------
-
-// float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed)
-// float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed)
-//     The noise, with continuous first derivatives.
-
-// float gabor_noise_3d_animated(float3 p, float moment, float frequency, float3 direction, uint seed)
-// float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed)
-// float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed)
-//     Like gabor_noise_animated, gabor_noise_four and gabor_noise_complex.
-
-// float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed)
-//     (noise, d/dx, d/dy, d/dz). The derivatives are per kernel radius, for a constant wave vector. For a bump map,
-//     subtract the gradient's component along the normal.
-
-// float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed)
-//     (noise, removed): the noise averaged over a pixel, and the share of its variance that averaging removed. The
-//     error is that of gabor_noise_filtered: 1 % as long as the pixel's longest axis is at most a third of a kernel
-//     radius, and 2 % up to a whole radius. The result is continuous in p, dx and dy. On GPUs, a call costs 1.4 times
-//     as much as gabor_noise_3d for pixels up to 0.18 kernel radii (27 nodes), 4.2 times from 0.2 (64 nodes), and at
-//     most 6.6 times (125 nodes).
-
-// ---- Isotropic solid noise -----------------------------------------------------------------------------------------
-
-// float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed)
-//     Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
-//     Value and gradient are normal, with the same variance at every point. The power varies with direction only
-//     because of the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
-//     together, follow mixtures of normal distributions.
-
-// float4 gabor_noise_3d_isotropic_gradient(float3 p, float frequency, uint seed)
-//     (noise, d/dx, d/dy, d/dz), per kernel radius.
-
-// float2 gabor_noise_3d_isotropic_filtered(float3 p, float3 dx, float3 dy, float frequency, uint seed)
-//     Like gabor_noise_3d_filtered, at less than twice the cost of gabor_noise_3d_isotropic. The rms error against
-//     exactly filtered noise is 2 % of a standard deviation as long as the pixel's longest axis is at most 0.3 kernel
-//     radii, and 3 % at 0.4. For larger pixels, only the variance is right.
-
-// ---- Noise on a surface --------------------------------------------------------------------------------------------
-
-// float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed)
-//     Noise at point p on a surface, with waves along the projection of a direction onto the tangent plane. As the
-//     angle between direction and normal falls from 30 to 14 degrees, a second noise, whose direction is perpendicular
-//     to the given one, takes over; in between, both are computed. On a curved surface, waves bend within each kernel.
-
-// float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed)
-//     Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
-//     and about ten times where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
-//     have the distributions of gabor_noise_3d_isotropic.
-
-// ---- For large worlds, and for periods, time and filters combined --------------------------------------------------
-
-// A position in node spacings of the lattice, with a period, a time and a pixel: see GaborPlace.
+// A position in node spacings of the lattice, with a period and a time: see GaborPlace.
 struct GaborPlace3d {
     int3 cell;
     float3 local;
     float3 radius;
     int3 period;
-    bool animated;
     float moment;
-    bool filtered; // whether to average over a pixel with sides dx and dy: see gabor_noise_3d_filtered
-    float3 dx;
-    float3 dy;
 };
 
-GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, bool animated, float moment, bool filtered, float3 dx, float3 dy)
+GaborPlace3d GaborPlace3d_of(int3 cell, float3 local, float3 radius, int3 period, float moment)
 {
     GaborPlace3d made;
     made.cell = cell;
     made.local = local;
     made.radius = radius;
     made.period = period;
-    made.animated = animated;
     made.moment = moment;
-    made.filtered = filtered;
-    made.dx = dx;
-    made.dy = dy;
     return made;
 }
 
-// Noise and quadrature, with their gradients per kernel radius. Unused parts cost nothing.
+// GaborPlace3d gabor_place_3d_at(float3 p)
+// GaborPlace3d gabor_place_3d(int3 cell, float3 local)
+// GaborPlace3d gabor_place_3d_tiled(float3 p, float3 period)
+//     Like gabor_place_at, gabor_place and gabor_place_tiled.
+
+// A noise, its quadrature, and their gradients per kernel radius: see GaborField. For a bump map, subtract the gradient's
+// component along the normal.
 struct GaborField3d {
     float noise;
     float3 gradient;
-    float quadrature; // in isotropic noise, independent of the noise at each point, but not of the noise's gradient
+    float quadrature;
     float3 quadrature_gradient;
-    float removed; // share of the variance that averaging over the pixel removed
+    float removed;
 };
 
 GaborField3d GaborField3d_of(float noise, float3 gradient, float quadrature, float3 quadrature_gradient, float removed)
@@ -125,28 +77,60 @@ GaborField3d GaborField3d_of(float noise, float3 gradient, float quadrature, flo
     return made;
 }
 
-// GaborPlace3d gabor_place_3d(int3 cell, float3 local)
-//     The position (cell + local) / GABOR_RADIUS, in kernel radii, precise anywhere in a world of 2^32 cells along each
-//     axis.
+// float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed)
+// GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed)
+//     Noise with one wave vector, and continuous first derivatives.
 
-// GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 direction, uint seed)
+// float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed)
 // GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed)
+//     Noise of waves in all directions, at the same cost for every frequency: about seven times that of gabor_noise_3d.
+//     Value and gradient are normal, with the same variance at every point. The power varies with direction only
+//     because of the window, by 7 % at frequency 0 and 0.1 % at 1. Second derivatives, and values at several points
+//     together, follow mixtures of normal distributions. At each point the quadrature is independent of the noise, but
+//     not of the noise's gradient.
+
+// float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed)
 // GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed)
+//     Noise at a point of a surface, with waves along the projection of a direction onto the tangent plane. As the
+//     angle between direction and normal falls from 30 to 14 degrees, a second noise, whose direction is perpendicular
+//     to the given one, takes over; in between, both are computed. On a curved surface, waves bend within each kernel.
+
 // GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 normal, float frequency, uint seed)
-//     The noises above, for a GaborPlace3d. All noise functions call these four.
+//     Noise of waves along all tangents, at the same cost for every frequency: about five times that of gabor_noise_3d,
+//     and about ten times where the normal is 30 to 45 degrees from the z axis. Value and derivatives along the surface
+//     have the distributions of gabor_noise_3d_isotropic.
 
 // ====================================================================================================================
 // Private implementation
 // ====================================================================================================================
 
 GaborPlace3d gabor_place_3d(int3 cell, float3 local) {
-    return GaborPlace3d_of(cell, local, (float3)(GABOR_RADIUS), (int3)(0), false, 0.0, false, (float3)(0.0), (float3)(0.0));
+    return GaborPlace3d_of(cell, local, (float3)(GABOR_RADIUS), (int3)(0), 0.0);
+}
+
+GaborPlace3d gabor_place_3d_at(float3 p) {
+    return gabor_place_3d((int3)(0), p * GABOR_RADIUS);
+}
+
+GaborPlace3d gabor_place_3d_tiled(float3 p, float3 period) {
+    GaborPlace xy = gabor_place_tiled(p.xy, period.xy), z = gabor_place_tiled(p.zz, period.zz);
+    return GaborPlace3d_of((int3)(0), float3(xy.local, z.local.x), float3(xy.radius, z.radius.x), int3(xy.period, z.period.x),
+                        0.0);
 }
 
 // Scales a vector to length 1 if its length is 10^-15 to 10^15; shorter vectors approach 0.
 float3 gabor_impl_unit(float3 v) {
     v = clamp(v, -1.0e15, 1.0e15);
     return v * rsqrt(max(dot(v, v), 1.0e-30));
+}
+
+// Adds an independent noise to a sum. A unit of length of the sum is `stretch` times the noise's.
+void gabor_impl_add_field_3d(inout GaborField3d sum, GaborField3d field, float amplitude, float3 stretch) {
+    sum.noise += amplitude * field.noise;
+    sum.gradient += amplitude * stretch * field.gradient;
+    sum.quadrature += amplitude * field.quadrature;
+    sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
+    sum.removed += amplitude * amplitude * field.removed;
 }
 
 // ---- One wave vector -----------------------------------------------------------------------------------------------
@@ -157,159 +141,104 @@ float3 gabor_impl_unit(float3 v) {
 // The variance is 1 at every point for any wave vector F. So F may follow a surface, which then shows the requested
 // frequency and no trace of the lattice.
 
-// Adds slice k of nodes. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the
-// window; `slopes` receives the same part of its derivatives along y and z. The filter adds mixed derivatives, weighted
-// by its covariances yz, zx, xy.
-void gabor_impl_add_node_slice(inout float4 sum, inout float4 slopes, GaborPlace3d place, GaborAxis x, GaborAxis y,
-                               GaborAxis z, int k, float3 mixed) {
-    for (int j = 0; j < 3; ++j)
-        y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
-    float4 slice, slope;
-    gabor_impl_sum(x, y, place.animated, place.moment, slice, slope);
-    gabor_impl_add_products(sum, slice, z.node[k].xy);
-    slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
-    if (place.filtered)
-        sum += float4(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[k].zw)
-                    + mixed.z * gabor_impl_product(slope.zw, z.node[k].xy), 0.0, 0.0);
+#define GABOR_IMPL_SLICES 0x27d4eb2fu // like GABOR_IMPL_ROWS, for slices
+// The word of a row in a slice of nodes: odd with 24 bits, like the words of lines.
+uint gabor_impl_slice_word(uint row, uint slice) {
+    return ((row * slice) >> 8u) | 0x800001u;
 }
 
-// The noise of 27 nodes. If the place is filtered, the filter uses three waves along each axis: see
-// gabor_spectrum.hlsl. K makes E[n^2] = K^2 E[|A|^2] / 2 (sum h^2)^3 = 1. A wave's derivative is the wave times
-// 2 pi i F.
-GaborField3d gabor_impl_sum_3d(GaborPlace3d place, float3 wave, GaborMatrix pixel, uint salt) {
-    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
-    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
-                                  GABOR_RADIUS);
-    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
-                                  GABOR_RADIUS);
-    float2 turn = rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY)
-              * gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
-    if (place.filtered) {
-        float3 blurred = gabor_impl_symmetric_3d(pixel, wave);
-        gabor_impl_filter(x, pixel.diagonal.x, blurred.x);
-        gabor_impl_filter(y, pixel.diagonal.y, blurred.y);
-        gabor_impl_filter(z, pixel.diagonal.z, blurred.z);
-        turn *= exp(-19.739209 * max(dot(wave, blurred), 0.0));
-    }
-    float4 sum = (float4)(0.0), slopes = (float4)(0.0);
-    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 0, pixel.mixed);
-    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 1, pixel.mixed);
-    gabor_impl_add_node_slice(sum, slopes, place, x, y, z, 2, pixel.mixed);
+// Sums slice k of nodes, as gabor_impl_sum does.
+void gabor_impl_sum_slice(GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment, out float4 sum, out float4 slope) {
+    for (int j = 0; j < 3; ++j)
+        y.word[j] = gabor_impl_slice_word(y.word[j], z.word[k]);
+    gabor_impl_sum(x, y, moment, sum, slope);
+}
+
+// Adds slice k. `sum` receives the noise and, in zw, the part of its derivative along x that comes from the window;
+// `slopes` receives the same part of its derivatives along y and z.
+void gabor_impl_add_slice(inout float4 sum, inout float4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k, float moment) {
+    float4 slice, slope;
+    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
+    gabor_impl_add_products(sum, slice, z.node[k].xy);
+    slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
+}
+
+// Multiplies the sums by K and by the wave at the point, as gabor_impl_field does: K makes E[n^2] = K^2 E[|A|^2] / 2
+// (sum h^2)^3 = 1.
+GaborField3d gabor_impl_field_3d(float4 sum, float4 slopes, float2 turn, float3 wave) {
+    turn *= rsqrt(GABOR_IMPL_ENERGY) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
     sum = float4(gabor_impl_product(sum.xy, turn), gabor_impl_product(sum.zw, turn));
     slopes = float4(gabor_impl_product(slopes.xy, turn), gabor_impl_product(slopes.zw, turn));
     return GaborField3d_of(sum.y, float3(sum.w, slopes.y, slopes.w) + 6.2831853 * sum.x * wave,
                         sum.x, float3(sum.z, slopes.x, slopes.z) - 6.2831853 * sum.y * wave, 0.0);
 }
 
-// Adds a field times an amplitude. A kernel radius is `stretch` times the field's unit of length.
-void gabor_impl_add_field_3d(inout GaborField3d sum, GaborField3d field, float amplitude, float3 stretch) {
-    sum.noise += amplitude * field.noise;
-    sum.gradient += amplitude * stretch * field.gradient;
-    sum.quadrature += amplitude * field.quadrature;
-    sum.quadrature_gradient += amplitude * stretch * field.quadrature_gradient;
+// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
+// node spacings.
+GaborField3d gabor_field_3d(GaborPlace3d place, float3 wave, uint seed) {
+    float3 stretch = place.radius / GABOR_RADIUS;
+    wave = clamp(wave, -1.0e6, 1.0e6) / stretch;
+    uint salt = gabor_impl_salt(seed);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                  GABOR_RADIUS);
+    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, wave.z,
+                                  GABOR_RADIUS);
+    float2 turn = gabor_impl_wave(x.turns * x.offset + y.turns * y.offset + z.turns * z.offset);
+    float4 sum = (float4)(0.0), slopes = (float4)(0.0);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 0, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 1, place.moment);
+    gabor_impl_add_slice(sum, slopes, x, y, z, 2, place.moment);
+    GaborField3d field = gabor_impl_field_3d(sum, slopes, turn, wave);
+    field.gradient *= stretch;
+    field.quadrature_gradient *= stretch;
+    return field;
 }
 
-// The perpendicular axes of a pixel, each twice as long as the filter's standard deviation along it: in kernel radii
-// for isotropic noise, otherwise in units of GABOR_RADIUS node spacings.
-struct GaborPixelAxes {
-    float3 major;
-    float3 minor;
+float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed) {
+    return gabor_field_3d(gabor_place_3d_at(p), abs(frequency) * gabor_impl_unit(direction), seed).noise;
+}
+
+// The two directions that share a surface's noise: the projections of a direction, and of one perpendicular to it, onto the
+// tangent plane. `second` is 0 where the first has all the power, and 1 where the other has.
+struct GaborSurface {
+    float3 direction;
+    float3 other;
+    float second;
 };
 
-GaborPixelAxes GaborPixelAxes_of(float3 major, float3 minor)
+GaborSurface GaborSurface_of(float3 direction, float3 other, float second)
 {
-    GaborPixelAxes made;
-    made.major = major;
-    made.minor = minor;
+    GaborSurface made;
+    made.direction = direction;
+    made.other = other;
+    made.second = second;
     return made;
 }
 
-GaborPixelAxes gabor_impl_pixel(GaborPlace3d place, float3 stretch) {
-    float3 dx = clamp(place.dx, -1.0e6, 1.0e6) * stretch;
-    float3 dy = clamp(place.dy, -1.0e6, 1.0e6) * stretch;
-    float2 twice = float2(dot(dx, dx) - dot(dy, dy), 2.0 * dot(dx, dy)); // at twice the angle of `turn`
-    float cosine = twice.x / max(length(twice), 1.0e-30);
-    float2 turn = sqrt(max(0.5 + float2(0.5, -0.5) * cosine, 0.0));
-    if (twice.y < 0.0) turn.y = -turn.y;
-    return GaborPixelAxes_of(turn.x * dx + turn.y * dy, turn.x * dy - turn.y * dx);
-}
-
-// Limits the length of each axis to `most`.
-GaborPixelAxes gabor_impl_resolved(GaborPixelAxes pixel, float most) {
-    return GaborPixelAxes_of(most * rsqrt(max(dot(pixel.major, pixel.major), most * most)) * pixel.major,
-                      most * rsqrt(max(dot(pixel.minor, pixel.minor), most * most)) * pixel.minor);
-}
-
-GaborMatrix gabor_impl_covariance(GaborPixelAxes pixel) {
-    float3 major = 0.5 * pixel.major, minor = 0.5 * pixel.minor;
-    return GaborMatrix_of(major * major + minor * minor, major.yzx * major.zxy + minor.yzx * minor.zxy);
-}
-
-// 1 + 2/3 pi^2 S along each axis of a pixel, where S is the filter's variance: see gabor_impl_transmitted.
-float2 gabor_impl_spread(GaborPixelAxes pixel) {
-    return 1.0 + 1.6449341 * float2(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
-}
-
-// The share of a lobe's variance that a pixel's filter keeps.
-float gabor_impl_transmitted_3d(float3 wave, GaborPixelAxes pixel) {
-    float2 d = gabor_impl_spread(pixel);
-    float2 k = float2(dot(wave, pixel.major), dot(wave, pixel.minor));
-    return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * rsqrt(d.x * d.y);
-}
-
-// With periods, nodes are not 1 / GABOR_RADIUS kernel radii apart, so all lengths here are in units of GABOR_RADIUS
-// node spacings.
-GaborField3d gabor_field_3d(GaborPlace3d place, float frequency, float3 direction, uint seed) {
-    float3 stretch = place.radius / GABOR_RADIUS;
-    float3 wave = min(abs(frequency), 1.0e6) * gabor_impl_unit(direction) / stretch;
-    uint salt = gabor_impl_salt(seed);
-    float amplitude = 1.0, transmitted = 1.0, wide = 0.0;
-    GaborMatrix pixel = GaborMatrix_of((float3)(0.0), (float3)(0.0));
-    if (place.filtered) {
-        GaborPixelAxes whole = gabor_impl_pixel(place, stretch), resolved = gabor_impl_resolved(whole, 1.0);
-        transmitted = gabor_impl_transmitted_3d(wave, whole);
-        amplitude = sqrt(transmitted / gabor_impl_transmitted_3d(wave, resolved));
-        if (!(transmitted > 1.0e-10)) transmitted = 0.0; // also if it is NaN
-        pixel = gabor_impl_covariance(resolved);
-        float3 variance = pixel.diagonal;
-        wide = clamp(100.0 * sqrt(max(max(variance.x, variance.y), variance.z)) - 9.0, 0.0, 1.0);
-    }
-    GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 1.0 - transmitted);
-    if (transmitted == 0.0)
-        return sum;
-    if (wide < 1.0)
-        gabor_impl_add_field_3d(sum, gabor_impl_sum_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude, stretch);
-    if (wide > 0.0) {
-        float4 noise, quadrature;
-        gabor_impl_filtered_space(place.cell, place.local, place.period, place.animated, place.moment, wave, pixel,
-                                  wide > 0.0, salt, noise, quadrature);
-        gabor_impl_add_field_3d(sum, GaborField3d_of(noise.x, noise.yzw, quadrature.x, quadrature.yzw, 0.0),
-                                wide * amplitude, stretch);
-    }
-    return sum;
-}
-
-// Adds one of two independent noises, which replaces the other as x goes from 0 to 1.
-void gabor_impl_add_share_3d(inout GaborField3d sum, GaborField3d term, float x) {
-    float power = gabor_impl_takeover(x);
-    gabor_impl_add_field_3d(sum, term, sqrt(power), (float3)(1.0));
-    sum.removed += power * term.removed;
-}
-
-GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
+GaborSurface gabor_impl_surface(float3 normal, float3 direction) {
     normal = gabor_impl_unit(normal);
     direction = gabor_impl_unit(direction);
     float3 other = cross(direction, abs(direction.z) < 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
     direction -= dot(direction, normal) * normal;
     other -= dot(other, normal) * normal;
-    float flat_length = dot(direction, direction);
+    float second = 1.0 - smoothstep(0.0625, 0.25, dot(direction, direction));
+    return GaborSurface_of(gabor_impl_unit(direction), gabor_impl_unit(other), second);
+}
+
+GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float frequency, float3 direction, uint seed) {
+    GaborSurface surface = gabor_impl_surface(normal, direction);
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
-    for (int i = flat_length > 0.0625 ? 0 : 1; i < (flat_length < 0.25 ? 2 : 1); ++i)
-        gabor_impl_add_share_3d(sum,
-                                gabor_field_3d(place, frequency, i == 0 ? direction : other, gabor_lobe_seed(seed, i)),
-                                i == 0 ? smoothstep(0.0625, 0.25, flat_length)
-                                       : smoothstep(-0.25, -0.0625, -flat_length));
+    for (int i = surface.second < 1.0 ? 0 : 1; i < (surface.second > 0.0 ? 2 : 1); ++i) {
+        float3 wave = abs(frequency) * (i == 0 ? surface.direction : surface.other);
+        float power = gabor_impl_takeover(i == 0 ? 1.0 - surface.second : surface.second);
+        gabor_impl_add_field_3d(sum, gabor_field_3d(place, wave, gabor_lobe_seed(seed, i)), sqrt(power), (float3)(1.0));
+    }
     return sum;
+}
+
+float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed) {
+    return gabor_field_surface(gabor_place_3d_at(p), normal, frequency, direction, seed).noise;
 }
 
 // ---- Isotropic noise -----------------------------------------------------------------------------------------------
@@ -321,36 +250,6 @@ GaborField3d gabor_field_surface(GaborPlace3d place, float3 normal, float freque
 // I), because sum_m u_cm u_cm^T is the identity I. Since none of this depends on the directions, both are also normal
 // over random directions. On a surface there are two tangent vectors, and the same holds for the value and its
 // derivatives along the surface.
-
-// Adds a wave of a node; x, y and z come from gabor_impl_node. `wave` is the wave vector and, in w, the turns from the
-// node to the point. The filter (see gabor_spectrum.hlsl) multiplies the wave by exp(-2 pi^2 F.S F). With s = 2 pi^2
-// S F, it shifts the window along each axis by i s / pi, to middle + cosh s cosine + i sinh s sine / pi.
-void gabor_impl_add_node_wave_3d(inout GaborField3d sum, float4 x, float4 y, float4 z, float4 wave, GaborPlace3d place,
-                                 GaborMatrix pixel, uint word) {
-    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, place.animated, place.moment), gabor_impl_wave(wave.w));
-    float3 middle = float3(x.y, y.y, z.y), cosine = float3(x.z, y.z, z.z), sine = float3(x.w, y.w, z.w);
-    float3 h = middle + cosine, slope = sine * (h.yzx * h.zxy), turned = (float3)(0.0);
-    float2 value = h.x * (h.y * h.z) * a;
-    if (place.filtered) {
-        float3 s = 19.739209 * gabor_impl_symmetric_3d(pixel, wave.xyz);
-        a *= exp(-max(dot(wave.xyz, s), 0.0));
-        s = clamp(s, -3.0, 3.0); // changes no wave that the filter keeps
-        float3 r = s * s, even = 1.0 + r * (0.5 + 0.041666667 * r);
-        float3 odd = s * (1.0 + r * (0.16666667 + 0.0083333333 * r));
-        float mixed = dot(pixel.mixed, sine.yzx * sine.zxy * h);
-        h = middle + even * cosine;
-        float3 i_h = 0.31830989 * odd * sine, i_slope = -3.1415927 * odd * cosine;
-        float3 real = h.yzx * h.zxy - i_h.yzx * i_h.zxy, imaginary = h.yzx * i_h.zxy + i_h.yzx * h.zxy;
-        value = float2(h.x * real.x - i_h.x * imaginary.x + mixed, h.x * imaginary.x + i_h.x * real.x);
-        value = gabor_impl_product(value, a);
-        slope = even * sine * real - i_slope * imaginary;
-        turned = even * sine * imaginary + i_slope * real;
-    }
-    sum.noise += value.y;
-    sum.gradient += slope * a.y + turned * a.x + 6.2831853 * value.x * wave.xyz;
-    sum.quadrature += value.x;
-    sum.quadrature_gradient += slope * a.x - turned * a.y - 6.2831853 * value.y * wave.xyz;
-}
 
 // The directions of isotropic noise: all or, if `only`, those in the tangent plane that two perpendicular unit vectors
 // span.
@@ -369,16 +268,40 @@ GaborTangents GaborTangents_of(bool only, float3 along, float3 across)
     return made;
 }
 
-// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. A wave
-// along -u is also a wave along u, so turning the first vector within half a circle reaches every direction of a
-// surface. In space, the first vector also tilts along z, and the other two turn around it within a quarter circle.
-void gabor_impl_add_node_waves_3d(inout GaborField3d sum, float4 x, float4 y, float4 z, GaborPlace3d place, GaborMatrix pixel,
-                                  float3 scale, GaborTangents tangents, uint column, uint4 row) {
-    uint word = column * row.w;
+GaborTangents gabor_impl_all_directions() {
+    return GaborTangents_of(false, float3(1.0, 0.0, 0.0), float3(0.0, 1.0, 0.0));
+}
+
+// Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
+// near that axis, around the x axis.
+GaborTangents gabor_impl_tangents(float3 normal, int axis) {
+    float3 along = gabor_impl_unit(cross(axis == 0 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0), normal));
+    return GaborTangents_of(true, along, cross(normal, along));
+}
+
+// The waves of a node: unit wave vectors and, in w, the point's offset from the node along them.
+struct GaborStar3d {
+    float4 u;
+    float4 v;
+    float4 w;
+};
+
+GaborStar3d GaborStar3d_of(float4 u, float4 v, float4 w)
+{
+    GaborStar3d made;
+    made.u = u;
+    made.v = v;
+    made.w = w;
+    return made;
+}
+
+// A node's word gives the directions. A wave along -u is also a wave along u, so turning the first vector within half a
+// circle reaches every direction of a surface. In 3D, the first vector also tilts along z, and the other two turn around
+// it within a quarter circle.
+GaborStar3d gabor_impl_star_3d(GaborTangents tangents, float3 d, uint word) {
     float2 turn = gabor_impl_half_turn(1.1641532e-10 * float(int(word)));
     float3 first = turn.x * tangents.along + turn.y * tangents.across;
     float3 second = turn.x * tangents.across - turn.y * tangents.along;
-    float3 d = scale * float3(x.x, y.x, z.x);
     float4 u = float4(first, dot(first, d)), v = float4(second, dot(second, d)), w = float4(0.0, 0.0, 1.0, d.z);
     if (!tangents.only) {
         float rise = 4.6566129e-10 * float(int(word << 12u)), level = sqrt(max(1.0 - rise * rise, 0.0));
@@ -388,187 +311,100 @@ void gabor_impl_add_node_waves_3d(inout GaborField3d sum, float4 x, float4 y, fl
         v = spin.x * across + spin.y * lifted;
         w = spin.x * lifted - spin.y * across;
     }
+    return GaborStar3d_of(u, v, w);
+}
+
+// Adds a wave of a node with this window: (derivatives, value). `wave` is the wave vector and, in w, the turns from the node
+// to the point.
+void gabor_impl_add_wave_3d(inout GaborField3d sum, float4 window, float4 wave, float moment, uint word) {
+    float2 a = gabor_impl_product(gabor_impl_amplitude_at(word, moment), gabor_impl_wave(wave.w));
+    float2 value = window.w * a;
+    sum.noise += value.y;
+    sum.gradient += a.y * window.xyz + 6.2831853 * value.x * wave.xyz;
+    sum.quadrature += value.x;
+    sum.quadrature_gradient += a.x * window.xyz - 6.2831853 * value.y * wave.xyz;
+}
+
+// A node on an axis, with its window and the window's derivative.
+struct GaborNode {
+    float offset; // offset of the point from the node
+    float value;
+    float slope;
+};
+
+GaborNode GaborNode_of(float offset, float value, float slope)
+{
+    GaborNode made;
+    made.offset = offset;
+    made.value = value;
+    made.slope = slope;
+    return made;
+}
+
+GaborNode gabor_impl_node(GaborAxis axis, int i) {
+    float4 node = i == 0 ? axis.node[0] : i == 1 ? axis.node[1] : axis.node[2];
+    return GaborNode_of((axis.offset + 1.0 - float(i)) / GABOR_RADIUS, node.x, node.z);
+}
+
+uint gabor_impl_node_word(GaborAxis axis, int i) {
+    return i == 0 ? axis.word[0] : i == 1 ? axis.word[1] : axis.word[2];
+}
+
+// Adds a node's waves. The words of its row times the word of its column give the amplitudes and the directions. `scale`: the
+// frequency along each axis.
+void gabor_impl_add_node_waves_3d(inout GaborField3d sum, GaborNode x, GaborNode y, GaborNode z, float3 scale, float moment,
+                                  GaborTangents tangents, uint column, uint4 row) {
+    float3 d = scale * float3(x.offset, y.offset, z.offset);
+    GaborStar3d star = gabor_impl_star_3d(tangents, d, column * row.w);
+    float4 window = float4(x.slope * (y.value * z.value), x.value * (y.slope * z.value), x.value * (y.value * z.slope),
+                       x.value * (y.value * z.value));
     float4 unit = float4(scale, 1.0);
-    gabor_impl_add_node_wave_3d(sum, x, y, z, unit * u, place, pixel, column * row.x);
-    gabor_impl_add_node_wave_3d(sum, x, y, z, unit * v, place, pixel, column * row.y);
-    if (!tangents.only) gabor_impl_add_node_wave_3d(sum, x, y, z, unit * w, place, pixel, column * row.z);
+    gabor_impl_add_wave_3d(sum, window, unit * star.u, moment, column * row.x);
+    gabor_impl_add_wave_3d(sum, window, unit * star.v, moment, column * row.y);
+    if (!tangents.only) gabor_impl_add_wave_3d(sum, window, unit * star.w, moment, column * row.z);
 }
 
-// (d, middle, cosine, sine) of a node on an axis: the point's offset d from the node; the parts of the window,
-// middle = 1/2 and cosine = cos(pi d) / 2; and the window's derivative, sine = -pi / 2 sin(pi d). Filtered windows fade
-// out within half a standard deviation of their ends.
-float4 gabor_impl_node(float offset, float4 node, float variance) {
-    offset /= GABOR_RADIUS;
-    float fade = 1.0, fall = 1.0;
-    if (variance > 0.0) {
-        fade = clamp((1.0 - abs(offset)) / clamp(0.5 * sqrt(variance), 0.001, 0.05), 0.0, 1.0);
-        fade *= fade * (3.0 - 2.0 * fade);
-        fall = fade * exp(-4.934802 * variance);
-    }
-    return float4(offset, 0.5 * fade, fall * (node.x - 0.5), fall * node.z);
-}
-
-GaborAxis gabor_impl_nodes(int cell, float local, int period, uint salt, float variance) {
-    GaborAxis axis = gabor_impl_axis(cell, local, period, salt, 0.0, GABOR_RADIUS);
-    axis.node[0] = gabor_impl_node(axis.offset + 1.0, axis.node[0], variance);
-    axis.node[1] = gabor_impl_node(axis.offset, axis.node[1], variance);
-    axis.node[2] = gabor_impl_node(axis.offset - 1.0, axis.node[2], variance);
-    return axis;
-}
-
-// The sum over 27 nodes, without the factor K.
-GaborField3d gabor_impl_sum_isotropic(GaborPlace3d place, GaborMatrix pixel, float3 scale, GaborTangents tangents,
-                                      uint salt) {
-    float3 s = pixel.diagonal;
-    GaborAxis x = gabor_impl_nodes(place.cell.x, place.local.x, place.period.x, salt, s.x);
-    GaborAxis y = gabor_impl_nodes(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, s.y);
-    GaborAxis z = gabor_impl_nodes(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, s.z);
+// The sum over 27 nodes. Lengths are in units of GABOR_RADIUS node spacings.
+GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTangents tangents, uint seed) {
+    uint salt = gabor_impl_salt(seed);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0, GABOR_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0, GABOR_RADIUS);
+    GaborAxis z = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, salt ^ GABOR_IMPL_SLICES, 0.0,
+                                  GABOR_RADIUS);
+    float3 stretch = place.radius / GABOR_RADIUS, scale = min(abs(frequency), 1.0e6) / stretch;
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     for (int i = 0; i < 9; ++i) {
-        int j = i % 3;
-        float4 y_j = j == 0 ? y.node[0] : j == 1 ? y.node[1] : y.node[2];
-        float4 z_k = i < 3 ? z.node[0] : i < 6 ? z.node[1] : z.node[2];
-        uint word = (j == 0 ? y.word[0] : j == 1 ? y.word[1] : y.word[2])
-                  * (i < 3 ? z.word[0] : i < 6 ? z.word[1] : z.word[2]);
-        uint4 row = gabor_impl_row(word);
-        gabor_impl_add_node_waves_3d(sum, x.node[0], y_j, z_k, place, pixel, scale, tangents, x.word[0], row);
-        gabor_impl_add_node_waves_3d(sum, x.node[1], y_j, z_k, place, pixel, scale, tangents, x.word[1], row);
-        gabor_impl_add_node_waves_3d(sum, x.node[2], y_j, z_k, place, pixel, scale, tangents, x.word[2], row);
+        GaborNode y_j = gabor_impl_node(y, i % 3), z_k = gabor_impl_node(z, i / 3);
+        uint4 row = gabor_impl_row(gabor_impl_node_word(y, i % 3) * gabor_impl_node_word(z, i / 3));
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 0), y_j, z_k, scale, place.moment, tangents, x.word[0], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 1), y_j, z_k, scale, place.moment, tangents, x.word[1], row);
+        gabor_impl_add_node_waves_3d(sum, gabor_impl_node(x, 2), y_j, z_k, scale, place.moment, tangents, x.word[2], row);
     }
-    return sum;
-}
-
-// The share of isotropic noise's variance that a filter keeps, within 0.008: the mean over all directions u of a lobe's
-// share, exp(-q_1 u_1^2 - q_2 u_2^2) / sqrt(d_1 d_2). Along each axis of the pixel, q = 4 pi^2 F^2 S / d with d from
-// gabor_impl_spread. If q_1 is the larger, the mean of the exponential over the sphere is nearly the mean of
-// exp(-q_1 u_1^2) times gabor_impl_mean_angle((1 - E[u_1^2]) q_2), where E weights directions by exp(-q_1 u_1^2).
-float gabor_impl_transmitted_isotropic(float frequency, GaborPixelAxes pixel, GaborTangents tangents) {
-    float2 d = gabor_impl_spread(pixel);
-    float2 unit = min(9.8696044 * frequency * frequency, 1.0e6) / d;
-    float mean;
-    if (tangents.only) {
-        float2 a = float2(dot(tangents.along, pixel.major), dot(tangents.along, pixel.minor));
-        float2 b = float2(dot(tangents.across, pixel.major), dot(tangents.across, pixel.minor));
-        float sum = dot(unit, a * a + b * b), apart = length(float2(dot(unit, a * a - b * b), 2.0 * dot(unit, a * b)));
-        mean = exp(min(0.5 * (apart - sum), 0.0)) * gabor_impl_mean_angle(apart);
-    } else {
-        float2 q = unit * float2(dot(pixel.major, pixel.major), dot(pixel.minor, pixel.minor));
-        float larger = max(q.x, q.y), smaller = min(q.x, q.y);
-        mean = sqrt((1.0 + larger * (0.31500545 + 0.08868891 * larger))
-                    / (1.0 + larger * (0.98167212 + larger * (0.42128292 + 0.11292425 * larger))));
-        mean *= gabor_impl_mean_angle(smaller * (1.0 - 1.0 / (3.0 + 0.8 * larger)));
-    }
-    return mean * rsqrt(d.x * d.y);
-}
-
-GaborField3d gabor_impl_isotropic(GaborPlace3d place, float frequency, GaborTangents tangents, uint seed) {
-    float3 stretch = place.radius / GABOR_RADIUS;
-    frequency = min(abs(frequency), 1.0e6);
+    GaborField3d field = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     float amplitude = rsqrt((tangents.only ? 2.0 : 3.0) * GABOR_IMPL_ENERGY)
                     / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
-    float transmitted = 1.0;
-    GaborMatrix pixel = GaborMatrix_of((float3)(0.0), (float3)(0.0));
-    if (place.filtered) {
-        GaborPixelAxes whole = gabor_impl_pixel(place, (float3)(1.0)), resolved = gabor_impl_resolved(whole, 0.5);
-        transmitted = gabor_impl_transmitted_isotropic(frequency, whole, tangents);
-        amplitude *= sqrt(transmitted / gabor_impl_transmitted_isotropic(frequency, resolved, tangents));
-        pixel = gabor_impl_covariance(GaborPixelAxes_of(resolved.major * stretch, resolved.minor * stretch));
-        if (!(transmitted > 1.0e-10)) transmitted = 0.0; // also if it is NaN
-    }
-    GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 1.0 - transmitted);
-    if (transmitted > 0.0)
-        gabor_impl_add_field_3d(sum, gabor_impl_sum_isotropic(place, pixel, frequency / stretch, tangents,
-                                                              gabor_impl_salt(seed)), amplitude, stretch);
-    return sum;
+    gabor_impl_add_field_3d(field, sum, amplitude, stretch);
+    return field;
 }
 
 GaborField3d gabor_field_3d_isotropic(GaborPlace3d place, float frequency, uint seed) {
-    return gabor_impl_isotropic(place, frequency, GaborTangents_of(false, float3(1.0, 0.0, 0.0), float3(0.0, 1.0, 0.0)), seed);
+    return gabor_impl_isotropic(place, frequency, gabor_impl_all_directions(), seed);
 }
 
-// Directions in the tangent plane are measured from the circle of latitude around the z axis or, where the normal is
-// near that axis, around the x axis.
+float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed) {
+    return gabor_field_3d_isotropic(gabor_place_3d_at(p), frequency, seed).noise;
+}
+
 GaborField3d gabor_field_surface_isotropic(GaborPlace3d place, float3 normal, float frequency, uint seed) {
     normal = gabor_impl_unit(normal);
     float aside = dot(normal.xy, normal.xy); // squared sine of the normal's angle to the z axis
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 0.0);
     for (int i = aside > 0.25 ? 0 : 1; i < (aside < 0.5 ? 2 : 1); ++i) {
-        float3 along = gabor_impl_unit(cross(i == 0 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0), normal));
-        GaborField3d term = gabor_impl_isotropic(place, frequency, GaborTangents_of(true, along, cross(normal, along)),
-                                                 gabor_lobe_seed(seed, i));
-        gabor_impl_add_share_3d(sum, term, i == 0 ? smoothstep(0.25, 0.5, aside) : smoothstep(-0.5, -0.25, -aside));
+        float power = gabor_impl_takeover(i == 0 ? smoothstep(0.25, 0.5, aside) : 1.0 - smoothstep(0.25, 0.5, aside));
+        gabor_impl_add_field_3d(sum, gabor_impl_isotropic(place, frequency, gabor_impl_tangents(normal, i),
+                                                          gabor_lobe_seed(seed, i)), sqrt(power), (float3)(1.0));
     }
     return sum;
-}
-
-// ---- Functions of a position ---------------------------------------------------------------------------------------
-
-float gabor_noise_3d(float3 p, float frequency, float3 direction, uint seed) {
-    return gabor_field_3d(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, direction, seed).noise;
-}
-
-float4 gabor_noise_3d_gradient(float3 p, float frequency, float3 direction, uint seed) {
-    GaborField3d field = gabor_field_3d(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, direction, seed);
-    return float4(field.noise, field.gradient);
-}
-
-float2 gabor_noise_3d_complex(float3 p, float frequency, float3 direction, uint seed) {
-    GaborField3d field = gabor_field_3d(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, direction, seed);
-    return float2(field.quadrature, field.noise);
-}
-
-float4 gabor_noise_3d_four(float3 p, float frequency, float3 direction, uint seed) {
-    return float4(gabor_noise_3d(p, frequency, direction, seed),
-                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -1)),
-                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -2)),
-                gabor_noise_3d(p, frequency, direction, gabor_lobe_seed(seed, -3)));
-}
-
-float gabor_noise_3d_tiled(float3 p, float3 period, float frequency, float3 direction, uint seed) {
-    period = clamp(period, 0.0009765625, 1.0e9);
-    float3 nodes = max(floor(period * GABOR_RADIUS + 0.5), (float3)(3.0));
-    GaborPlace3d place = gabor_place_3d((int3)(0), (p - floor(p / period) * period) * (nodes / period));
-    place.radius = nodes / period;
-    place.period = (int3)(nodes);
-    return gabor_field_3d(place, frequency, direction, seed).noise;
-}
-
-float gabor_noise_3d_animated(float3 p, float moment, float frequency, float3 direction, uint seed) {
-    GaborPlace3d place = gabor_place_3d((int3)(0), p * GABOR_RADIUS);
-    place.animated = true;
-    place.moment = moment;
-    return gabor_field_3d(place, frequency, direction, seed).noise;
-}
-
-GaborPlace3d gabor_impl_place_of_pixel(float3 p, float3 dx, float3 dy) {
-    return GaborPlace3d_of((int3)(0), p * GABOR_RADIUS, (float3)(GABOR_RADIUS), (int3)(0), false, 0.0, true, dx, dy);
-}
-
-float2 gabor_noise_3d_filtered(float3 p, float3 dx, float3 dy, float frequency, float3 direction, uint seed) {
-    GaborField3d field = gabor_field_3d(gabor_impl_place_of_pixel(p, dx, dy), frequency, direction, seed);
-    return float2(field.noise, field.removed);
-}
-
-float gabor_noise_3d_isotropic(float3 p, float frequency, uint seed) {
-    return gabor_field_3d_isotropic(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, seed).noise;
-}
-
-float4 gabor_noise_3d_isotropic_gradient(float3 p, float frequency, uint seed) {
-    GaborField3d field = gabor_field_3d_isotropic(gabor_place_3d((int3)(0), p * GABOR_RADIUS), frequency, seed);
-    return float4(field.noise, field.gradient);
-}
-
-float2 gabor_noise_3d_isotropic_filtered(float3 p, float3 dx, float3 dy, float frequency, uint seed) {
-    GaborField3d field = gabor_field_3d_isotropic(gabor_impl_place_of_pixel(p, dx, dy), frequency, seed);
-    return float2(field.noise, field.removed);
-}
-
-float gabor_noise_surface(float3 p, float3 normal, float frequency, float3 direction, uint seed) {
-    return gabor_field_surface(gabor_place_3d((int3)(0), p * GABOR_RADIUS), normal, frequency, direction, seed).noise;
-}
-
-float gabor_noise_surface_isotropic(float3 p, float3 normal, float frequency, uint seed) {
-    return gabor_field_surface_isotropic(gabor_place_3d((int3)(0), p * GABOR_RADIUS), normal, frequency, seed).noise;
 }
 
 #endif // GABOR_NOISE_3D_HLSL

@@ -483,25 +483,21 @@ fn gabor_impl_wrap(cell: i32, period: i32) -> i32 {
 // The gain that keeps the variance of sine kernels at 1 while their phases turn with time. Time multiplies J(a.x)
 // J(a.y) in gabor_kernel by 1 - u, the mean of cos(4 pi k time) = 1 - 2 sin^2(2 pi k time) over the phase rates k.
 fn gabor_impl_phase_gain(kernel: GaborKernel, moment: f32) -> f32 {
-    var kernel_1: GaborKernel;
     var sines: vec4<f32>;
     var u_1: f32;
-    kernel_1 = kernel;
     if (true || (moment == 0f)) {
         return 1f;
     }
-    let _e10 = gabor_impl_sine(moment);
-    let _e13 = gabor_impl_sine((2f * moment));
-    let _e16 = gabor_impl_sine((3f * moment));
-    let _e19 = gabor_impl_sine((4f * moment));
-    sines = vec4<f32>(_e10, _e13, _e16, _e19);
+    let _e9 = gabor_impl_sine(moment);
+    let _e12 = gabor_impl_sine((2f * moment));
+    let _e15 = gabor_impl_sine((3f * moment));
+    let _e18 = gabor_impl_sine((4f * moment));
+    sines = vec4<f32>(_e9, _e12, _e15, _e18);
+    let _e22 = sines;
     let _e23 = sines;
-    let _e24 = sines;
-    u_1 = (0.5f * dot(_e23, _e24));
-    let _e29 = u_1;
-    let _e31 = kernel_1;
-    let _e35 = kernel_1;
-    return inverseSqrt((1f + ((_e29 * (1f - _e31.variance_factor)) / _e35.variance_factor)));
+    u_1 = (0.5f * dot(_e22, _e23));
+    let _e28 = u_1;
+    return inverseSqrt((1f + ((_e28 * (1f - kernel.variance_factor)) / kernel.variance_factor)));
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
@@ -564,7 +560,6 @@ fn gabor_kernel(frequency: f32, orientation: f32) -> GaborKernel {
 }
 
 fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField {
-    var kernel_3: GaborKernel;
     var visited: i32 = 3i;
     var whole: vec2<f32>;
     var local_7: vec2<f32>;
@@ -588,155 +583,146 @@ fn gabor_field(place: GaborPlace, kernel: GaborKernel, seed: u32) -> GaborField 
     var wave_1: vec2<f32>;
     var turned: vec2<f32>;
     var scale: f32;
-    kernel_3 = kernel;
     whole = floor(place.local);
-    let _e16 = whole;
-    local_7 = clamp((place.local - _e16), vec2(0f), vec2(1f));
-    let _e24 = local_7;
-    first = floor((_e24 - place.radius));
-    let _e30 = whole;
-    let _e31 = first;
-    cell_3 = (place.cell + vec2<i32>((_e30 + _e31)));
-    let _e36 = first;
-    first = (_e36 - vec2(1f));
+    let _e15 = whole;
+    local_7 = clamp((place.local - _e15), vec2(0f), vec2(1f));
+    let _e23 = local_7;
+    first = floor((_e23 - place.radius));
+    let _e29 = whole;
+    let _e30 = first;
+    cell_3 = (place.cell + vec2<i32>((_e29 + _e30)));
+    let _e35 = first;
+    first = (_e35 - vec2(1f));
     cell_side = (vec2(1f) / place.radius);
     moment_1 = fract(place.moment);
-    let _e48 = gabor_impl_seed_word(seed);
-    seed_word_1 = _e48;
+    let _e47 = gabor_impl_seed_word(seed);
+    seed_word_1 = _e47;
     loop {
-        let _e60 = j;
-        let _e61 = visited;
-        if !((_e60 < _e61)) {
+        let _e59 = j;
+        let _e60 = visited;
+        if !((_e59 < _e60)) {
             break;
         }
         {
-            let _e67 = cell_3;
-            let _e69 = j;
-            let _e73 = gabor_impl_wrap((_e67.y + _e69), place.period.y);
-            let _e74 = seed_word_1;
-            let _e75 = gabor_impl_row_word(_e73, _e74);
-            row_word_1 = _e75;
+            let _e66 = cell_3;
+            let _e68 = j;
+            let _e72 = gabor_impl_wrap((_e66.y + _e68), place.period.y);
+            let _e73 = seed_word_1;
+            let _e74 = gabor_impl_row_word(_e72, _e73);
+            row_word_1 = _e74;
             i_1 = 0i;
             loop {
-                let _e79 = i_1;
-                let _e80 = visited;
-                if !((_e79 < _e80)) {
+                let _e78 = i_1;
+                let _e79 = visited;
+                if !((_e78 < _e79)) {
                     break;
                 }
                 {
-                    let _e86 = cell_3;
-                    let _e88 = i_1;
-                    let _e92 = gabor_impl_wrap((_e86.x + _e88), place.period.x);
-                    column_1 = _e92;
+                    let _e85 = cell_3;
+                    let _e87 = i_1;
+                    let _e91 = gabor_impl_wrap((_e85.x + _e87), place.period.x);
+                    column_1 = _e91;
                     k_1 = 0i;
                     loop {
-                        let _e96 = k_1;
-                        if !((_e96 < 1i)) {
+                        let _e95 = k_1;
+                        if !((_e95 < 1i)) {
                             break;
                         }
                         {
-                            let _e103 = column_1;
-                            let _e104 = row_word_1;
-                            let _e105 = k_1;
-                            let _e106 = gabor_impl_impulse_word(_e103, _e104, _e105);
-                            word_3 = _e106;
-                            let _e108 = word_3;
-                            let _e109 = gabor_impl_impulse(_e108);
-                            impulse = _e109;
-                            let _e111 = local_7;
-                            let _e112 = impulse;
-                            let _e114 = first;
-                            let _e115 = i_1;
-                            let _e117 = j;
-                            let _e123 = cell_side;
-                            d = ((_e111 - (_e112.position_plus_one + (_e114 + vec2<f32>(f32(_e115), f32(_e117))))) * _e123);
-                            let _e126 = d;
-                            let _e129 = d;
-                            if (max(abs(_e126.x), abs(_e129.y)) < 1f) {
+                            let _e102 = column_1;
+                            let _e103 = row_word_1;
+                            let _e104 = k_1;
+                            let _e105 = gabor_impl_impulse_word(_e102, _e103, _e104);
+                            word_3 = _e105;
+                            let _e107 = word_3;
+                            let _e108 = gabor_impl_impulse(_e107);
+                            impulse = _e108;
+                            let _e110 = local_7;
+                            let _e111 = impulse;
+                            let _e113 = first;
+                            let _e114 = i_1;
+                            let _e116 = j;
+                            let _e122 = cell_side;
+                            d = ((_e110 - (_e111.position_plus_one + (_e113 + vec2<f32>(f32(_e114), f32(_e116))))) * _e122);
+                            let _e125 = d;
+                            let _e128 = d;
+                            if (max(abs(_e125.x), abs(_e128.y)) < 1f) {
                                 {
-                                    let _e135 = kernel_3;
-                                    let _e137 = d;
-                                    let _e139 = impulse;
-                                    let _e142 = impulse;
-                                    let _e144 = moment_1;
-                                    turns = ((dot(_e135.wave, _e137) + _e139.phase) + (_e142.phase_rate * _e144));
-                                    let _e148 = d;
-                                    let _e150 = gabor_impl_window(_e148.x);
-                                    x_2 = _e150;
-                                    let _e152 = d;
-                                    let _e154 = gabor_impl_window(_e152.y);
-                                    y_2 = _e154;
-                                    let _e156 = impulse;
-                                    let _e158 = turns;
-                                    let _e161 = gabor_impl_sine((_e158 + 0.25f));
-                                    let _e162 = turns;
-                                    let _e163 = gabor_impl_sine(_e162);
-                                    wave_1 = (_e156.magnitude * vec2<f32>(_e161, _e163));
-                                    let _e168 = x_2;
-                                    let _e171 = y_2;
-                                    let _e174 = wave_1;
-                                    let _e177 = wave_1;
-                                    turned = (((6.2831855f * _e168.x) * _e171.x) * vec2<f32>(-(_e174.y), _e177.x));
-                                    let _e183 = sum;
-                                    let _e185 = x_2;
-                                    let _e187 = y_2;
-                                    let _e190 = wave_1;
-                                    sum.value = (_e183.value + ((_e185.x * _e187.x) * _e190));
-                                    let _e194 = sum;
-                                    let _e196 = x_2;
-                                    let _e198 = y_2;
-                                    let _e201 = wave_1;
-                                    let _e203 = kernel_3;
-                                    let _e206 = turned;
-                                    sum.slope_x = (_e194.slope_x + (((_e196.y * _e198.x) * _e201) + (_e203.wave.x * _e206)));
-                                    let _e211 = sum;
-                                    let _e213 = y_2;
-                                    let _e215 = x_2;
-                                    let _e218 = wave_1;
-                                    let _e220 = kernel_3;
-                                    let _e223 = turned;
-                                    sum.slope_y = (_e211.slope_y + (((_e213.y * _e215.x) * _e218) + (_e220.wave.y * _e223)));
+                                    let _e135 = d;
+                                    let _e137 = impulse;
+                                    let _e140 = impulse;
+                                    let _e142 = moment_1;
+                                    turns = ((dot(kernel.wave, _e135) + _e137.phase) + (_e140.phase_rate * _e142));
+                                    let _e146 = d;
+                                    let _e148 = gabor_impl_window(_e146.x);
+                                    x_2 = _e148;
+                                    let _e150 = d;
+                                    let _e152 = gabor_impl_window(_e150.y);
+                                    y_2 = _e152;
+                                    let _e154 = impulse;
+                                    let _e156 = turns;
+                                    let _e159 = gabor_impl_sine((_e156 + 0.25f));
+                                    let _e160 = turns;
+                                    let _e161 = gabor_impl_sine(_e160);
+                                    wave_1 = (_e154.magnitude * vec2<f32>(_e159, _e161));
+                                    let _e166 = x_2;
+                                    let _e169 = y_2;
+                                    let _e172 = wave_1;
+                                    let _e175 = wave_1;
+                                    turned = (((6.2831855f * _e166.x) * _e169.x) * vec2<f32>(-(_e172.y), _e175.x));
+                                    let _e181 = sum;
+                                    let _e183 = x_2;
+                                    let _e185 = y_2;
+                                    let _e188 = wave_1;
+                                    sum.value = (_e181.value + ((_e183.x * _e185.x) * _e188));
+                                    let _e192 = sum;
+                                    let _e194 = x_2;
+                                    let _e196 = y_2;
+                                    let _e199 = wave_1;
+                                    let _e203 = turned;
+                                    sum.slope_x = (_e192.slope_x + (((_e194.y * _e196.x) * _e199) + (kernel.wave.x * _e203)));
+                                    let _e208 = sum;
+                                    let _e210 = y_2;
+                                    let _e212 = x_2;
+                                    let _e215 = wave_1;
+                                    let _e219 = turned;
+                                    sum.slope_y = (_e208.slope_y + (((_e210.y * _e212.x) * _e215) + (kernel.wave.y * _e219)));
                                 }
                             }
                         }
                         continuing {
-                            let _e100 = k_1;
-                            k_1 = (_e100 + 1i);
+                            let _e99 = k_1;
+                            k_1 = (_e99 + 1i);
                         }
                     }
                 }
                 continuing {
-                    let _e83 = i_1;
-                    i_1 = (_e83 + 1i);
+                    let _e82 = i_1;
+                    i_1 = (_e82 + 1i);
                 }
             }
         }
         continuing {
-            let _e64 = j;
-            j = (_e64 + 1i);
+            let _e63 = j;
+            j = (_e63 + 1i);
         }
     }
-    let _e227 = kernel_3;
-    let _e238 = kernel_3;
-    let _e239 = moment_1;
-    let _e240 = gabor_impl_phase_gain(_e238, _e239);
-    scale = (((_e227.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e240);
-    let _e243 = scale;
-    let _e244 = sum;
-    let _e247 = scale;
-    let _e248 = sum;
-    let _e251 = scale;
-    let _e252 = sum;
-    return GaborField((_e243 * _e244.value), (_e247 * _e248.slope_x), (_e251 * _e252.slope_y));
+    let _e233 = moment_1;
+    let _e234 = gabor_impl_phase_gain(kernel, _e233);
+    scale = (((kernel.amplitude * 1f) * inverseSqrt((place.radius.x * place.radius.y))) * _e234);
+    let _e237 = scale;
+    let _e238 = sum;
+    let _e241 = scale;
+    let _e242 = sum;
+    let _e245 = scale;
+    let _e246 = sum;
+    return GaborField((_e237 * _e238.value), (_e241 * _e242.slope_x), (_e245 * _e246.slope_y));
 }
 
 fn gabor_noise_at(cell: vec2<i32>, local: vec2<f32>, kernel: GaborKernel, seed: u32) -> f32 {
-    var kernel_5: GaborKernel;
-    kernel_5 = kernel;
-    let _e5 = gabor_place(cell, local);
-    let _e6 = kernel_5;
-    let _e7 = gabor_field(_e5, _e6, seed);
-    return _e7.value.y;
+    let _e4 = gabor_place(cell, local);
+    let _e5 = gabor_field(_e4, kernel, seed);
+    return _e5.value.y;
 }
 
 fn gabor_noise(p: vec2<f32>, frequency: f32, orientation: f32, seed: u32) -> f32 {

@@ -26,6 +26,14 @@ vec3 viewer_colour(int map, float t) {
     return vec3(t);
 }
 
+// The colour at t in a colour map of eight stops: red, green, blue and position.
+vec3 viewer_own_colour(vec4 stops[8], float t) {
+    vec3 colour = stops[0].rgb;
+    for (int i = 1; i < 8; ++i)
+        colour = mix(colour, stops[i].rgb, clamp((t - stops[i - 1].a) / max(stops[i].a - stops[i - 1].a, 0.001), 0.0, 1.0));
+    return colour;
+}
+
 // A cycle of all hues with equal brightness.
 vec3 viewer_cycle(float t) {
     return 0.5 + 0.38 * cos(6.2831853 * (t - vec3(0.0, 0.333333, 0.666667)));

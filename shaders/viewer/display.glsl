@@ -34,14 +34,10 @@ vec3 three_at(vec2 pixel, int first) {
 vec3 mapped(float share) {
     if (colours != own_colours)
         return viewer_colour(colours, share);
-    vec4 stop = unpackUnorm4x8(ramp_low.x);
-    vec3 colour = stop.rgb;
-    for (int i = 1; i < 8; ++i) {
-        vec4 next = unpackUnorm4x8(i < 4 ? ramp_low[i] : ramp_high[i - 4]);
-        colour = mix(colour, next.rgb, clamp((share - stop.a) / max(next.a - stop.a, 0.001), 0.0, 1.0));
-        stop = next;
-    }
-    return colour;
+    vec4 stops[8];
+    for (int i = 0; i < 8; ++i)
+        stops[i] = unpackUnorm4x8(i < 4 ? ramp_low[i] : ramp_high[i - 4]);
+    return viewer_own_colour(stops, share);
 }
 
 // Lights a surface of the given colour. `slope` is along x and y of the view and, for a body, towards the eye. A body has its
@@ -51,8 +47,7 @@ vec3 lit_surface(vec2 pixel, vec3 colour, vec3 slope) {
     normal = bumped_normal(normal, slope * (0.5 * contrast / deviation));
     if (unlit)
         return viewer_normal(normal, green);
-    vec2 whole = tiles ? 2.0 * size : size;
-    return viewer_lit(colour, normal, (pixel - 0.5 * whole) / max(whole.x, whole.y), lamp, normal_at >= 0);
+    return viewer_lit(colour, normal, picture_place(pixel, tiles ? 2.0 * size : size), lamp, normal_at >= 0);
 }
 
 float stripes(vec2 pixel) {

@@ -33,7 +33,7 @@ class Help(ProgramTest):
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
                               "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent",
-                              "--maps", "--directx", "--light-azimuth", "--light-elevation", "--environment"),
+                              "--maps", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),

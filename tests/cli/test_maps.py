@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from exr import Exr, Texture
-from png import read_colour_png, read_deep_png, read_grey_png
+from png import read_colour_png, read_deep_colour_png, read_deep_png, read_grey_png
 from program import RenderTest
 
 FILES = {"base_color.png", "normal.png", "height.png", "roughness.png", "metalness.png", "occlusion.png", "orm.png", "maps.exr",
@@ -33,7 +33,8 @@ class Maps(RenderTest):
         normal = np.dstack([maps[f"normal.{axis}"] for axis in "xyz"])
         orm = np.dstack([maps[name] for name in ("occlusion", "roughness", "metalness")])
         height = maps["height"]
-        for name, expected in (("base_color", encoded(colour)), ("normal", 0.5 + 0.5 * normal), ("orm", orm)):
+        self.assertLessEqual(np.abs(read_deep_colour_png(folder / "normal.png") - 65535 * (0.5 + 0.5 * normal)).max(), 0.51)
+        for name, expected in (("base_color", encoded(colour)), ("orm", orm)):
             self.assertLessEqual(np.abs(read_colour_png(folder / f"{name}.png") - 255 * expected).max(), 0.51, name)
         for name in ("roughness", "metalness", "occlusion"):
             self.assertLessEqual(np.abs(read_grey_png(folder / f"{name}.png") - 255 * maps[name]).max(), 0.51, name)
@@ -43,8 +44,8 @@ class Maps(RenderTest):
         self.assertTrue(((maps["occlusion"] > 0) & (maps["occlusion"] <= 1)).all())
 
     def test_normals_match_the_height(self):
-        """A normal's x axis points right and its y axis up. At this scale, the height is smooth between pixels."""
-        scale = 1500
+        """A normal's x axis points right and its y axis up. At this scale, the height is smooth over two pixels."""
+        scale = 4000
         _, maps = self.maps(f"--scale={scale}")
         down, right = np.gradient(maps["height"], 1 / scale)
         for axis, slope in (("x", -right), ("y", down)):
@@ -67,9 +68,19 @@ class Maps(RenderTest):
 
     def test_directx(self):
         folder, maps = self.maps("--directx")
-        ours, theirs = (read_colour_png(folder / f"{name}.png").astype(int) for name in ("normal", "normal_directx"))
+        ours, theirs = (read_deep_colour_png(folder / f"{name}.png") for name in ("normal", "normal_directx"))
         np.testing.assert_array_equal(ours[..., ::2], theirs[..., ::2])
-        self.assertLessEqual(np.abs(ours[..., 1] + theirs[..., 1] - 255).max(), 1)
+        self.assertLessEqual(np.abs(ours[..., 1] + theirs[..., 1] - 65535).max(), 1)
+
+    def test_dithered_normals_keep_their_local_mean(self):
+        """The mean over 8 x 8 pixels is within a fifth of a step, that of rounded normals is not."""
+        folder, maps = self.maps("--normal-bits=8", "--scale=4000", material="marble")
+        wanted = 255 * (0.5 + 0.5 * np.dstack([maps["normal.x"], maps["normal.y"]]))
+        off = read_colour_png(folder / "normal.png")[..., :2] - wanted
+        means = off.reshape(HEIGHT // 8, 8, WIDTH // 8, 8, 2).mean((1, 3))
+        print(f"dithered normals are off by at most {np.abs(off).max():.2f} steps, their means by {np.abs(means).max():.3f}")
+        self.assertLess(np.abs(off).max(), 1.01)
+        self.assertLess(np.abs(means).max(), 0.2)
 
     def test_documents_name_files_of_the_set(self):
         folder, maps = self.maps("--bark.depth=0.2")
@@ -126,7 +137,9 @@ class Maps(RenderTest):
         self.assert_refused(["power of two"], "render", "--material=wood", "--size=96x96", "--maps", "set", "--texture")
         self.assert_refused(["--half requires --texture"], "render", "--material=wood", "--maps", "set", "--half")
         self.assertEqual(self.files(), {})
-        self.assert_refused(["--directx requires --maps"], "render", "--material=wood", "-o", "a.exr", "--directx")
+        for option in ("--directx", "--normal-bits=8"):
+            self.assert_refused([f"{option.partition('=')[0]} requires --maps"], "render", "--material=wood", "-o", "a.exr", option)
+        self.assert_refused(["--normal-bits '12': expected 8 or 16"], "render", "--material=wood", "--maps", "set", "--normal-bits=12")
         (self.folder / "file").write_text("mine")
         self.assert_refused(["cannot create the folder 'file'"], "render", "--material=wood", "--maps", "file")
         self.assertEqual((self.folder / "file").read_text(), "mine")

@@ -25,8 +25,7 @@ UNITY = {  # the same functions as in reference.FUNCTIONS
     "gradient": "noise + dot(gradient, float2(1.0, 2.0)) / 32.0",
     "stripes": "dot(stripes, float3(0.25, 0.5, 0.75))",
 }
-CPP = "i < 65536 ? gabor_noise(p, 4.0f, 0.7854f, 7u)" \
-      " : gabor_noise_at(gabor_ivec2(1000000000, -1000000000), p, gabor_kernel(4.0f, 0.7854f), 7u)"
+CPP = "gabor_noise(p, 4.0f, 0.7854f, 7u)"
 
 
 def drawn(shader):
@@ -61,9 +60,8 @@ elif dialect == "unity":
     scene, functions = with_node("scene_unity.hlsl"), {"functions": list(UNITY)}
     drivers, pictures = zip(*(drawn(f"#define VALUE ({value})\n{scene}") for value in UNITY.values()))
     driver, picture = drivers[0], b"".join(bytes(each[:65536]) for each in pictures)
-elif dialect == "unreal":  # its node has no gabor_noise_at
+elif dialect == "unreal":
     driver, picture = drawn(with_node("scene_unreal.hlsl"))
-    picture = picture[:65536]
 elif dialect == "glsl":
     driver, picture = drawn(compute_shader(name, macros))
 else:

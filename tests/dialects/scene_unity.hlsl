@@ -7,7 +7,7 @@ RWStructuredBuffer<float> values : register(u0);
 [numthreads(8, 1, 1)] void main(uint3 pixel : SV_DispatchThreadID)
 {
     float2 place = (float2(pixel.xy) + 0.5) / 32.0;
-    float2 wave = gabor_kernel(4.0, 0.7854).wave;
+    float2 wave = gabor_wave_vector(4.0, 0.7854);
     float noise;
     float quadrature;
     float2 gradient;

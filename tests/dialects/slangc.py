@@ -3,6 +3,7 @@
 import ctypes
 import importlib.util
 import pathlib
+import struct
 import sys
 
 SPIRV, SLANG, STAGES = 6, 1, {"vertex": 1, "fragment": 5, "compute": 6} # values from slang.h
@@ -32,7 +33,9 @@ def main():
     if not failed:
         size = ctypes.c_size_t()
         code = slang.spGetEntryPointCode(request, 0, ctypes.byref(size))
-        pathlib.Path(output).write_bytes(ctypes.string_at(code, size.value))
+        # OpSource names Slang, language 11, which the SPIRV-Tools of Debian 12 refuse: 0 is no language.
+        named, unnamed = (struct.pack("<2I", 3 << 16 | 3, language) for language in (11, 0))
+        pathlib.Path(output).write_bytes(ctypes.string_at(code, size.value).replace(named, unnamed))
     return failed
 
 

@@ -9,7 +9,8 @@ import tempfile
 import unittest
 
 HEADERS = pathlib.Path(__file__).resolve().parents[2] / "shaders" / "translations"
-FILES = ("gabor_sparse",), ("gabor_noise", "gabor_spectrum", "gabor_direction", "gabor_noise_3d", "gabor_erosion", "gabor_materials")
+FILES = ("gabor_sparse",), ("gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_direction", "gabor_noise_3d", "gabor_filter_3d",
+                            "gabor_erosion", "gabor_materials")
 CODE = re.compile(r"^//     +(\w[^;:\n]*;)(?= *$| +//)", re.MULTILINE)  # a line of code in a manual
 MICROSOFT, MINGW = "--target=x86_64-pc-windows-msvc", "x86_64-w64-mingw32-g++"
 COMPILERS = ["g++-12"], ["g++-13"], ["g++-14"], ["clang++"], [MINGW], ["clang++", MICROSOFT, "-nostdinc++", "-isystem", "."]
@@ -29,12 +30,12 @@ BEFORE = "".join(f"#include <{name}>\n" for name in LIBRARY) + """#define near
 #define max(a, b) (((a) > (b)) ? (a) : (b))
 #define GABOR_DIRECTION(p) (p)
 """
-DECLARED = "gabor_vec2 dFdx(gabor_vec2 p);\ngabor_vec2 dFdy(gabor_vec2 p);\nvoid use(const void*);\n"
+DECLARED = "template <typename T> T dFdx(T);\ntemplate <typename T> T dFdy(T);\nvoid use(const void*);\n"
 
 
 def examples(name):
     """Returns a function for each piece of code in a header's manual, and uses its variables."""
-    point, made = "gabor_vec3" if name == "gabor_noise_3d" else "gabor_vec2", ""
+    point, made = "gabor_vec3" if name.endswith("_3d") else "gabor_vec2", ""
     for number, part in enumerate(re.split(r"\n(?://)?\n", (HEADERS / f"{name}.hpp").read_text())):
         if lines := CODE.findall(part):
             code = re.sub(r"\bvec", "gabor_vec", "\n    ".join(lines))

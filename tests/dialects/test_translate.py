@@ -61,7 +61,7 @@ SNIPPETS = [
      "float try_value(float x) { float a = x, b = 3.0 * try_f(x) + a; return x + b; }", lambda x: x + 1 + 6 * (x + 1) + x),
     ("a name in two scopes", "float t = 1.0; { vec2 t = vec2(5.0); x += t.y; } { float t = 2.0; x += t; } return x + t;", lambda x: x + 8),
     ("reserved words of other languages", "struct TryPair { float device; float register; };\n"
-     "float try_f(float line, float kernel) { float point = line + kernel; return point; }\n"
+     "float try_f(float line, float of) { float point = line + of; return point; }\n"
      "float try_value(float thread) { TryPair pair = TryPair(thread, 2.0); return try_f(pair.device, pair.register); }", lambda x: x + 2),
     ("directives within statements", "\n#ifdef TRY_NEVER\n    if (x > 0.0)\n        x = 7.0;\n    else\n#endif\n        x += 1.0;\n"
      "    return x\n#ifdef TRY_NEVER\n        + 100.0\n#endif\n        ; // end\n", lambda x: x + 1),

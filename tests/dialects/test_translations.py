@@ -20,7 +20,8 @@ from scene import ROOT, SHADERS, in_cpp, on_vulkan, run_cpp  # noqa: E402
 from textures import colour_noise, write_png  # noqa: E402
 
 # gabor fit writes the last one
-FILES = ["gabor_noise", "gabor_spectrum", "gabor_direction", "gabor_noise_3d", "gabor_erosion", "gabor_materials", "sea"]
+FILES = ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_direction", "gabor_noise_3d", "gabor_filter_3d", "gabor_erosion",
+         "gabor_materials", "sea"]
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DIRECT3D = pathlib.Path(os.environ.get("GABOR_DIRECT3D", ROOT / "build" / "direct3d"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
@@ -29,29 +30,30 @@ CALLS = {  # each call, and its column in the matrix of docs/engines.md
     "gabor_noise(p, 4.0, 0.7854, 7u)": "noise",
     "gabor_noise_gradient(p, 4.0, 0.7854, 7u).y": "gradient",
     "gabor_noise_complex(p, 4.0, 0.7854, 7u).x": "complex",
-    "gabor_stripes(p, 0.3 * p, 1.0, 7u).x + gabor_noise_wave_tiled(p, vec2(5.0, 7.5), 0.3 * p, 7u)": "stripes",
+    "2.0 * gabor_stripes(p, 0.3 * p, 1.0, 7u).x + 2.0 * gabor_profile_ridges(0.8 * vec2(cos(p.x), sin(p.x)))": "stripes",
     "gabor_noise_tiled(p, vec2(5.0, 7.5), 4.0, 0.7854, 7u)": "tiled",
+    "gabor_field(gabor_place_tiled(p, vec2(5.0, 7.5)), gabor_wave_vector(4.0, 0.7854), 7u).quadrature_gradient.x": "tiled",
     "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)": "animated",
-    "gabor_noise_four(p, 4.0, 0.7854, 7u).z": "four",
     "gabor_noise_spread(p, 2.0, 0.5, 0.3, 0.7, 7u)": "spread",
     "gabor_noise_isotropic(p, 2.0, 7u)": "isotropic",
-    "gabor_noise_isotropic_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 7u).x": "isotropic",
+    "gabor_field_isotropic_filtered(gabor_place_at(p), vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 7u).noise": "isotropic",
     "gabor_noise_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 2.0, 0.5, 7u).x": "filtered",
-    "gabor_noise_lobes(p, six(), 7u)": "lobes",  # six are more than GABOR_LOBES' default, so the macro must work
-    "gabor_noise_direction(p, 7u)": "direction map",
+    "2.0 * gabor_stripes_of(gabor_field_filtered(gabor_place_at(p), vec2(0.1, 0.02), vec2(0.03, 0.12), 0.3 * p, 7u), 1.0).y": "filtered",
+    "gabor_field_lobes(gabor_place_at(p), six(), 7u).noise": "lobes",  # six are more than GABOR_LOBES' default, so the macro must work
+    "gabor_field_direction(gabor_place_at(p), 7u).noise": "direction map",
     "gabor_noise_3d(q, 2.0, vec3(1.0, 2.0, 3.0), 7u)": "solid",
-    "gabor_noise_3d_gradient(q, 2.0, vec3(1.0, 2.0, 3.0), 7u).y": "solid",
-    "gabor_noise_3d_filtered(q, vec3(0.1, 0.0, 0.02), vec3(0.0, 0.07, 0.02), 2.0, vec3(1.0, 2.0, 3.0), 7u).x": "solid",
+    "gabor_field_3d(gabor_place_3d_at(q), vec3(0.5, 1.1, 1.6), 7u).gradient.x": "solid",
+    "gabor_field_3d_filtered(gabor_place_3d_at(q), vec3(0.1, 0.0, 0.02), vec3(0.0, 0.07, 0.02), vec3(0.5, 1.1, 1.6), 7u).noise": "solid",
     "gabor_noise_surface(q, vec3(0.6, 0.0, 0.8), 2.0, vec3(1.0, 2.0, 3.0), 7u)": "surface",
-    "gabor_noise_surface_isotropic(q, vec3(0.6, 0.0, 0.8), 2.0, 7u)": "surface",
+    "gabor_field_surface_isotropic(gabor_place_3d_at(q), vec3(0.6, 0.0, 0.8), 2.0, 7u).noise": "surface",
     "4.0 * gabor_zebra(p, 7u).colour.y": "materials",
     "60.0 * gabor_sand_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 7u).height": "materials",
-    "8.0 * gabor_wood_at(gabor_pixel_tiled(gabor_pixel(p), vec2(5.0, 7.5)), gabor_wood_default(), 7u).colour.y": "materials",
+    "8.0 * gabor_wood_at(p, vec2(5.0, 7.5), gabor_wood_default(), 7u).colour.y": "materials",
     "2.0 * gabor_terrain(p, 7u).slope.x + 2.0 * gabor_terrain_tiled(p, vec2(5.0, 7.5), 7u).height": "erosion",
     "20.0 * gabor_eroded_filtered(p, vec2(0.02, 0.01), vec2(0.0, 0.03), gabor_terrain(p, 7u), gabor_erosion(), 7u).height": "erosion",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",
 }
-NEEDED = {"solid": 4, "surface": 4, "erosion": 5, "materials": 6, "fitted": 7}  # the number of FILES that a call needs; others need 3
+NEEDED = {"solid": 6, "surface": 6, "erosion": 7, "materials": 8, "fitted": 9}  # the number of FILES that a call needs; others need 4
 MACROS = "#define GABOR_LOBES 6\n#define GABOR_DIRECTION(p) (0.3f * (p))\n"
 SIX = """
 GaborLobes six()
@@ -103,11 +105,10 @@ fn six() -> GaborLobes {
     for (var i = 0; i < 6; i++) { lobes.lobe[i] = gabor_lobe(1.0 + f32(i), 0.5 * f32(i), 1.0, 1.0); }
     return lobes;
 }
-fn gabor_noise_direction(p: vec2f, seed: u32) -> f32 {
-    let place = gabor_place(vec2i(), p * 1.5);
+fn gabor_field_direction(place: GaborPlace, seed: u32) -> GaborField {
     var waves: GaborWaves;
     for (var i = 0; i < 9; i++) { waves.wave[i] = 0.3 * gabor_node_position(place, i); }
-    return gabor_field_waves(place, waves, seed).value.y;
+    return gabor_field_waves(place, waves, seed);
 }
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 @compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
@@ -223,11 +224,11 @@ class Translations(unittest.TestCase):
             (pathlib.Path(folder) / f"{name}.json").write_text(json.dumps(errors))
 
     def pasted(self, ending, call, text, before=MACROS):
-        files = FILES[:NEEDED.get(CALLS.get(call), 3)]
+        files = FILES[:NEEDED.get(CALLS.get(call), 4)]
         return before + "".join(self.path(file, ending).read_text() for file in files) + text
 
     def hlsl(self, call):
-        return self.pasted("hlsl", call, HLSL.replace("CALL", call.replace("vec", "float")))
+        return self.pasted("hlsl", call, HLSL.replace("CALL", re.sub(r"\bvec", "float", call)))
 
     def compare_hlsl(self, *compiler):
         self.compare(lambda call: self.drawn(self.hlsl(call), "hlsl", *compiler))
@@ -266,7 +267,7 @@ class Translations(unittest.TestCase):
         # lavapipe takes minutes to compile naga's loops, but only a second after spirv-opt.
         command = ["sh", "-c", 'naga "$0" "$1" && spirv-opt -O "$1" -o "$1"']
         self.compare(lambda call: self.drawn(
-            self.pasted("wgsl", call, WGSL.replace("CALL", call.replace("vec2", "vec2f").replace("vec3", "vec3f")), before=""), "wgsl",
+            self.pasted("wgsl", call, WGSL.replace("CALL", re.sub(r"\b(vec[23])", r"\1f", call)), before=""), "wgsl",
             *command))
 
     def compare_bands(self, text, ending, engine, *arguments):

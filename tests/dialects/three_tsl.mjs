@@ -18,7 +18,7 @@ class Node {
     lessThan(other) { return combined(this, other, (a, b) => a < b); }
     negate() { return mapped(this, a => -a); }
 }
-for (const swizzle of ["x", "y", "z", "w", "yx", "zw", "xzw"])
+for (const swizzle of ["x", "y", "z", "w", "zw", "yzw"])
     Object.defineProperty(Node.prototype, swizzle, { get() {
         return new Node(this.type, [...swizzle].map(part => this.parts["xyzw".indexOf(part)]));
     } });

@@ -1,9 +1,8 @@
 """The scene that every engine draws, computed in double precision from the equations, not from the shaders: the `one`
 recipe of gabor_sparse.glsl, and gabor_noise.glsl.
 
-The target has 256 x 257 floats, and p = (pixel + 0.5) / 32 with the pixel's row and column counted from 0:
-    rows 0 to 255   gabor_noise(p, 4.0, 0.7854, 7u)
-    row 256         gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u)
+The target has 256 x 257 floats, not a square, so that exchanged sides show: gabor_noise(p, 4.0, 0.7854, 7u) with
+p = (pixel + 0.5) / 32, where the pixel's row and column count from 0.
 """
 
 import functools
@@ -13,7 +12,6 @@ import numpy as np
 WIDTH, HEIGHT = 256, 257
 FREQUENCY, ORIENTATION, SEED = 4.0, float(np.float32(0.7854)), 7
 WAVE = FREQUENCY * np.cos(ORIENTATION), FREQUENCY * np.sin(ORIENTATION)
-FAR = 1000000000, -1000000000
 
 SPREAD = 0x9e3779b1
 WINDOW = np.polynomial.Polynomial([0, 0, 3.0, -4.5, 2.5])(np.polynomial.Polynomial([1, 0, -1]))  # q, in powers of x
@@ -124,7 +122,7 @@ def lattice(cell, x, y, taps=3, period=2**32):
 
 
 def complex_lattice_3d(x, y, z, direction):
-    """Returns the lattice's noise and quadrature in space, with three taps; x, y and z are in kernel radii."""
+    """Returns the lattice's noise and quadrature in 3D, with three taps; x, y and z are in kernel radii."""
     wave = FREQUENCY * np.array(direction) / np.linalg.norm(direction)
     x, y, z = np.broadcast_arrays(1.5 * x, 1.5 * y, 1.5 * z)
     first = [np.floor(each).astype(np.int64) for each in (x, y, z)]
@@ -159,9 +157,9 @@ def four(x, y):
     return sum((index + 1) / 4 * plane(x, y, seed=seed).imag for index, seed in enumerate(seeds))
 
 
-def tiled(x, y):
+def tiled(x, y, time=0.0):
     """Returns noise with periods of 2 and 1 kernel radii. Each has 3 nodes, so the second has narrower windows."""
-    return complex_lattice((0, 0), 1.5 * x, 3 * y, period=(3, 3), radius=(1.5, 3)).imag
+    return complex_lattice((0, 0), 1.5 * x, 3 * y, period=(3, 3), radius=(1.5, 3), time=time).imag
 
 
 def solid(x, y):
@@ -191,10 +189,12 @@ def brushed(x, y):
 
 FUNCTIONS = {
     "noise": lambda x, y: plane(x, y).imag,
+    "far": lambda x, y: lattice((1000000000, -1000000000), x, y),
     "complex": lambda x, y: plane(x, y).real,
     "gradient": gradient,
     "four": four,
     "tiled": tiled,
+    "tiled and animated": lambda x, y: tiled(x, y, 0.3),
     "stripes": stripes,
     "brushed metal": brushed,
     "animated": lambda x, y: plane(x, y, time=0.3).imag,
@@ -214,20 +214,20 @@ SCENES = {
 
 @functools.cache
 def values(scene, rows=HEIGHT):
+    x, y = np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(rows) + 0.5) / 32)
     if scene in FUNCTIONS:
-        return FUNCTIONS[scene](*np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(rows) + 0.5) / 32))
+        return FUNCTIONS[scene](x, y)
     _, _, noise, cells = SCENES[scene]
-    x, y = np.meshgrid((np.arange(WIDTH) + 0.5) / 32, (np.arange(HEIGHT) + 0.5) / 32)
-    return np.vstack([noise((0, 0), cells * x[:-1], cells * y[:-1]), noise(FAR, x[-1:], y[-1:])])
+    return noise((0, 0), cells * x, cells * y)
 
 
 def largest_difference(scene, drawn):
     """Returns the largest difference from the scene or the function, with its row and column; a NaN counts as the largest.
-    The row of gabor_noise_at may be missing; a function needs only its first 32 rows."""
+    The last row may be missing; a function needs only its first 32 rows."""
     drawn = np.asarray(drawn, np.float64).reshape(-1, WIDTH)
     if len(drawn) not in (HEIGHT - 1, HEIGHT) and not (scene in FUNCTIONS and 32 <= len(drawn) < HEIGHT):
         raise ValueError(f"unexpected number of rows: {len(drawn)}")
-    difference = np.abs(drawn - values(scene, len(drawn) if scene in FUNCTIONS else HEIGHT)[:len(drawn)])
+    difference = np.abs(drawn - values(scene, len(drawn)))
     difference[np.isnan(difference)] = np.inf
     place = np.unravel_index(difference.argmax(), difference.shape)
     return difference[place], place

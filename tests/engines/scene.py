@@ -18,8 +18,7 @@ out vec4 value;
 void main()
 {
     vec2 p = gl_FragCoord.xy / 32.0;
-    float noise = gl_FragCoord.y < 256.0 ? gabor_noise(p, 4.0, 0.7854, 7u)
-        : gabor_noise_at(ivec2(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
+    float noise = gabor_noise(p, 4.0, 0.7854, 7u);
     value = vec4(vec3(noise), 1.0); // some engines blend by alpha
 }
 """
@@ -50,10 +49,10 @@ CALLS = {
     "noise": "gabor_noise(p, 4.0, 0.7854, 7u)",
     "complex": "gabor_noise_complex(p, 4.0, 0.7854, 7u).x",
     "gradient": "dot(gabor_noise_gradient(p, 4.0, 0.7854, 7u), vec3(1.0, 1.0 / 32.0, 1.0 / 16.0))",
-    "four": "dot(gabor_noise_four(p, 4.0, 0.7854, 7u), vec4(0.25, 0.5, 0.75, 1.0))",
     "tiled": "gabor_noise_tiled(p, vec2(2.0, 1.0), 4.0, 0.7854, 7u)",
     "animated": "gabor_noise_animated(p, 0.3, 4.0, 0.7854, 7u)",
-    "stripes": "dot(gabor_stripes(p, gabor_kernel(4.0, 0.7854).wave, 2.0, 7u), vec3(0.25, 0.5, 0.75))",
+    "stripes": "dot(gabor_stripes(p, gabor_wave_vector(4.0, 0.7854), 2.0, 7u), vec3(0.25, 0.5, 0.75))",
+    "far": "gabor_field(gabor_place(ivec2(1000000000, -1000000000), p), gabor_wave_vector(4.0, 0.7854), 7u).noise",
 }
 
 

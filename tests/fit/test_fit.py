@@ -20,7 +20,7 @@ from program import ProgramTest
 from textures import colour_noise, photograph, welch, without_trend, write_png
 
 SHADERS = pathlib.Path(os.environ["GABOR_SHADERS"])
-DROP_INS = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_noise", "gabor_spectrum"))
+DROP_INS = "".join((SHADERS / f"{name}.glsl").read_text() for name in ("gabor_noise", "gabor_filter"))
 DIALECTS = ("450", "330 core", "300 es")
 
 

@@ -58,30 +58,10 @@ class Random {
     std::mt19937 random_;
 };
 
-/// Draws a position up to 10^6 from the origin, or in any cell. One coordinate in four is on or next to a
-/// multiple of 1/2, where windows and cells may end.
-template <std::size_t N>
-noise::Place<N> any_place(Random& random) {
-    const double reach = std::exp2(random.uniform(0, 20));
-    const bool far = random.word() % 2;
-    noise::Place<N> place;
-    for (std::size_t axis = 0; axis < N; ++axis) {
-        float local = random.uniform(-reach, reach);
-        if (random.one_in(4))
-            local = random.one_in(2) ? 0.5f * std::round(2 * local) : random.edge(local, 0.5f);
-        if (far) {
-            place.cell[axis] = random.cell();
-            local -= std::floor(local);
-        }
-        place.local[axis] = local;
-    }
-    return place;
-}
-
 template <std::size_t N>
 std::string to_string(const noise::Place<N>& p) {
     return fmt::format("cell {} + {}, radius {}, period {}, time {}", p.cell, p.local, p.radius, p.period,
-                       p.animated ? p.time : 0);
+                       p.time);
 }
 
 // ---- Comparisons. They are templates because each class of translated functions has its own types.
@@ -94,13 +74,17 @@ void see(Largest& largest, const auto& value, std::complex<double> expected, dou
     largest.see(value.y, expected.imag(), tolerance, place);
 }
 
-/// Compares a GaborField.
-template <typename Place>
-void see(Largest& values, Largest& slopes, const auto& field, const noise::Field<2>& expected,
+/// Compares a field.
+template <std::size_t N, typename Place>
+void see(Largest& values, Largest& slopes, const auto& field, const noise::Field<N>& expected,
          double tolerance, double slope_tolerance, const Place& place) {
-    see(values, field.value, expected.value, tolerance, place);
-    see(slopes, field.slope_x, expected.slope[0], slope_tolerance, place);
-    see(slopes, field.slope_y, expected.slope[1], slope_tolerance, place);
+    values.see(field.noise, expected.value.imag(), tolerance, place);
+    values.see(field.quadrature, expected.value.real(), tolerance, place);
+    for (std::size_t axis = 0; axis < N; ++axis) {
+        const int i = static_cast<int>(axis);
+        slopes.see(field.gradient[i], expected.slope[axis].imag(), slope_tolerance, place);
+        slopes.see(field.quadrature_gradient[i], expected.slope[axis].real(), slope_tolerance, place);
+    }
 }
 
 /// Compares a noise and its gradient, given as (noise, d/dx, d/dy).

@@ -10,51 +10,44 @@ using test::Random;
 
 namespace {
 
-template <typename Functions>
-void check_variance(Functions n) {
+// Checks the variance of a noise, given a random position up to each distance from the origin.
+template <typename Vector>
+void check_variance(const char* name, std::initializer_list<double> distances, const auto& noise) {
     constexpr int count = 20000;
     Random random(3);
-    for (const double reach : {1.0, 1e5, 1e6, 1e7, 3e7, 1e8, 1e9, 4.29e9 / Functions::taps}) {
+    for (const double reach : distances) {
         double sum = 0, largest = 0;
         for (int i = 0; i < count; ++i) {
-            const double noise =
-                n.gabor_noise(random.uniform<gabor_vec2>(-reach, reach), 4, 0.7854f, random.word());
-            sum += noise * noise;
-            largest = std::max(largest, std::abs(noise));
+            const double value = noise(random, random.uniform<Vector>(-reach, reach));
+            sum += value * value;
+            largest = std::max(largest, std::abs(value));
         }
-        INFO(Functions::taps << " taps, |p| < " << reach << ": variance " << sum / count << ", largest "
-                             << largest);
+        INFO(name << ", |p| < " << reach << ": variance " << sum / count << ", largest " << largest);
         CHECK(std::abs(sum / count - 1) < 5 * std::sqrt(2.0 / count));
         CHECK(largest < 6);
     }
 }
 
+template <typename Functions>
+void check_plane(Functions functions) {
+    check_variance<gabor_vec2>(
+        "plane", {1.0, 1e5, 1e6, 1e7, 3e7, 1e8, 1e9, 4.29e9 / Functions::taps},
+        [&](Random& random, gabor_vec2 p) { return functions.gabor_noise(p, 4, 0.7854f, random.word()); });
+}
+
 } // namespace
 
 TEST_CASE("the variance is 1 at any distance from the origin", "[far]") {
-    check_variance(test::Lattice2());
-    check_variance(test::Lattice3());
-    check_variance(test::Lattice4());
+    check_plane(test::Lattice2());
+    check_plane(test::Lattice3());
+    check_plane(test::Lattice4());
 }
 
-TEST_CASE("the variance of noise in space is 1 at any distance from the origin", "[far]") {
-    constexpr int count = 20000;
-    test::Lattice3 n;
-    for (const double reach : {16.0, 1e5, 1e7, 3e7, 1e8, 1e9, 1.43e9}) {
-        Random random(3);
-        std::array<double, 3> power{};
-        for (int i = 0; i < count; ++i) {
-            const auto p = random.uniform<gabor_vec3>(-reach, reach),
-                       along = random.uniform<gabor_vec3>(-1, 1);
-            const float frequency = random.uniform(0, 4);
-            const std::uint32_t seed = random.word();
-            power[0] += std::pow(n.gabor_noise_3d(p, frequency, along, seed), 2);
-            power[1] += std::pow(n.gabor_noise_3d_isotropic(p, frequency, seed), 2);
-            power[2] += std::pow(n.gabor_noise_surface_isotropic(p, along, frequency, seed), 2);
-        }
-        for (std::size_t k = 0; k < power.size(); ++k) {
-            INFO("noise " << k << ", |p| < " << reach << ": variance " << power[k] / count);
-            CHECK(std::abs(power[k] / count - 1) < 5 * std::sqrt(2.0 / count));
-        }
-    }
+TEST_CASE("the variance of noise in 3D is 1 at any distance from the origin", "[far]") {
+    for (const auto& noise : {test::solid, test::isotropic_3d, test::isotropic_surface})
+        check_variance<gabor_vec3>(noise.name, {16.0, 1e5, 1e7, 3e7, 1e8, 1e9, 1.43e9},
+                                   [&](Random& random, gabor_vec3 p) {
+                                       auto s = test::somewhere<3>(random, random.uniform(0, 4));
+                                       return noise.plain(test::n.gabor_place_3d_at(p), s).noise;
+                                   });
 }

@@ -1,17 +1,18 @@
-// Compares every function of gabor_noise.glsl with the double-precision reference.
+// Compares the functions of gabor_noise.glsl, for each number of taps, and the noises of the drop-ins after
+// it with the double-precision reference.
 
-#include "compare.hpp"
 #include "noise.hpp"
 
 using namespace gabor;
 using test::Differences;
 using test::Largest;
+using test::n;
 using test::place_of;
 using test::Random;
 
 namespace {
 
-struct Sample {
+struct Arguments {
     noise::Place<2> place;
     gabor_vec2 p, tile, wave;
     float frequency, orientation, sharpness;
@@ -20,7 +21,7 @@ struct Sample {
     float time() const { return static_cast<float>(place.time); }
 };
 
-std::string to_string(const Sample& s) {
+std::string to_string(const Arguments& s) {
     return fmt::format("{}, p ({}, {}), tile ({}, {}), wave ({}, {}), frequency {}, orientation {}, "
                        "sharpness {}, seed {}",
                        test::to_string(s.place), s.p.x, s.p.y, s.tile.x, s.tile.y, s.wave.x, s.wave.y,
@@ -28,9 +29,9 @@ std::string to_string(const Sample& s) {
 }
 
 // Draws all arguments. The coordinates of p go up to 10^5 kernel radii.
-Sample drawn(Random& random, int taps) {
-    Sample s{};
-    s.place = test::any_lattice_place(random, taps);
+Arguments drawn(Random& random, int taps) {
+    Arguments s{};
+    s.place = test::any_lattice_place<2>(random, taps);
     for (int axis = 0; axis < 2; ++axis) {
         const float reach = std::exp2(random.uniform(0, 17));
         s.p[axis] = random.uniform(-reach, reach);
@@ -46,65 +47,43 @@ Sample drawn(Random& random, int taps) {
 }
 
 template <typename Functions>
-void compare(Functions n) {
+void compare(Functions functions) {
     constexpr int taps = Functions::taps;
     Random random(taps);
     Differences of;
     int near_tiles = 0;
     for (int i = 0; i < 60000; ++i) {
-        const Sample s = drawn(random, taps);
+        const Arguments s = drawn(random, taps);
         // Rounding errors grow in proportion to frequency and orientation.
         const double tight =
             1.5e-5 * std::max(1.0, s.frequency / 4.0) * std::max(1.0, std::abs(s.orientation) / 2.0);
         const double loose = tight * (2 * std::numbers::pi * s.frequency + 4);
-        const auto kernel = n.gabor_kernel(s.frequency, s.orientation);
+        const gabor_vec2 wave = functions.gabor_wave_vector(s.frequency, s.orientation);
         const noise::Vector<2> turned = noise::wave_along(s.frequency, s.orientation);
+        see(of["gabor_wave_vector"], wave, turned, tight * (1 + s.frequency), s);
         const auto reference = noise::wave_noise(taps, turned, s.seed);
-        const auto field = n.gabor_field(place_of(n, s.place), kernel, s.seed);
+        const auto field = functions.gabor_field(place_of(functions, s.place), wave, s.seed);
         see(of["gabor_field"], of["gabor_field, gradient"], field, reference.field(s.place), tight, loose, s);
-        of["gabor_unorm"].see(n.gabor_unorm(field.value.y), std::clamp(0.5 + 0.25 * field.value.y, 0.0, 1.0),
-                              1e-6, s);
-        noise::Place<2> still{s.place.cell, s.place.local};
-        still.radius.fill(0.5 * taps);
-        of["gabor_noise_at"].see(
-            n.gabor_noise_at(place_of(n, still).cell, place_of(n, still).local, kernel, s.seed),
-            reference.field(still).value.imag(), tight, s);
+        of["gabor_unorm"].see(functions.gabor_unorm(field.noise),
+                              std::clamp(0.5 + 0.25 * field.noise, 0.0, 1.0), 1e-6, s);
 
         // Functions of a position multiply the position by the nodes per radius in single precision.
         noise::Place<2> place = test::lattice_place(taps, s.p);
         const auto here = reference.field(place);
-        of["gabor_noise"].see(n.gabor_noise(s.p, s.frequency, s.orientation, s.seed), here.value.imag(),
-                              tight, s);
-        see(of["gabor_noise_complex"], n.gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed),
+        of["gabor_noise"].see(functions.gabor_noise(s.p, s.frequency, s.orientation, s.seed),
+                              here.value.imag(), tight, s);
+        see(of["gabor_noise_complex"], functions.gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed),
             here.value, tight, s);
         see_gradient(of["gabor_noise_gradient"], of["gabor_noise_gradient"],
-                     n.gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed), here, tight, loose, s);
-        const auto four = n.gabor_noise_four(s.p, s.frequency, s.orientation, s.seed);
-        of["gabor_noise_four"].see(four.x, here.value.imag(), tight, s);
-        for (int c = 1; c < 4; ++c) {
-            const auto other = noise::wave_noise(taps, turned, noise::lattice_lobe_seed(s.seed, -c));
-            of["gabor_noise_four"].see(four[c], other.field(place).value.imag(), tight, s);
-        }
+                     functions.gabor_noise_gradient(s.p, s.frequency, s.orientation, s.seed), here, tight,
+                     loose, s);
+        const auto there = noise::wave_noise(taps, test::wide(s.wave), s.seed).field(place);
+        see(of["gabor_stripes"], functions.gabor_stripes(s.p, s.wave, s.sharpness, s.seed),
+            noise::lattice_stripes(there.value, s.sharpness), tight * std::max(1.0f, s.sharpness), s);
 
-        const auto along_wave = noise::wave_noise(taps, test::wide(s.wave), s.seed);
-        const auto there = along_wave.field(place);
-        const double steep = tight * std::max(1.0f, s.sharpness);
-        const auto stripes = [&](const noise::Field<2>& of_field) {
-            return noise::lattice_stripes(of_field.value, s.sharpness);
-        };
-        of["gabor_noise_wave"].see(n.gabor_noise_wave(s.p, s.wave, s.seed), there.value.imag(), tight, s);
-        see(of["gabor_noise_wave_complex"], n.gabor_noise_wave_complex(s.p, s.wave, s.seed), there.value,
-            tight, s);
-        see_gradient(of["gabor_noise_wave_gradient"], of["gabor_noise_wave_gradient"],
-                     n.gabor_noise_wave_gradient(s.p, s.wave, s.seed), there, tight, loose, s);
-        see(of["gabor_stripes"], n.gabor_stripes(s.p, s.wave, s.sharpness, s.seed), stripes(there), steep, s);
-        see(of["gabor_stripes_at"], n.gabor_stripes_at(place_of(n, s.place), s.wave, s.sharpness, s.seed),
-            stripes(along_wave.field(s.place)), steep, s);
-
-        place.animated = true;
         place.time = s.place.time;
         of["gabor_noise_animated"].see(
-            n.gabor_noise_animated(s.p, s.time(), s.frequency, s.orientation, s.seed),
+            functions.gabor_noise_animated(s.p, s.time(), s.frequency, s.orientation, s.seed),
             reference.field(place).value.imag(), tight, s);
         // Tiled functions round both p, in node spacings, and the number of nodes per radius. Tiles are
         // compared only where this adds little error.
@@ -114,39 +93,75 @@ void compare(Functions n) {
         if (rounding > 1e-3)
             continue;
         ++near_tiles;
-        of["gabor_noise_tiled"].see(n.gabor_noise_tiled(s.p, s.tile, s.frequency, s.orientation, s.seed),
-                                    reference.field(tile).value.imag(), tight + rounding, s);
-        const auto repeated = along_wave.field(tile);
-        of["gabor_noise_wave_tiled"].see(n.gabor_noise_wave_tiled(s.p, s.tile, s.wave, s.seed),
-                                         repeated.value.imag(), tight + rounding, s);
-        see(of["gabor_stripes_tiled"], n.gabor_stripes_tiled(s.p, s.tile, s.wave, s.sharpness, s.seed),
-            stripes(repeated), steep * (1 + rounding / tight), s);
+        of["gabor_noise_tiled"].see(
+            functions.gabor_noise_tiled(s.p, s.tile, s.frequency, s.orientation, s.seed),
+            reference.field(tile).value.imag(), tight + rounding, s);
     }
     fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
-    test::check(of, 17);
+    test::check(of, 10);
     CHECK(near_tiles > 10000);
 }
 
 template <typename Functions>
-void check_repeats(Functions n) {
+void check_repeats(Functions functions) {
     Random random(6);
     Largest tiles, times;
     for (int i = 0; i < 10000; ++i) {
-        Sample s = drawn(random, Functions::taps);
+        Arguments s = drawn(random, Functions::taps);
         for (int axis = 0; axis < 2; ++axis) { // few bits, so that sums are exact
             s.tile[axis] = std::round(s.tile[axis] * 16) / 16 + 0.25f;
             s.p[axis] = std::round(random.uniform(-40, 40) * 1024) / 1024;
         }
         const gabor_vec2 elsewhere(s.p.x + s.tile.x, s.p.y - 3 * s.tile.y);
-        tiles.see(n.gabor_noise_tiled(elsewhere, s.tile, s.frequency, s.orientation, s.seed),
-                  n.gabor_noise_tiled(s.p, s.tile, s.frequency, s.orientation, s.seed),
-                  1e-4 * std::max(1.0f, s.frequency), s);
+        tiles.see(functions.gabor_noise_tiled(elsewhere, s.tile, s.frequency, s.orientation, s.seed),
+                  functions.gabor_noise_tiled(s.p, s.tile, s.frequency, s.orientation, s.seed),
+                  2e-4 * std::max(1.0f, s.frequency), s);
         const float time = std::round(s.time() * 1024) / 1024;
-        times.see(n.gabor_noise_animated(s.p, time + 1, s.frequency, s.orientation, s.seed),
-                  n.gabor_noise_animated(s.p, time, s.frequency, s.orientation, s.seed), 1e-9, s);
+        times.see(functions.gabor_noise_animated(s.p, time + 1, s.frequency, s.orientation, s.seed),
+                  functions.gabor_noise_animated(s.p, time, s.frequency, s.orientation, s.seed), 3e-6, s);
     }
     tiles.check(fmt::format("tiles, {} taps", Functions::taps));
     times.check("time");
+}
+
+// Compares a noise, and its filter with a pixel of size 0, in any cell, with any period, at any time. The
+// frequencies cover 0.1 to 64 evenly in octaves.
+template <std::size_t N>
+void compare_fields(std::initializer_list<test::Noise<N>> noises) {
+    Random random(21);
+    Differences of;
+    for (int i = 0; i < 1 << 13; ++i) {
+        const int octave = i % 16;
+        test::Sample<N> s = test::somewhere<N>(random, octave == 0 ? 0 : 0.1 * std::exp2(octave * 0.62));
+        s.place = test::any_lattice_place<N>(random, 3);
+        if constexpr (N == 3)
+            if (random.one_in(4)) // near the normal, where the noise switches to another direction
+                s.direction = test::wide(test::narrow(noise::sum(1, s.normal, 0.3, s.direction)));
+        const double tight = 3 * test::tolerance(s.frequency), loose = 3 * test::slope_tolerance(s.frequency);
+        for (const test::Noise<N>& noise : noises) {
+            const noise::Field<N> expected = noise.reference(s).field(s.place);
+            const auto field = noise.field(s), filtered = noise.filtered(s);
+            see(of[noise.name], of[fmt::format("{}, gradient", noise.name)], field, expected, tight, loose,
+                s);
+            const std::string name = fmt::format("{}, filtered", noise.name);
+            see(of[name], of[name + ", gradient"], filtered, expected, 2 * tight, loose + 5e-3, s);
+            of["removed"].see(field.removed, 0, 1e-9, s);
+            of["removed"].see(filtered.removed, 0, 1e-6, s);
+        }
+    }
+    test::check(of, 4 * noises.size() + 1);
+}
+
+// Compares a place with the reference's, which has the same period and lies whole periods away.
+void see_place(Largest& largest, const auto& place, const auto& expected, const auto& where) {
+    for (std::size_t axis = 0; axis < expected.local.size(); ++axis) {
+        const int a = static_cast<int>(axis);
+        const double period = expected.period[axis], apart = place.local[a] - expected.local[axis];
+        largest.see(place.period[a], period, 0.1, where);
+        largest.see(place.radius[a], expected.radius[axis], 1e-6 * expected.radius[axis], where);
+        largest.see(apart, period ? std::round(apart / period) * period : 0, 1e-5, where);
+    }
+    largest.see(place.moment, 0, 1e-9, where);
 }
 
 } // namespace
@@ -161,4 +176,50 @@ TEST_CASE("the lattice noise repeats in tiles and in time", "[lattice][oracle]")
     check_repeats(test::Lattice2());
     check_repeats(test::Lattice3());
     check_repeats(test::Lattice4());
+}
+
+TEST_CASE("fields agree with the reference, also with a filter for a pixel of size 0",
+          "[lattice][isotropic][space][oracle]") {
+    compare_fields<2>({test::plane, test::isotropic});
+    compare_fields<3>({test::solid, test::surface, test::isotropic_3d, test::isotropic_surface});
+}
+
+TEST_CASE("places have the position and the period that they are made from", "[lattice][space][oracle]") {
+    Random random(22);
+    Largest here, tiles;
+    for (int i = 0; i < 1 << 12; ++i) {
+        const auto p = random.uniform<gabor_vec3>(-8, 8);
+        auto tile = random.uniform<gabor_vec3>(0.5, 9);
+        tile[static_cast<int>(random.word() % 3)] = 0; // endless
+        const gabor_vec2 q(p.x, p.y), side(tile.x, tile.y);
+        const auto where = [&] { return fmt::format("{}, tile {}", test::wide(p), test::wide(tile)); };
+        see_place(here, n.gabor_place_at(q), test::lattice_place(3, q), where);
+        see_place(here, n.gabor_place_3d_at(p), test::lattice_place(3, p), where);
+        see_place(tiles, n.gabor_place_tiled(q, side), test::lattice_tile(3, q, side), where);
+        see_place(tiles, n.gabor_place_3d_tiled(p, tile), test::lattice_tile(3, p, tile), where);
+    }
+    here.check("places");
+    tiles.check("places with a period");
+}
+
+TEST_CASE("functions of a position in 3D agree with the reference", "[space][oracle]") {
+    Random random(23);
+    Differences of;
+    for (int i = 0; i < 1 << 12; ++i) {
+        test::Sample<3> s = test::somewhere<3>(random, i % 16 ? std::exp2(random.uniform(-4, 6)) : 0);
+        const double reach = std::exp2(random.uniform(0, 18)), tight = 2 * test::tolerance(s.frequency);
+        const auto p = random.uniform<gabor_vec3>(-reach, reach);
+        s.place = test::lattice_place(3, p);
+        const auto direction = test::narrow(s.direction), normal = test::narrow(s.normal);
+        const auto see = [&](const char* name, float found, const test::Noise<3>& noise) {
+            of[name].see(found, noise.reference(s).field(s.place).value.imag(), tight, s);
+        };
+        for (const float f : {s.frequency, -s.frequency}) { // the sign is ignored
+            see("gabor_noise_3d", n.gabor_noise_3d(p, f, 1e14f * direction, s.seed), test::solid);
+            see("gabor_noise_3d_isotropic", n.gabor_noise_3d_isotropic(p, f, s.seed), test::isotropic_3d);
+            see("gabor_noise_surface", n.gabor_noise_surface(p, 3.0f * normal, f, direction, s.seed),
+                test::surface);
+        }
+    }
+    test::check(of, 3);
 }

@@ -27,11 +27,16 @@
 #elif defined GOLDEN_DIRECTION
 #define GABOR_DIRECTION(p) (0.3f * (p))
 #include "gabor_direction.hpp"
-#elif !defined GOLDEN_SPARSE && !defined GOLDEN_NOISE
-#include "gabor_spectrum.hpp"
-#endif
-#if defined GOLDEN_NOISE_3D
+#elif defined GOLDEN_NOISE_3D
+#include "gabor_filter.hpp"
+
 #include "gabor_noise_3d.hpp"
+
+#include "gabor_filter_3d.hpp"
+#elif defined GOLDEN_SPECTRUM || defined GOLDEN_MATERIALS
+#include "gabor_spectrum.hpp"
+
+#include "gabor_filter.hpp"
 #endif
 #if defined GOLDEN_MATERIALS
 #include "gabor_materials.hpp"

@@ -186,9 +186,16 @@ float kept(vec4 v) {
     return v.x + 0.7f * v.y - 0.5f * v.z + 0.3f * v.w;
 }
 
+#if defined GOLDEN_SPARSE
 float kept(GaborField f) {
     return kept(f.value) + 0.05f * (kept(f.slope_x) + 0.3f * kept(f.slope_y));
 }
+#else
+float kept(GaborField f) {
+    vec2 slopes = f.quadrature_gradient + 0.7f * f.gradient;
+    return f.quadrature + 0.7f * f.noise + f.removed + 0.05f * (slopes.x + 0.3f * slopes.y);
+}
+#endif
 
 #if defined GOLDEN_NOISE_3D
 float kept(GaborField3d f) {
@@ -204,7 +211,7 @@ float kept(GaborTerrain t) {
 
 #if defined GOLDEN_MATERIALS
 float kept(GaborMaterial m) {
-    return kept(m.colour) + 10.0f * m.height + 0.3f * m.roughness + 0.2f * m.metalness;
+    return kept(m.colour) + 10.0f * m.height + 0.3f * gabor_roughness(m) + 0.2f * m.metalness + 0.1f * kept(m.slope) + kept(m.lost);
 }
 #endif
 
@@ -224,34 +231,37 @@ void see_all(int i) {
     SEE(sin(6.2831853f * gabor_phasor(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed)).x))
     SEE(gabor_noise_tiled(s.p, s.period, s.frequency, s.orientation, s.seed))
     SEE(gabor_noise_animated(s.p, s.time, s.frequency, s.orientation, s.seed))
+#endif
+#if defined GOLDEN_SPARSE
     SEE(gabor_noise_at(s.cell, s.local, gabor_kernel(s.frequency, s.orientation), s.seed))
     GaborPlace place = gabor_place(s.cell, s.local);
     place.radius *= 0.9f;
     place.period = ivec2(7, 12);
     place.moment = s.time;
+    SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
+#elif !defined GOLDEN_EROSION && !defined GOLDEN_MATERIALS
+    GaborPlace place = gabor_place(s.cell, s.local);
+    place.radius *= 0.9f;
+    place.period = ivec2(7, 12);
+    place.moment = i % 2 == 0 ? s.time : 0.0f;
+    GaborPlace tile = gabor_place_tiled(i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p, s.period);
+    tile.moment = s.time;
+    vec2 wave = gabor_wave_vector(s.frequency, s.orientation);
 #endif
 #if defined GOLDEN_NOISE
-    place.animated = i % 2 == 0;
-    SEE(kept(gabor_noise_four(s.p, s.frequency, s.orientation, s.seed)))
     SEE(float(gabor_lobe_seed(s.seed, i) >> 8u) / 16777216.0f)
-    vec2 wave = s.frequency * vec2(s.direction.x, s.normal.x);
+    vec2 uneven = s.frequency * vec2(s.direction.x, s.normal.x);
     float sharpness = drawn(i, 33, 0.0f, 5.0f);
-    SEE(gabor_noise_wave(s.p, wave, s.seed))
-    SEE(kept_gradient(gabor_noise_wave_gradient(s.p, wave, s.seed)))
-    SEE(kept(gabor_noise_wave_complex(s.p, wave, s.seed)))
-    SEE(gabor_noise_wave_tiled(s.p, s.period, wave, s.seed))
-    SEE(kept(gabor_field(place, gabor_kernel_wave(wave), s.seed)))
-    SEE(kept(gabor_stripes(s.p, wave, sharpness, s.seed)))
-    SEE(kept(gabor_stripes_of(gabor_noise_complex(s.p, s.frequency, s.orientation, s.seed), sharpness)))
-    SEE(kept(gabor_stripes_at(place, wave, sharpness, s.seed)))
-    SEE(kept(gabor_stripes_tiled(s.p, s.period, wave, sharpness, s.seed)))
-    SEE(kept(gabor_field(gabor_place_tiled(s.p, s.period), gabor_kernel(s.frequency, s.orientation), s.seed)))
-#endif
-#if defined GOLDEN_NOISE || defined GOLDEN_SPARSE
-    SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
+    SEE(gabor_field(gabor_place(s.cell, s.local), wave, s.seed).noise)
+    SEE(kept(gabor_field(place, wave, s.seed)))
+    SEE(kept(gabor_field(place, uneven, s.seed)))
+    SEE(kept(gabor_field(gabor_place_at(s.p), uneven, s.seed)))
+    SEE(kept(gabor_field(gabor_place_tiled(s.p, s.period), wave, s.seed)))
+    SEE(kept(gabor_stripes(s.p, uneven, sharpness, s.seed)))
+    SEE(kept(gabor_stripes_of(gabor_field(place, uneven, s.seed), sharpness)))
 #endif
 #if defined GOLDEN_SPECTRUM
-    vec2 p = i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p; // small, because positions are rounded unless a lobe's radius is 1
+    GaborPlace here = gabor_place_at(i / 4 % 4 == 3 ? 1.0e-4f * s.p : s.p); // lobes round positions
     GaborLobes lobes;
     lobes.count = 5; // only GABOR_LOBES are used
     lobes.lobe[0] = gabor_lobe(s.frequency, s.orientation, 1.0f, 2.0f);
@@ -259,106 +269,75 @@ void see_all(int i) {
     lobes.lobe[2] = gabor_lobe(drawn(i, 31, 0.0f, 3.0f), s.time, 0.7f, drawn(i, 32, 0.0f, 3.0f));
     for (int k = 0; k < 3 && i % 16 == 13; ++k) // no power at all
         lobes.lobe[k].power = 0.0f;
-    GaborPlace place = gabor_place_tiled(p, s.period);
-    place.animated = true;
-    place.moment = s.time;
-    float removed;
+    GaborLobes ellipses = lobes;
+    ellipses.lobe[1] = GaborLobe(2.0f, 1.6f, vec2(0.7f, drawn(i, 30, 0.5f, 2.0f)), 1.0f);
 #define SPREAD s.frequency, s.orientation, s.frequency_spread, s.orientation_spread, s.seed
     SEE(gabor_noise_spread(s.p, SPREAD))
-    SEE(kept_gradient(gabor_noise_spread_gradient(s.p, SPREAD)))
-    SEE(kept(gabor_noise_spread_complex(s.p, SPREAD)))
-    SEE(kept(gabor_field_spread(place, SPREAD)))
+    SEE(kept(gabor_field_spread(tile, SPREAD)))
     SEE(gabor_noise_isotropic(s.p, s.frequency, s.seed))
-    SEE(kept_gradient(gabor_noise_isotropic_gradient(s.p, s.frequency, s.seed)))
-    SEE(gabor_noise_isotropic_tiled(s.p, s.period, s.frequency, s.seed))
-    SEE(kept(gabor_field_isotropic(place, s.frequency, s.seed)))
-    SEE(kept(gabor_noise_isotropic_filtered(s.p, s.dx, s.dy, s.frequency, s.seed)))
-    SEE(kept(gabor_field_isotropic_filtered(place, s.frequency, gabor_footprint(s.dx, s.dy), s.seed, removed)))
-    SEE(gabor_noise_lobes(p, lobes, s.seed))
-    SEE(kept_gradient(gabor_noise_lobes_gradient(p, lobes, s.seed)))
-    SEE(kept(gabor_noise_lobes_complex(p, lobes, s.seed)))
-    SEE(kept(gabor_field_lobes(place, lobes, s.seed)))
-    SEE(kept(gabor_field(gabor_place_scaled(place, 1.3f), gabor_kernel(s.frequency, s.orientation), s.seed)))
-    SEE(kept(gabor_footprint(s.dx, s.dy).covariance / dot(s.dx, s.dx)))
-    SEE(kept(gabor_footprint(s.dx, s.dy).resolved))
+    SEE(kept(gabor_field_isotropic(tile, s.frequency, s.seed)))
+    SEE(kept(gabor_field_isotropic_filtered(gabor_place_at(s.p), s.dx, s.dy, s.frequency, s.seed)))
+    SEE(kept(gabor_field_isotropic_filtered(tile, s.dx, s.dy, s.frequency, s.seed)))
+    SEE(kept(gabor_field_lobes(here, lobes, s.seed)))
+    SEE(kept(gabor_field_lobes(tile, lobes, s.seed)))
+    SEE(kept(gabor_field_lobes(here, ellipses, s.seed)))
+    SEE(kept(gabor_field_lobes_filtered(here, s.dx, s.dy, lobes, s.seed)))
+    SEE(kept(gabor_field_lobes_filtered(tile, s.dx, s.dy, ellipses, s.seed)))
     SEE(kept(gabor_noise_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed)))
-    vec4 gradient = gabor_noise_filtered_gradient(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed);
-    SEE(gradient.x + 0.05f * gradient.y + 0.03f * gradient.z + gradient.w)
-    SEE(kept(gabor_noise_four_filtered(s.p, s.dx, s.dy, s.frequency, s.orientation, s.seed, removed)))
-    SEE(removed)
-    SEE(kept(gabor_noise_lobes_filtered(p, s.dx, s.dy, lobes, s.seed)))
-    vec4 gradients = gabor_noise_lobes_filtered_gradient(p, s.dx, s.dy, lobes, s.seed);
-    SEE(gradients.x + 0.05f * gradients.y + 0.03f * gradients.z + gradients.w)
-    SEE(kept(gabor_field_filtered(place, gabor_kernel(s.frequency, s.orientation), gabor_footprint(s.dx, s.dy), s.seed, removed)))
-    SEE(removed)
-    vec2 wave = s.frequency * vec2(s.direction.x, s.direction.y);
-    SEE(kept(gabor_stripes_filtered(s.p, s.dx, s.dy, wave, abs(s.time), s.seed)))
-    SEE(kept(gabor_stripes_filtered_at(place, wave, gabor_footprint(s.dx, s.dy), abs(s.time), s.seed)))
-    float width = drawn(i, 33, 0.1f, 1.1f);
-    SEE(gabor_profile_sine(s.time, width))
-    SEE(gabor_profile_triangle(s.time, width))
-    SEE(gabor_profile_sawtooth(s.time, width))
-    SEE(gabor_profile_pulse(s.time, 0.3f, width))
-    SEE(gabor_profile_ridges(s.time, width))
-    vec2 stripes = 0.4f * vec2(s.direction.x, s.direction.y);
-    SEE(gabor_stripes_sine(stripes))
-    SEE(gabor_stripes_triangle(stripes))
-    SEE(gabor_stripes_sawtooth(stripes))
-    SEE(gabor_stripes_pulse(stripes, 0.3f))
-    SEE(gabor_stripes_ridges(stripes))
-    GaborPlace stretched = gabor_place_stretched(place, vec2(1.3f, 0.6f));
-    SEE(kept(gabor_field(stretched, gabor_kernel(s.frequency, s.orientation), s.seed)))
-    GaborLobes ellipses = lobes;
-    ellipses.lobe[1] = gabor_lobe_elliptical(2.0f, 1.6f, vec2(0.7f, drawn(i, 30, 0.5f, 2.0f)), 1.0f);
-    SEE(kept_gradient(gabor_noise_lobes_gradient(p, ellipses, s.seed)))
-    SEE(kept(gabor_noise_lobes_filtered(p, s.dx, s.dy, ellipses, s.seed)))
+    SEE(kept(gabor_field_filtered(gabor_place_at(s.p), s.dx, s.dy, wave, s.seed)))
+    SEE(kept(gabor_field_filtered(tile, s.dx, s.dy, wave, s.seed)))
+    vec2 uneven = s.frequency * vec2(s.direction.x, s.direction.y);
+    SEE(kept(gabor_stripes_of(gabor_field_filtered(gabor_place_at(s.p), s.dx, s.dy, uneven, s.seed), abs(s.time))))
+    SEE(kept(gabor_stripes_of(gabor_field_filtered(tile, s.dx, s.dy, uneven, s.seed), abs(s.time))))
+    vec2 blurred = 0.4f * vec2(s.direction.x, s.direction.y);
+    vec3 stripes = gabor_stripes(s.p, uneven, 2.0f, s.seed); // just below length 1, rounding changes profiles
+    vec2 sharp = vec2(stripes.x, stripes.y);
+    SEE(gabor_profile_sine(blurred))
+    SEE(gabor_profile_triangle(blurred))
+    SEE(gabor_profile_sawtooth(blurred))
+    SEE(gabor_profile_pulse(blurred, 0.3f))
+    SEE(gabor_profile_ridges(blurred))
+    SEE(0.1f * gabor_profile_sine(sharp))
+    SEE(0.1f * gabor_profile_triangle(sharp))
+    SEE(0.1f * gabor_profile_ridges(sharp))
 #endif
 #if defined GOLDEN_DIRECTION
     vec2 p = i / 4 % 4 == 3 ? 1.0e-3f * s.p : s.p; // the map's frequencies grow with p
-    GaborPlace place = gabor_place(s.cell, s.local);
-    place.radius *= 0.9f;
-    place.period = ivec2(7, 12);
-    place.animated = i % 2 == 0;
-    place.moment = s.time;
     GaborWaves waves;
     for (int k = 0; k < 9; ++k)
         waves.wave[k] = vec2(drawn(i, 40 + k, -3.0f, 3.0f), drawn(i, 50 + k, -3.0f, 3.0f));
     SEE(kept(gabor_node_position(place, i % 9)))
     SEE(kept(gabor_field_waves(place, waves, s.seed)))
     SEE(kept(gabor_field_direction(place, s.seed)))
-    SEE(gabor_noise_direction(p, s.seed))
-    SEE(kept_gradient(gabor_noise_direction_gradient(p, s.seed)))
-    SEE(kept(gabor_noise_direction_complex(p, s.seed)))
-    SEE(gabor_noise_direction_tiled(p, s.period, s.seed))
+    SEE(kept(gabor_field_direction(gabor_place_tiled(p, s.period), s.seed)))
     SEE(kept(gabor_stripes_direction(p, 2.0f, s.seed)))
-    SEE(kept(gabor_stripes_direction_tiled(p, s.period, 2.0f, s.seed)))
-    SEE(kept(gabor_stripes_direction_at(place, 2.0f, s.seed)))
+    SEE(kept(gabor_stripes_of(gabor_field_direction(place, s.seed), 2.0f)))
 #endif
 #if defined GOLDEN_NOISE_3D
-    GaborPlace3d place = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));
-    place.radius *= vec3(0.9f, 1.1f, 1.0f);
-    place.period = ivec3(7, 0, 12);
-    place.animated = i % 2 == 0;
-    place.moment = s.time;
-    place.filtered = i % 4 < 2;
-    place.dx = s.dx_3d;
-    place.dy = s.dy_3d;
+    GaborPlace3d here = gabor_place_3d_at(s.q), solid = gabor_place_3d(ivec3(s.cell.x, 3, s.cell.y), vec3(s.local.x, s.time, s.local.y));
+    solid.radius *= vec3(0.9f, 1.1f, 1.0f);
+    solid.period = ivec3(7, 0, 12);
+    solid.moment = place.moment;
+    GaborPlace3d block = gabor_place_3d_tiled(s.q, s.period_3d);
+    vec3 wave_3d = s.frequency * gabor_impl_unit(s.direction);
+    vec3 dx = s.dx_3d, dy = s.dy_3d;
     SEE(gabor_noise_3d(s.q, s.frequency, s.direction, s.seed))
-    SEE(kept(gabor_noise_3d_gradient(s.q, s.frequency, s.direction, s.seed) * vec4(1.0f, 0.1f, 0.1f, 0.1f)))
-    SEE(kept(gabor_noise_3d_complex(s.q, s.frequency, s.direction, s.seed)))
-    SEE(kept(gabor_noise_3d_four(s.q, s.frequency, s.direction, s.seed)))
-    SEE(gabor_noise_3d_tiled(s.q, s.period_3d, s.frequency, s.direction, s.seed))
-    SEE(gabor_noise_3d_animated(s.q, s.time, s.frequency, s.direction, s.seed))
-    SEE(kept(gabor_noise_3d_filtered(s.q, s.dx_3d, s.dy_3d, s.frequency, s.direction, s.seed)))
     SEE(gabor_noise_3d_isotropic(s.q, s.frequency, s.seed))
-    SEE(kept(gabor_noise_3d_isotropic_gradient(s.q, s.frequency, s.seed) * vec4(1.0f, 0.1f, 0.1f, 0.1f)))
-    SEE(kept(gabor_noise_3d_isotropic_filtered(s.q, s.dx_3d, s.dy_3d, s.frequency, s.seed)))
     SEE(gabor_noise_surface(s.q, s.normal, s.frequency, s.direction, s.seed))
-    SEE(gabor_noise_surface_isotropic(s.q, s.normal, 2.0f * s.frequency, s.seed))
-    SEE(kept(gabor_field_3d(place, s.frequency, s.direction, s.seed)))
-    SEE(kept(gabor_field_3d_isotropic(place, 0.3f * s.frequency, s.seed)))
-    SEE(kept(gabor_field_surface(place, s.normal, s.frequency, s.direction, s.seed)))
-    SEE(kept(gabor_field_surface_isotropic(place, s.normal, s.frequency, s.seed)))
+    SEE(kept(gabor_field_3d(here, wave_3d, s.seed)))
+    SEE(kept(gabor_field_3d(solid, wave_3d, s.seed)))
+    SEE(kept(gabor_field_3d(block, wave_3d, s.seed)))
+    SEE(kept(gabor_field_3d_isotropic(here, s.frequency, s.seed)))
+    SEE(kept(gabor_field_3d_isotropic(solid, 0.3f * s.frequency, s.seed)))
+    SEE(kept(gabor_field_surface(solid, s.normal, s.frequency, s.direction, s.seed)))
+    SEE(kept(gabor_field_surface_isotropic(here, s.normal, 2.0f * s.frequency, s.seed)))
+    SEE(kept(gabor_field_surface_isotropic(solid, s.normal, s.frequency, s.seed)))
+    SEE(kept(gabor_field_3d_filtered(here, dx, dy, wave_3d, s.seed)))
+    SEE(kept(gabor_field_3d_filtered(solid, dx, dy, wave_3d, s.seed)))
+    SEE(kept(gabor_field_3d_isotropic_filtered(here, dx, dy, s.frequency, s.seed)))
+    SEE(kept(gabor_field_3d_isotropic_filtered(solid, dx, dy, 0.3f * s.frequency, s.seed)))
+    SEE(kept(gabor_field_surface_filtered(solid, dx, dy, s.normal, s.frequency, s.direction, s.seed)))
+    SEE(kept(gabor_field_surface_isotropic_filtered(solid, dx, dy, s.normal, s.frequency, s.seed)))
 #endif
 #if defined GOLDEN_EROSION
     GaborErosion erosion = gabor_erosion();
@@ -398,22 +377,21 @@ void see_all(int i) {
 #endif
 #if defined GOLDEN_MATERIALS
     vec2 p = i % 4 == 3 ? 0.01f * s.p : s.p; // no farther than 200 units
-    GaborPixel tile = gabor_pixel_tiled(gabor_pixel(p), vec2(4.0f, 7.5f));
-    GaborPixel filtered_tile = gabor_pixel_tiled(gabor_pixel_filtered(p, 0.3f * s.dx, 0.3f * s.dy), vec2(4.0f, 7.5f));
-#define MATERIAL(sharp, filtered, parameters, at)                                                                         \
-    SEE(kept(sharp(p, s.seed))) SEE(kept(filtered(p, 0.3f * s.dx, 0.3f * s.dy, s.seed)))                                  \
-    SEE(kept(at(tile, parameters(), s.seed))) SEE(kept(at(filtered_tile, parameters(), s.seed)))
-    MATERIAL(gabor_wood, gabor_wood_filtered, gabor_wood_default, gabor_wood_at)
-    MATERIAL(gabor_fabric, gabor_fabric_filtered, gabor_fabric_default, gabor_fabric_at)
-    MATERIAL(gabor_leather, gabor_leather_filtered, gabor_leather_default, gabor_leather_at)
-    MATERIAL(gabor_marble, gabor_marble_filtered, gabor_marble_default, gabor_marble_at)
-    MATERIAL(gabor_sand, gabor_sand_filtered, gabor_sand_default, gabor_sand_at)
-    MATERIAL(gabor_ripples, gabor_ripples_filtered, gabor_ripples_default, gabor_ripples_at)
-    MATERIAL(gabor_brushed_metal, gabor_brushed_metal_filtered, gabor_brushed_metal_default, gabor_brushed_metal_at)
-    MATERIAL(gabor_scratches, gabor_scratches_filtered, gabor_scratches_default, gabor_scratches_at)
-    MATERIAL(gabor_zebra, gabor_zebra_filtered, gabor_zebra_default, gabor_zebra_at)
-    MATERIAL(gabor_bark, gabor_bark_filtered, gabor_bark_default, gabor_bark_at)
-    MATERIAL(gabor_carbon_fibre, gabor_carbon_fibre_filtered, gabor_carbon_fibre_default, gabor_carbon_fibre_at)
-    MATERIAL(gabor_strata, gabor_strata_filtered, gabor_strata_default, gabor_strata_at)
+    vec2 dx = 0.3f * s.dx, dy = 0.3f * s.dy, period = vec2(4.0f, 7.5f);
+#define MATERIAL(sharp, filtered, parameters, at, filtered_at)                                                            \
+    SEE(kept(sharp(p, s.seed))) SEE(kept(filtered(p, dx, dy, s.seed))) SEE(kept(at(p, period, parameters(), s.seed)))     \
+    SEE(kept(filtered_at(p, dx, dy, period, parameters(), s.seed)))
+    MATERIAL(gabor_wood, gabor_wood_filtered, gabor_wood_default, gabor_wood_at, gabor_wood_filtered_at)
+    MATERIAL(gabor_fabric, gabor_fabric_filtered, gabor_fabric_default, gabor_fabric_at, gabor_fabric_filtered_at)
+    MATERIAL(gabor_leather, gabor_leather_filtered, gabor_leather_default, gabor_leather_at, gabor_leather_filtered_at)
+    MATERIAL(gabor_marble, gabor_marble_filtered, gabor_marble_default, gabor_marble_at, gabor_marble_filtered_at)
+    MATERIAL(gabor_sand, gabor_sand_filtered, gabor_sand_default, gabor_sand_at, gabor_sand_filtered_at)
+    MATERIAL(gabor_ripples, gabor_ripples_filtered, gabor_ripples_default, gabor_ripples_at, gabor_ripples_filtered_at)
+    MATERIAL(gabor_brushed_metal, gabor_brushed_metal_filtered, gabor_brushed_metal_default, gabor_brushed_metal_at, gabor_brushed_metal_filtered_at)
+    MATERIAL(gabor_scratches, gabor_scratches_filtered, gabor_scratches_default, gabor_scratches_at, gabor_scratches_filtered_at)
+    MATERIAL(gabor_zebra, gabor_zebra_filtered, gabor_zebra_default, gabor_zebra_at, gabor_zebra_filtered_at)
+    MATERIAL(gabor_bark, gabor_bark_filtered, gabor_bark_default, gabor_bark_at, gabor_bark_filtered_at)
+    MATERIAL(gabor_carbon_fibre, gabor_carbon_fibre_filtered, gabor_carbon_fibre_default, gabor_carbon_fibre_at, gabor_carbon_fibre_filtered_at)
+    MATERIAL(gabor_strata, gabor_strata_filtered, gabor_strata_default, gabor_strata_at, gabor_strata_filtered_at)
 #endif
 }

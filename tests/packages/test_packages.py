@@ -160,6 +160,8 @@ badlands = gabor_noise.terrain(x, y, mountains, seed=8, octaves=3, frequency=2, 
                                detail=1.2, uniformity=3, ridge_rounding=0.2, crease_rounding=0.3, gully_weight=0.7, branching=0.8)
 island = gabor_noise.terrain(x, y, seed=7, period=8)
 np.save("terrain.npy", [hills, mountains, badlands, island])
+filtered = gabor_noise.noise_filtered(x, y, (0.1, 0.3), **common)
+np.save("others.npy", [*np.moveaxis(filtered, -1, 0), gabor_noise.noise_spread(x, y, frequency_spread=0.3, orientation_spread=0.2, **common)])
 np.testing.assert_allclose(island, gabor_noise.terrain(x + 8, y - 16, seed=7, period=8), atol=1e-5)
 for bad in (lambda: gabor_noise.source("noise", "basic"), lambda: gabor_noise.source("perlin"),
             lambda: gabor_noise.noise([0, 1], [0, 1, 2]), lambda: gabor_noise.noise(0, 0, period=-1),
@@ -210,18 +212,23 @@ print(gabor_noise.__version__)
         y, x = (np.mgrid[0:32, 0:256] + 0.5) / 32
         solid = reference.complex_lattice_3d(x, y, 0.3, (1, 2, 3)).imag
         self.assert_close("solid", np.load(self.folder / "solid.npy")[:32], solid, 1e-5)
-        # Compares the terrain with the header that the module wraps; other tests compare the header with the reference.
+        # Compares the rest with the headers that the module wraps; other tests compare the headers with the reference.
         parts = [f"{terrain}.{part}" for terrain in ("hills", "mountains", "badlands", "island")
                  for part in ("height", "slope.x", "slope.y", "ridge")]
-        expected = in_cpp(self.folder, '#include "gabor_noise.hpp"\n#include "gabor_erosion.hpp"\n', parts, "-std=c++17", "-O1",
-                          "-ffp-contract=off", "-I", SHADERS / "translations", code=self.TERRAIN)[:, :256].reshape(4, 4, 256, 256)
-        self.assert_close("terrain", np.load(self.folder / "terrain.npy").transpose(0, 3, 1, 2), expected, 2e-5)
+        headers = "".join(f'#include "gabor_{name}.hpp"\n' for name in ("noise", "spectrum", "filter", "erosion"))
+        expected = in_cpp(self.folder, headers, [*parts, *self.OTHERS], "-std=c++17", "-O1", "-ffp-contract=off", "-I",
+                          SHADERS / "translations", code=self.TERRAIN)[:, :256]
+        terrain = np.load(self.folder / "terrain.npy").transpose(0, 3, 1, 2)
+        self.assert_close("terrain", terrain, expected[:16].reshape(4, 4, 256, 256), 2e-5)
+        self.assert_close("filter and spread", np.load(self.folder / "others.npy"), expected[16:], 1e-5)
 
     def assert_close(self, name, values, expected, bound):
         difference = np.abs(values - expected)
         print(f"{name}: largest difference {difference.max():.2g} at {np.unravel_index(difference.argmax(), difference.shape)}")
         self.assertLess(difference.max(), bound)
 
+    FILTERED = "gabor_noise_filtered(p, gabor_vec2(0.1f, 0.0f), gabor_vec2(0.0f, 0.3f), 4.0f, 0.7854f, 7u)"
+    OTHERS = f"{FILTERED}.x", f"{FILTERED}.y", "gabor_noise_spread(p, 4.0f, 0.7854f, 0.3f, 0.2f, 7u)"
     TERRAIN = """
         const gabor_ivec2 cell(int(p.x), int(p.y));
         const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
@@ -273,8 +280,8 @@ class Node(Package):
 
 
 class Bevy(Node):
-    MODULES = {"noise": "gabor_noise", "spectrum": "gabor_spectrum", "noise_3d": "gabor_noise_3d", "materials": "gabor_materials",
-               "erosion": "gabor_erosion", "direction": "gabor_direction"}
+    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion",
+                                                  "direction")}
     DEFINED = re.compile(r"^(?:fn|struct|const) (\w+)", re.MULTILINE)
 
     def made(self, root):
@@ -488,7 +495,7 @@ class Repository(unittest.TestCase):
     def npm_with(self, remote):
         """Returns package.json of npm's package in a repository with this remote."""
         root = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory(prefix="gabor-")))
-        repository(root, ("CMakeLists.txt", "package.json", "tools/package", "tools/version.py"))
+        repository(root, ("CMakeLists.txt", "package.json", "packages/npm/README.md", "tools/copies.py", "tools/glsl.py", "tools/package", "tools/version.py"))
         (root / "shaders/nodes").mkdir(parents=True)
         if remote:
             run("git", "-C", root, "remote", "add", "origin", remote)

@@ -122,18 +122,18 @@ double lattice_amplitude_deviation() {
     return deviation;
 }
 
-Complex lattice_amplitude(std::uint32_t word) {
-    const auto whole = static_cast<std::int32_t>(word);
-    const auto low = static_cast<std::int32_t>(word << 12);
-    return {lattice_amplitude_part(whole * 0x1p-31), lattice_amplitude_part(low * 0x1p-31)};
-}
-
 Complex lattice_amplitude(std::uint32_t word, double time) {
+    const auto still = [](std::uint32_t of) {
+        const auto whole = static_cast<std::int32_t>(of);
+        const auto low = static_cast<std::int32_t>(of << 12);
+        return Complex(lattice_amplitude_part(whole * 0x1p-31), lattice_amplitude_part(low * 0x1p-31));
+    };
+    if (time == 0)
+        return still(word);
     const std::uint32_t second = next_word(word);
     const double angle = 2 * pi * time;
-    return (1 + std::cos(angle)) / 2 * lattice_amplitude(word) +
-           (1 - std::cos(angle)) / 2 * lattice_amplitude(second) +
-           std::sin(angle) / std::numbers::sqrt2 * lattice_amplitude(next_word(second));
+    return (1 + std::cos(angle)) / 2 * still(word) + (1 - std::cos(angle)) / 2 * still(second) +
+           std::sin(angle) / std::numbers::sqrt2 * still(next_word(second));
 }
 
 std::array<double, 3> lattice_stripes(Complex value, double sharpness) {
@@ -187,9 +187,8 @@ Field<N> Lattice<N>::field(const Place<N>& place) const {
         waves.clear();
         waves_(words, number, waves);
         for (const auto& [wave, word] : waves) {
-            const Complex amplitude =
-                place.animated ? lattice_amplitude(word, place.time) : lattice_amplitude(word);
-            const Complex turned = amplitude / std::sqrt(static_cast<double>(waves.size())) *
+            const Complex turned = lattice_amplitude(word, place.time) /
+                                   std::sqrt(static_cast<double>(waves.size())) *
                                    std::polar(1.0, 2 * pi * dot(wave, distance));
             sum.value += window * turned;
             for (std::size_t axis = 0; axis < N; ++axis)

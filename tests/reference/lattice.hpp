@@ -41,8 +41,7 @@ struct Place {
     Vector<N> local{};
     Vector<N> radius = filled<N>(1.5);    ///< nodes or cells per kernel radius
     std::array<std::int32_t, N> period{}; ///< in nodes or cells, 0 for none
-    bool animated = false;
-    double time = 0; ///< in periods of the animation
+    double time = 0;                      ///< in periods of the animation, 0 for none
 };
 
 /// A node's window along one axis and its derivatives, at a distance d in units of its radius; 0 if |d| >= 1.
@@ -73,12 +72,10 @@ double lattice_amplitude_part(double u);
 /// The root mean square of the parts of all amplitudes.
 double lattice_amplitude_deviation();
 
-/// The complex amplitude of a word. One part comes from the whole word, the other from its low 20 bits.
-std::complex<double> lattice_amplitude(std::uint32_t word);
-
-/// The amplitude at a time in an animation of period 1: a mix with two more amplitudes that are derived from
-/// the word.
-std::complex<double> lattice_amplitude(std::uint32_t word, double time);
+/// The complex amplitude of a word at a time in an animation of period 1. One part comes from the whole word,
+/// the other from its low 20 bits. At other times than 0, it is a mix with two more amplitudes that are
+/// derived from the word.
+std::complex<double> lattice_amplitude(std::uint32_t word, double time = 0);
 
 /// A noise on a lattice of nodes c, each with waves F_cm of amplitudes A_cm, in double precision, written
 /// from the equations and not from the shaders:

@@ -88,8 +88,7 @@ std::vector<float> translated(const Set& set, std::size_t calls) {
 // Returns how many times more sensitive a result is to the rounding of its arguments than most results are.
 double sensitivity(const std::string& call, std::size_t point) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
-    if ((has("filtered") || has(".w") || call == "removed") &&
-        point % 16 == 15) // pixels a thousand times as long as wide
+    if (has("filtered") && point % 16 == 15) // pixels a thousand times as long as wide
         return 1000;
     if (has("gabor_er") && point / 4 % 4 == 3) // far from the origin, each octave rounds its position
         return 400;

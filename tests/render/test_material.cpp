@@ -5,6 +5,8 @@
 
 #include "gabor_spectrum.hpp"
 
+#include "gabor_filter.hpp"
+
 #include "gabor_materials.hpp"
 
 #include "golden/file.hpp"
@@ -37,14 +39,23 @@ namespace {
 constexpr std::size_t channels = passes::material_lit; // the channels of GaborMaterial
 constexpr std::size_t height_channel = passes::material_height;
 
+// A point or, if dx or dy is not 0, a pixel to filter for.
+struct Pixel {
+    gabor_vec2 p;
+    gabor_vec2 dx{};
+    gabor_vec2 dy{};
+    gabor_vec2 period{};
+};
+
 // A material that takes its parameters as an array of numbers, in the order of its struct.
 struct Material {
     std::string_view name;
     std::vector<float> (*by_default)();
-    GaborMaterial (*at)(GaborPixel pixel, const std::vector<float>& numbers, std::uint32_t seed);
+    GaborMaterial (*at)(const Pixel& pixel, const std::vector<float>& numbers, std::uint32_t seed);
 };
 
-template <typename T, T (*by_default)(), GaborMaterial (*at)(GaborPixel, T, std::uint32_t)>
+template <typename T, T (*by_default)(), GaborMaterial (*at)(gabor_vec2, gabor_vec2, T, std::uint32_t),
+          GaborMaterial (*filtered)(gabor_vec2, gabor_vec2, gabor_vec2, gabor_vec2, T, std::uint32_t)>
 constexpr Material made(std::string_view name) {
     return {name,
             [] {
@@ -53,26 +64,31 @@ constexpr Material made(std::string_view name) {
                 std::memcpy(numbers.data(), &parameters, sizeof(T));
                 return numbers;
             },
-            [](GaborPixel pixel, const std::vector<float>& numbers, std::uint32_t seed) {
+            [](const Pixel& pixel, const std::vector<float>& numbers, std::uint32_t seed) {
                 T parameters;
                 std::memcpy(&parameters, numbers.data(), sizeof(T));
-                return at(pixel, parameters, seed);
+                const auto& [p, dx, dy, period] = pixel;
+                return dx.x != 0 || dy.y != 0 ? filtered(p, dx, dy, period, parameters, seed)
+                                              : at(p, period, parameters, seed);
             }};
 }
 
 const Material materials[]{
-    made<GaborWood, gabor_wood_default, gabor_wood_at>("wood"),
-    made<GaborFabric, gabor_fabric_default, gabor_fabric_at>("fabric"),
-    made<GaborLeather, gabor_leather_default, gabor_leather_at>("leather"),
-    made<GaborMarble, gabor_marble_default, gabor_marble_at>("marble"),
-    made<GaborSand, gabor_sand_default, gabor_sand_at>("sand"),
-    made<GaborRipples, gabor_ripples_default, gabor_ripples_at>("ripples"),
-    made<GaborBrushedMetal, gabor_brushed_metal_default, gabor_brushed_metal_at>("brushed-metal"),
-    made<GaborScratches, gabor_scratches_default, gabor_scratches_at>("scratches"),
-    made<GaborZebra, gabor_zebra_default, gabor_zebra_at>("zebra"),
-    made<GaborBark, gabor_bark_default, gabor_bark_at>("bark"),
-    made<GaborCarbonFibre, gabor_carbon_fibre_default, gabor_carbon_fibre_at>("carbon-fibre"),
-    made<GaborStrata, gabor_strata_default, gabor_strata_at>("strata")};
+    made<GaborWood, gabor_wood_default, gabor_wood_at, gabor_wood_filtered_at>("wood"),
+    made<GaborFabric, gabor_fabric_default, gabor_fabric_at, gabor_fabric_filtered_at>("fabric"),
+    made<GaborLeather, gabor_leather_default, gabor_leather_at, gabor_leather_filtered_at>("leather"),
+    made<GaborMarble, gabor_marble_default, gabor_marble_at, gabor_marble_filtered_at>("marble"),
+    made<GaborSand, gabor_sand_default, gabor_sand_at, gabor_sand_filtered_at>("sand"),
+    made<GaborRipples, gabor_ripples_default, gabor_ripples_at, gabor_ripples_filtered_at>("ripples"),
+    made<GaborBrushedMetal, gabor_brushed_metal_default, gabor_brushed_metal_at,
+         gabor_brushed_metal_filtered_at>("brushed-metal"),
+    made<GaborScratches, gabor_scratches_default, gabor_scratches_at, gabor_scratches_filtered_at>(
+        "scratches"),
+    made<GaborZebra, gabor_zebra_default, gabor_zebra_at, gabor_zebra_filtered_at>("zebra"),
+    made<GaborBark, gabor_bark_default, gabor_bark_at, gabor_bark_filtered_at>("bark"),
+    made<GaborCarbonFibre, gabor_carbon_fibre_default, gabor_carbon_fibre_at, gabor_carbon_fibre_filtered_at>(
+        "carbon-fibre"),
+    made<GaborStrata, gabor_strata_default, gabor_strata_at, gabor_strata_filtered_at>("strata")};
 
 // Returns the parameters of a request's material as packed numbers, without the padding of a GPU buffer.
 std::vector<float> numbers_of(const Request& request) {
@@ -111,7 +127,7 @@ void randomize(Request& request, std::mt19937& random) {
 }
 
 std::array<float, channels> values_of(const GaborMaterial& m) {
-    return {m.colour.x, m.colour.y, m.colour.z, m.height, m.roughness, m.metalness};
+    return {m.colour.x, m.colour.y, m.colour.z, m.height, gabor_roughness(m), m.metalness};
 }
 
 // Draws a square, `units` wide, in `side` x `side` pixels, using the translation of the drop-ins to C++.
@@ -122,10 +138,11 @@ std::vector<float> drawn(const Material& material, const std::vector<float>& num
     for (int i = 0; i < side * side; ++i) {
         const gabor_vec2 p((static_cast<float>(i % side) + 0.5f) * step,
                            (static_cast<float>(i / side) + 0.5f) * step);
-        GaborPixel pixel =
-            filtered ? gabor_pixel_filtered(p, gabor_vec2(step, 0), gabor_vec2(0, step)) : gabor_pixel(p);
+        Pixel pixel{p};
+        if (filtered)
+            pixel = {p, gabor_vec2(step, 0), gabor_vec2(0, step)};
         if (tiled)
-            pixel = gabor_pixel_tiled(pixel, gabor_vec2(static_cast<float>(side) * step));
+            pixel.period = gabor_vec2(static_cast<float>(side) * step);
         const auto values = values_of(material.at(pixel, numbers, seed));
         pixels.insert(pixels.end(), values.begin(), values.end());
     }
@@ -160,7 +177,7 @@ void compare(const Material& material, const std::vector<float>& numbers) {
         std::array<double, channels> mean{};
         for (int k = 0; k < samples; ++k) {
             const gabor_vec2 at(p.x + offset(k % strata), p.y + offset(k / strata));
-            const auto sharp = values_of(material.at(gabor_pixel(at), numbers, seed));
+            const auto sharp = values_of(material.at({at}, numbers, seed));
             wrong += !is_in_range(sharp);
             for (std::size_t c = 0; c < channels; ++c) {
                 const double value = static_cast<double>(sharp[c]);
@@ -169,8 +186,8 @@ void compare(const Material& material, const std::vector<float>& numbers) {
                 square[c] += value * value / (places * samples);
             }
         }
-        const GaborPixel pixel = gabor_pixel_filtered(p, gabor_vec2(side, 0), gabor_vec2(0, side));
-        const auto filtered = values_of(material.at(pixel, numbers, seed));
+        const auto filtered =
+            values_of(material.at({p, gabor_vec2(side, 0), gabor_vec2(0, side)}, numbers, seed));
         wrong += !is_in_range(filtered);
         for (std::size_t c = 0; c < channels; ++c)
             error[c] += std::pow(static_cast<double>(filtered[c]) - mean[c], 2) / places;
@@ -204,15 +221,15 @@ TEST_CASE("materials with random parameters have this version's golden values", 
         for (const Material& material : materials) {
             Request request{.material = std::string(material.name)};
             randomize(request, random);
-            const auto see = [&](std::string_view form, const GaborPixel& pixel) {
+            const auto see = [&](std::string_view form, const Pixel& pixel) {
                 const auto seed = static_cast<std::uint32_t>(point);
                 double sum = 0;
                 for (const float value : values_of(material.at(pixel, numbers_of(request), seed)))
                     sum = 0.8 * sum + static_cast<double>(value); // each channel has a different weight
                 rows.see(fmt::format("{} {}", form, material.name), sum);
             };
-            see("sharp", gabor_pixel(p));
-            see("filtered", gabor_pixel_filtered(p, dx, dy));
+            see("sharp", {p});
+            see("filtered", {p, dx, dy});
         }
     }
     CHECK(rows.compare(GABOR_GOLDEN_FOLDER "/material_parameters.txt", 2e-4, 2e-4));
@@ -264,7 +281,7 @@ TEST_CASE("a huge pixel has the mean colour, whatever the parameters", "[materia
             std::array<double, 3> sum{}, square{};
             bool clamped = false; // whether these random settings clamp a colour
             for (int k = 0; k < samples && !clamped; ++k) {
-                const GaborPixel pixel = gabor_pixel(gabor_vec2(place(random), place(random)));
+                const Pixel pixel{gabor_vec2(place(random), place(random))};
                 const auto values =
                     values_of(material.at(pixel, numbers, static_cast<std::uint32_t>(random())));
                 for (std::size_t c = 0; c < 3; ++c) {
@@ -278,8 +295,7 @@ TEST_CASE("a huge pixel has the mean colour, whatever the parameters", "[materia
                 continue;
             ++i;
             const auto far = values_of(
-                material.at(gabor_pixel_filtered(gabor_vec2(3, 4), gabor_vec2(3000, 0), gabor_vec2(0, 3000)),
-                            numbers, 7));
+                material.at({gabor_vec2(3, 4), gabor_vec2(3000, 0), gabor_vec2(0, 3000)}, numbers, 7));
             for (std::size_t c = 0; c < 3; ++c) {
                 const double mean = sum[c] / samples;
                 const double error = std::sqrt((square[c] / samples - mean * mean) / samples) / mean;
@@ -309,10 +325,8 @@ TEST_CASE("every material repeats after its period without a seam", "[material]"
             const std::vector<float> numbers = numbers_of(request);
             const auto at = [&](float x, float y) {
                 const gabor_vec2 p(x, y);
-                const GaborPixel pixel =
-                    filter ? gabor_pixel_filtered(p, gabor_vec2(0.01f, 0), gabor_vec2(0, 0.01f))
-                           : gabor_pixel(p);
-                return values_of(material.at(gabor_pixel_tiled(pixel, period), numbers, 7));
+                const gabor_vec2 dx(filter ? 0.01f : 0, 0), dy(0, dx.x);
+                return values_of(material.at({p, dx, dy, period}, numbers, 7));
             };
             const auto step = [](const auto& a, const auto& b) {
                 double sum = 0;

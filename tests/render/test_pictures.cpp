@@ -79,7 +79,6 @@ noise::Place<2> place_of(const render::Request& request, std::array<int, 2> pixe
         place.local[axis] = at - std::floor(at);
     }
     place.time = request.time - std::floor(request.time);
-    place.animated = place.time != 0;
     return place;
 }
 

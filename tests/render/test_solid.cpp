@@ -3,9 +3,11 @@
 
 #include "gabor_noise.hpp"
 
-#include "gabor_spectrum.hpp"
+#include "gabor_filter.hpp"
 
 #include "gabor_noise_3d.hpp"
+
+#include "gabor_filter_3d.hpp"
 
 #include "largest.hpp"
 #include "reference/vector.hpp"
@@ -135,20 +137,24 @@ GaborField3d field_at(const Request& request, const Seen& seen) {
     const noise::Lobe& lobe = request.lobes.front();
     const auto angle = static_cast<float>(noise::radians(lobe.orientation));
     const gabor_vec3 along(std::cos(angle), std::sin(angle), 0), normal = narrow(seen.normal);
+    const gabor_vec3 dx = narrow(seen.dx), dy = narrow(seen.dy);
     const auto frequency = static_cast<float>(lobe.frequency);
-    GaborPlace3d place = gabor_place_3d(gabor_ivec3(0, 0, 0), narrow(scaled(1.5, seen.p)));
-    place.animated = request.time != 0;
+    const bool isotropic = lobe.orientation_spread > 0;
+    GaborPlace3d place = gabor_place_3d_at(narrow(seen.p));
     place.moment = static_cast<float>(request.time);
-    place.filtered = request.filter;
-    place.dx = narrow(seen.dx);
-    place.dy = narrow(seen.dy);
     const Body* body = std::get_if<Body>(&request.view);
+    if (body && !body->solid && request.filter)
+        return isotropic
+                   ? gabor_field_surface_isotropic_filtered(place, dx, dy, normal, frequency, request.seed)
+                   : gabor_field_surface_filtered(place, dx, dy, normal, frequency, along, request.seed);
     if (body && !body->solid)
-        return lobe.orientation_spread > 0
-                   ? gabor_field_surface_isotropic(place, normal, frequency, request.seed)
-                   : gabor_field_surface(place, normal, frequency, along, request.seed);
-    return lobe.orientation_spread > 0 ? gabor_field_3d_isotropic(place, frequency, request.seed)
-                                       : gabor_field_3d(place, frequency, along, request.seed);
+        return isotropic ? gabor_field_surface_isotropic(place, normal, frequency, request.seed)
+                         : gabor_field_surface(place, normal, frequency, along, request.seed);
+    if (request.filter)
+        return isotropic ? gabor_field_3d_isotropic_filtered(place, dx, dy, frequency, request.seed)
+                         : gabor_field_3d_filtered(place, dx, dy, frequency * along, request.seed);
+    return isotropic ? gabor_field_3d_isotropic(place, frequency, request.seed)
+                     : gabor_field_3d(place, frequency * along, request.seed);
 }
 
 void compare(const vulkan::Device& device, const Request& request, Blocks blocks = Blocks::none) {

@@ -41,13 +41,32 @@ class Pages(unittest.TestCase):
                                                                          (ROOT / "shaders/gabor_noise.glsl").read_text())
         code = re.sub(r"(?m)^(\w+ \w = .*)", r"    \1", code)
         body = re.search(r"(?ms)^    float n = gabor_noise.*", code)[0]
+        self.compile("#version 450\nlayout(location = 0) in vec2 p;\nlayout(location = 1) in vec2 wave;\n"
+                     "layout(location = 0) out vec4 colour;\n" + code.removesuffix(body)
+                     + "void main()\n{\n" + body + "    colour = vec4(v, s.x, g.yz);\n}\n")
+
+    def test_recipes_for_materials_compile(self):
+        section = re.search(r"(?ms)^## Materials in engines\n(.*?)^## ", (ROOT / "docs" / "engines.md").read_text())[1]
+        recipes = dict(re.findall(r"(?ms)^\*\*(\w+).*?^```\w+\n(.*?)^```", section))
+        self.assertEqual(list(recipes), ["GLSL", "three", "Godot", "Unity"])
+        for name, code in recipes.items():
+            self.assertLessEqual(code.count("\n"), 10, name)
+            kind, folder = ("hlsl", "translations/") if name == "Unity" else ("glsl", "")
+            drop_ins = "".join((ROOT / f"shaders/{folder}gabor_{each}.{kind}").read_text()
+                               for each in ("noise", "spectrum", "filter", "materials"))
+            if name == "three":
+                code = ("vec2 vUv; vec3 normal; mat3 tbn; vec4 diffuseColor;\nvoid fragment() {\n"
+                        + "\n".join(re.findall(r'>", [`"]([^`"]*;)[`"]\)', code)) + "\n}\n")
+            inputs = "vec2 UV; vec3 ALBEDO, NORMAL_MAP; float ROUGHNESS, METALLIC;\n" if name == "Godot" else ""
+            self.compile("#version 450\n" * (kind == "glsl") + drop_ins + inputs + code + "void main() {}\n",
+                         *["-D", "-e", "main"] * (kind == "hlsl"))
+
+    def compile(self, code, *options):
         with tempfile.TemporaryDirectory(prefix="gabor-") as folder:
-            shader = pathlib.Path(folder) / "readme.frag"
-            shader.write_text("#version 450\nlayout(location = 0) in vec2 p;\nlayout(location = 1) in vec2 wave;\n"
-                              "layout(location = 0) out vec4 colour;\n" + code.removesuffix(body)
-                              + "void main()\n{\n" + body + "    colour = vec4(v, s.x, g.yz);\n}\n")
-            result = subprocess.run(["glslangValidator", "--quiet", "-V", "-o", f"{folder}/out.spv", shader], capture_output=True,
-                                    text=True)
+            shader = pathlib.Path(folder) / "page.frag"
+            shader.write_text(code)
+            result = subprocess.run(["glslangValidator", "--quiet", "-V", *options, "-o", f"{folder}/out.spv", shader],
+                                    capture_output=True, text=True)
             self.assertEqual(result.returncode, 0, result.stdout)
 
     def test_costs_match_the_performance_page(self):

@@ -19,6 +19,7 @@ NOISES = {
                        "filter": True},
     "spread": {"frequency": 3, "orientation": 10, "orientation_spread": 40, "frequency_spread": 0.2},
     "filtered": {"frequency": 9, "orientation": 25, "filter": True},
+    "filtered, tileable": {"scale": 23, "frequency": 8, "filter": True, "tileable": True},  # nodes stretch to fit the tile
     "horizon": {"frequency": 2, "orientation": 60, "filter": True, "view": "horizon"},
     "tileable": {"recipe": "pure", "orientation": 40, "tileable": True},
 }

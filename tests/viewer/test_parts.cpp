@@ -2,7 +2,6 @@
 #include "viewer/document_json.hpp"
 #include "viewer/panels.hpp"
 #include "viewer/settings.hpp"
-#include "viewer/snippet.hpp"
 
 #include "error.hpp"
 #include "noise/recipe.hpp"
@@ -74,23 +73,6 @@ TEST_CASE("settings are read as they were saved") {
     before ? ::setenv("XDG_CONFIG_HOME", kept.c_str(), 1) : ::unsetenv("XDG_CONFIG_HOME");
     std::filesystem::remove_all(folder);
     CHECK(read == saved);
-}
-
-// 9 nodes fill the width of 100 pixels and 8 the height of 90. The test compares their spacing with the usual
-// one, at 16 pixels per kernel radius and 1.5 nodes per radius.
-TEST_CASE("the copied GLSL of a tile stretches the filter with its nodes along each axis") {
-    const Document document = document_of(
-        {.width = 100, .height = 90, .scale = 16, .view = render::Plane{.tileable = true}, .filter = true});
-    const std::string glsl = snippet(document, {100, 90});
-    float x = 0, y = 0, other_x = 0, other_y = 0;
-    const std::size_t at = glsl.find("gabor_footprint(here.dx * vec2(");
-    REQUIRE(at != std::string::npos);
-    REQUIRE(std::sscanf(glsl.c_str() + at, "gabor_footprint(here.dx * vec2(%f, %f), here.dy * vec2(%f, %f))",
-                        &x, &y, &other_x, &other_y) == 4);
-    CHECK(x == Approx(9 * 16 / 150.0));
-    CHECK(y == Approx(8 * 16 / 135.0));
-    CHECK(other_x == x);
-    CHECK(other_y == y);
 }
 
 TEST_CASE("documents survive a round trip through JSON") {

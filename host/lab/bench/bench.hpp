@@ -55,6 +55,7 @@ struct Code {
     double instructions = 0; ///< instructions per pixel
     double throughput = 0;   ///< estimated inverse throughput, cycles per pixel
     int registers = 0;       ///< vector registers per invocation
+    double seconds = 0;      ///< CPU time that the driver takes to compile it
 };
 
 /// Returns statistics for everything that the benchmark times, except the seminal noise, whose loops have
@@ -62,5 +63,8 @@ struct Code {
 /// machine. A bake's loop over rows counts as many times as it runs in a full block. Throws RequestError on a
 /// device without VK_KHR_pipeline_executable_properties.
 std::vector<Code> measure_code(const vulkan::Device& device);
+
+/// Returns statistics for compute shaders in SPIR-V files that write one storage buffer.
+std::vector<Code> measure_code(const vulkan::Device& device, const std::vector<std::string>& files);
 
 } // namespace gabor::bench

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace gabor::bench {
 
 namespace {
@@ -15,9 +18,10 @@ double value(const Statistics& statistics, const char* name) {
     return found == statistics.end() ? 0 : static_cast<double>(found->second);
 }
 
-Code unrolled(std::string name, const Statistics& statistics) {
+Code unrolled(std::string name, const vulkan::Device& device, const vulkan::Pass& pass) {
+    const Statistics statistics = pass.statistics(device);
     return {std::move(name), value(statistics, "Instructions"), value(statistics, "Inverse Throughput"),
-            static_cast<int>(value(statistics, "VGPRs"))};
+            static_cast<int>(value(statistics, "VGPRs")), pass.seconds()};
 }
 
 // A block's code has a part before its rows and a part for each row. The cost of a row is that of two rows
@@ -28,12 +32,12 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
     const render::Plan plan =
         render::plan(request, render::viewport_of(request, {0, 0, 64, 64}), {}, render::DeviceKind::gpu);
     render::Step step = plan.steps.front();
-    const auto statistics = [&](std::uint32_t rows) {
+    const auto pass = [&](std::uint32_t rows) {
         step.constants[passes::fixed_rows_id] = rows;
-        return render::make_pass(device, plan, step, true).statistics(device);
+        return render::make_pass(device, plan, step, true);
     };
-    const Statistics one = statistics(1);
-    const Statistics two = statistics(2);
+    const vulkan::Pass of_one = pass(1), of_two = pass(2);
+    const Statistics one = of_one.statistics(device), two = of_two.statistics(device);
     const int columns = static_cast<int>(step.constants[passes::block_columns_id]);
     constexpr int rows = 16; // rows per block on GPUs
     const auto per_pixel = [&](const char* name) {
@@ -41,7 +45,7 @@ Code baked(const vulkan::Device& device, const noise::Recipe& recipe) {
         return (first + (rows - 1) * (value(two, name) - first)) / (rows * columns);
     };
     return {fmt::format("bake, {}", recipe.name), per_pixel("Instructions"), per_pixel("Inverse Throughput"),
-            static_cast<int>(value(two, "VGPRs"))};
+            static_cast<int>(value(two, "VGPRs")), of_two.seconds()};
 }
 
 // The compiler can only guess how often a loop runs. So this counts the code without the loop, and adds the
@@ -50,12 +54,13 @@ Code multiplied_out(const vulkan::Device& device, Subject subject) {
     subject.options.back() = 0;
     const Statistics none = make_pass(device, subject, Use::statistics).statistics(device);
     subject.options.back() = 1;
-    const Statistics one = make_pass(device, subject, Use::statistics).statistics(device);
+    const vulkan::Pass pass = make_pass(device, subject, Use::statistics);
+    const Statistics one = pass.statistics(device);
     const auto total = [&](const char* name) {
         return value(none, name) + subject.octaves * (value(one, name) - value(none, name));
     };
     return {subject.name, total("Instructions"), total("Inverse Throughput"),
-            static_cast<int>(value(one, "VGPRs"))};
+            static_cast<int>(value(one, "VGPRs")), pass.seconds()};
 }
 
 } // namespace
@@ -65,13 +70,25 @@ std::vector<Code> measure_code(const vulkan::Device& device) {
     for (const Subject& subject : subjects()) {
         if (subject.has_loops)
             continue;
-        codes.push_back(
-            subject.octaves > 0
-                ? multiplied_out(device, subject)
-                : unrolled(subject.name, make_pass(device, subject, Use::statistics).statistics(device)));
+        codes.push_back(subject.octaves > 0
+                            ? multiplied_out(device, subject)
+                            : unrolled(subject.name, device, make_pass(device, subject, Use::statistics)));
     }
     for (const noise::Recipe& recipe : noise::recipes())
         codes.push_back(baked(device, recipe));
+    return codes;
+}
+
+std::vector<Code> measure_code(const vulkan::Device& device, const std::vector<std::string>& files) {
+    std::vector<Code> codes;
+    for (const std::string& path : files) {
+        std::ifstream file(path, std::ios::binary);
+        std::vector<std::uint32_t> words(std::filesystem::file_size(path) / sizeof(std::uint32_t));
+        file.read(reinterpret_cast<char*>(words.data()),
+                  static_cast<std::streamsize>(words.size() * sizeof(std::uint32_t)));
+        codes.push_back(unrolled(std::filesystem::path(path).stem().string(), device,
+                                 {device, words, {.statistics = true}}));
+    }
     return codes;
 }
 

@@ -52,11 +52,12 @@ Subject eroded(std::string name, std::span<const std::uint32_t> spirv, bool spla
 // Adds functions of passes/bench/recipe.comp, in the order of their numbers. Sparse recipes have only the
 // first `of_sparse`.
 void add_drop_in(std::vector<Subject>& all) {
-    static constexpr std::array names{"",      "_gradient", "_complex and phasor", "_tiled",    "_animated",
-                                      "_four", "_spread",   "_lobes, 3",           "_filtered", "_isotropic"};
+    static constexpr std::array names{"noise",          "noise_gradient", "noise_complex and phasor",
+                                      "noise_tiled",    "noise_animated", "noise_spread",
+                                      "field_lobes, 3", "noise_filtered", "noise_isotropic"};
     constexpr std::uint32_t of_sparse = 5;
     const auto add = [&all](const noise::Recipe& recipe, std::uint32_t number) {
-        all.push_back({fmt::format("gabor_noise{}, {}", names[number], recipe.name),
+        all.push_back({fmt::format("gabor_{}, {}", names[number], recipe.name),
                        static_cast<double>(noise::visited_impulses(recipe)),
                        modules.of(recipe),
                        &recipe,
@@ -76,8 +77,8 @@ void add_drop_in(std::vector<Subject>& all) {
 void add_space(std::vector<Subject>& all) {
     std::uint32_t number = 0;
     for (const char* name :
-         {"gabor_noise_3d", "gabor_noise_3d_isotropic", "gabor_noise_3d_gradient", "gabor_noise_surface",
-          "gabor_noise_surface_isotropic", "gabor_noise_3d_filtered"})
+         {"gabor_noise_3d", "gabor_noise_3d_isotropic", "gabor_field_3d", "gabor_noise_surface",
+          "gabor_field_surface_isotropic", "gabor_field_3d_filtered"})
         all.push_back({name, 27, space_spirv, nullptr, {++number}});
 }
 

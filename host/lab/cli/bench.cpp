@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gabor::lab {
 
@@ -25,6 +26,7 @@ struct BenchOptions {
     std::optional<std::string> json;
     bool quick = false;
     bool isa = false;
+    std::vector<std::string> files;
 };
 
 const bench::Row& find(const std::vector<bench::Row>& rows, std::string_view name) {
@@ -122,18 +124,21 @@ ordered_json time_all(const vulkan::Device& device, bool quick) {
             {"peak_memory", cli::peak_memory()}};
 }
 
-ordered_json count_code(const vulkan::Device& device) {
-    const std::vector<bench::Code> codes = bench::measure_code(device);
+ordered_json count_code(const vulkan::Device& device, const std::vector<std::string>& files) {
+    const std::vector<bench::Code> codes =
+        files.empty() ? bench::measure_code(device) : bench::measure_code(device, files);
     print_device(device);
     ordered_json result = ordered_json::array();
-    fmt::print("{:<38}{:>14}{:>12}{:>12}\n", "per pixel", "instructions", "cycles", "registers");
+    fmt::print("{:<38}{:>14}{:>12}{:>12}{:>12}\n", "per pixel", "instructions", "cycles", "registers",
+               "to compile");
     for (const bench::Code& code : codes) {
-        fmt::print("{:<38}{:>14.1f}{:>12.1f}{:>12}\n", code.name, code.instructions, code.throughput,
-                   code.registers);
+        fmt::print("{:<38}{:>14.1f}{:>12.1f}{:>12}{:>10.2f} s\n", code.name, code.instructions,
+                   code.throughput, code.registers, code.seconds);
         result.push_back({{"name", code.name},
                           {"instructions", code.instructions},
                           {"inverse_throughput", code.throughput},
-                          {"registers", code.registers}});
+                          {"registers", code.registers},
+                          {"pipeline_seconds", code.seconds}});
     }
     return {{"code", result}};
 }
@@ -145,7 +150,7 @@ void run_bench(const BenchOptions& options) {
     const vulkan::Device device(options.device);
     cli::note_interrupts();
     ordered_json json{{"device", device.info().name}, {"driver", device.info().driver}};
-    json.update(options.isa ? count_code(device) : time_all(device, options.quick));
+    json.update(options.isa ? count_code(device, options.files) : time_all(device, options.quick));
     if (file) {
         file->write(json.dump(2) + "\n");
         file->commit();
@@ -162,9 +167,12 @@ void add_bench_command(CLI::App& app) {
     cli::add_device_option(*command, options->device);
     command->add_flag("--quick", options->quick,
                       "Use few repetitions and a small picture, to check that everything runs");
-    command->add_flag(
+    CLI::Option* isa = command->add_flag(
         "--isa", options->isa,
         "Report the compiler's statistics instead of times. Needs RADV but no GPU: see tools/isa");
+    command->add_option("files", options->files, "SPIR-V files to report on instead of the noises")
+        ->check(CLI::ExistingFile)
+        ->needs(isa);
     command->callback([options] { run_bench(*options); });
 }
 

@@ -54,7 +54,7 @@ def _periods(period: ArrayLike | None) -> tuple[float, float]:
 
 def _field(kind: int, x, y, frequency, orientation, seed: int, period, time) -> NDArray[np.float32]:
     shape, flat, parameters = _points(x, y, also=(frequency, orientation))
-    values = _native.field(*flat, *parameters, seed & 0xFFFFFFFF, *_periods(period), time is not None,
+    values = _native.field(*flat, *parameters, seed & 0xFFFFFFFF, *_periods(period),
                            0.0 if time is None else float(time) % 1.0, kind)
     return _with_channels(values, shape)
 
@@ -159,9 +159,11 @@ _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "g
 
 
 def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl", "godot", "cpp"] = "glsl") -> str:
-    """Return the text of a drop-in: name is "noise", "spectrum", "materials", "noise_3d", "erosion", "direction" or "sparse".
+    """Return the text of a drop-in: name is "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion",
+    "direction" or "sparse".
 
-    Paste all but "sparse" after "noise", and "materials" and "noise_3d" after "spectrum" too.
+    Paste all but "sparse" after "noise", "materials" after "spectrum" and "filter" too, and "filter_3d" after
+    "filter" and "noise_3d".
     """
     folder = importlib.resources.files(__name__) / "source"
     if language not in _ENDINGS:

@@ -17,24 +17,30 @@ export function gabor_noise_gradient(p: Node, frequency: Value, orientation: Val
 export function gabor_noise_tiled(p: Node, period: Node, frequency: Value, orientation: Value, seed: Value): Node;
 /** Noise that evolves in place with period 1. */
 export function gabor_noise_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
-/** Noise in space; p and direction are vec3, and direction may have any length but 0. */
+/** Noise in 3D; p and direction are vec3, and direction may have any length but 0. */
 export function gabor_noise_3d(p: Node, frequency: Value, direction: Node, seed: Value): Node;
 /** (cosine, sine, intensity) of stripes of even contrast, at right angles to a wave vector, a vec2. 2 is a good sharpness. */
 export function gabor_stripes(p: Node, wave: Node, sharpness: Value, seed: Value): Node;
 
-/** (noise, quadrature, d/dx, d/dy) in one evaluation; the functions above return parts of it. */
-export function gabor_field(p: Node, frequency: Value, orientation: Value, seed: Value): Node;
-/** The same for a wave vector, which may vary with p. */
-export function gabor_field_wave(p: Node, wave: Node, seed: Value): Node;
-/** The same with the period of gabor_noise_tiled. */
-export function gabor_field_tiled(p: Node, period: Node, frequency: Value, orientation: Value, seed: Value): Node;
-/** The same with the time of gabor_noise_animated. */
-export function gabor_field_animated(p: Node, time: Value, frequency: Value, orientation: Value, seed: Value): Node;
-/** (noise, d/dx, d/dy, d/dz) in space. */
-export function gabor_field_3d(p: Node, frequency: Value, direction: Node, seed: Value): Node;
+/** A position with a period and a time in periods. Without a time, the noise stands still. */
+export interface GaborPlace { p: Node; period?: Node; time?: Value; }
+export interface GaborField { noise: Node; quadrature: Node; gradient: Node; }
+export interface GaborPlace3d { p: Node; }
+export interface GaborField3d { noise: Node; gradient: Node; }
 
-/** The wave vector of a frequency and an orientation: a vec2. */
-export function gabor_wave(frequency: Value, orientation: Value): Node;
+export function gabor_place_at(p: Node): GaborPlace;
+/** A position in noise with the period of gabor_noise_tiled. */
+export function gabor_place_tiled(p: Node, period: Node): GaborPlace;
+export function gabor_place_3d_at(p: Node): GaborPlace3d;
+/** The wave vector with a frequency and an orientation: a vec2. */
+export function gabor_wave_vector(frequency: Value, orientation: Value): Node;
+/** The noise, its quadrature and its gradient, in one evaluation. The wave vector may vary with p. */
+export function gabor_field(place: GaborPlace, wave: Node, seed: Value): GaborField;
+/** The same in 3D; the wave is a vec3. */
+export function gabor_field_3d(place: GaborPlace3d, wave: Node, seed: Value): GaborField3d;
+/** The stripes of any noise, like gabor_stripes. */
+export function gabor_stripes_of(field: GaborField, sharpness: Value): Node;
+
 /** The seed of noise `index` in a sum of independent noises. */
 export function gabor_lobe_seed(seed: Value, index: Value): Node;
 /** Maps -2 ... 2 to [0, 1] and clamps the rest. */
@@ -43,11 +49,11 @@ export function gabor_unorm(noise: Value): Node;
 /**
  * The view-space normal, for `normalNode`, of a surface that the noise raises along its normal: like bumpMap, but with one
  * evaluation of the noise.
- * @param slope the noise's gradient with respect to p
+ * @param gradient the noise's gradient with respect to p
  * @param p the position at which the noise was evaluated
  * @param height height of the relief per unit of noise, in view units
  */
-export function gabor_normal(slope: Node, p: Node, height: Value): Node;
+export function gabor_normal(gradient: Node, p: Node, height: Value): Node;
 
 /** Brushed metal, streaks along x: colour is linear, height and its slope are in units of p. */
 export function gabor_brushed_metal(p: Node, seed: Value):

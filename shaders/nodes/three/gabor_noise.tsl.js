@@ -122,16 +122,21 @@ const function_of = (name, body, ...inputs) => {
     return (...given) => made(...inputs.map((input, index) => types[input.split(" ")[0]](given[index])));
 };
 
-const wave_field = function_of("gabor_wave_field", ([p, wave, seed]) => field_of(plane(p, wave, seed)),
-                               "vec2 p", "vec2 wave", "uint seed");
+// A function for each kind of place: with a period or without, still or with a time.
+const made = {};
+const plane_field = ({ p, period, time }, wave, seed) => {
+    const name = `gabor_field${period ? "_tiled" : ""}${time === undefined ? "" : "_animated"}`;
+    made[name] ??= function_of(name, ([p, wave, seed, ...others]) => {
+        const side = period && others[0], moment = time === undefined ? undefined : others.at(-1);
+        if (!side)
+            return field_of(plane(p, wave, seed, moment));
+        const nodes = max(floor(clamp(side, 1 / 1024, 1e9).mul(RADIUS).add(0.5)), vec2(3)).toVar();
+        return field_of(plane(p, wave, seed, moment, nodes.div(side).toVar(), ivec2(nodes).toVar()));
+    }, "vec2 p", "vec2 wave", "uint seed", ...period ? ["vec2 period"] : [], ...time === undefined ? [] : ["float time"]);
+    return made[name](p, wave, seed, ...period ? [period] : [], ...time === undefined ? [] : [time]);
+};
 const quadrature_field = function_of("gabor_quadrature_field", ([p, wave, seed]) => quadrature_of(plane(p, wave, seed)),
                                      "vec2 p", "vec2 wave", "uint seed");
-const animated_field = function_of("gabor_animated_field", ([p, time, wave, seed]) => field_of(plane(p, wave, seed, time)),
-                                   "vec2 p", "float time", "vec2 wave", "uint seed");
-const tiled_field = function_of("gabor_tiled_field", ([p, period, wave, seed]) => {
-    const nodes = max(floor(clamp(period, 1 / 1024, 1e9).mul(RADIUS).add(0.5)), vec2(3)).toVar();
-    return field_of(plane(p, wave, seed, undefined, nodes.div(period).toVar(), ivec2(nodes).toVar()));
-}, "vec2 p", "vec2 period", "vec2 wave", "uint seed");
 
 const solid_field = function_of("gabor_solid_field", ([p, wave, seed]) => {
     const place = p.mul(RADIUS).toVar();
@@ -148,42 +153,56 @@ const solid_field = function_of("gabor_solid_field", ([p, wave, seed]) => {
 
 // ---- Public functions ----------------------------------------------------------------------------------------------
 
-export const gabor_wave = (frequency, orientation) =>
+export const gabor_wave_vector = (frequency, orientation) =>
     gabor_impl_wave(float(orientation).mul(0.15915494)).mul(min(abs(float(frequency)), 1e6));
 
-export const gabor_field = (p, frequency, orientation, seed) => wave_field(p, gabor_wave(frequency, orientation), seed);
-export const gabor_field_wave = (p, wave, seed) => wave_field(p, wave, seed);
-export const gabor_field_tiled = (p, period, frequency, orientation, seed) =>
-    tiled_field(p, period, gabor_wave(frequency, orientation), seed);
-export const gabor_field_animated = (p, time, frequency, orientation, seed) =>
-    animated_field(p, time, gabor_wave(frequency, orientation), seed);
-export const gabor_field_3d = (p, frequency, direction, seed) =>
-    solid_field(p, normalize(vec3(direction)).mul(min(abs(float(frequency)), 1e6)), seed);
+export const gabor_place_at = p => ({ p });
+export const gabor_place_tiled = (p, period) => ({ p, period });
+export const gabor_place_3d_at = p => ({ p });
 
-export const gabor_noise = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).x;
-export const gabor_noise_complex = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).yx;
-export const gabor_noise_gradient = (p, frequency, orientation, seed) => gabor_field(p, frequency, orientation, seed).xzw;
+export const gabor_field = (place, wave, seed) => {
+    const value = plane_field(place, wave, seed).toVar();
+    return { noise: value.x, quadrature: value.y, gradient: value.zw };
+};
+export const gabor_field_3d = (place, wave, seed) => {
+    const value = solid_field(place.p, wave, seed).toVar();
+    return { noise: value.x, gradient: value.yzw };
+};
+
+export const gabor_noise = (p, frequency, orientation, seed) =>
+    gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed).noise;
+export const gabor_noise_complex = (p, frequency, orientation, seed) => {
+    const field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
+    return vec2(field.quadrature, field.noise);
+};
+export const gabor_noise_gradient = (p, frequency, orientation, seed) => {
+    const field = gabor_field(gabor_place_at(p), gabor_wave_vector(frequency, orientation), seed);
+    return vec3(field.noise, field.gradient);
+};
 export const gabor_noise_tiled = (p, period, frequency, orientation, seed) =>
-    gabor_field_tiled(p, period, frequency, orientation, seed).x;
+    gabor_field(gabor_place_tiled(p, period), gabor_wave_vector(frequency, orientation), seed).noise;
 export const gabor_noise_animated = (p, time, frequency, orientation, seed) =>
-    gabor_field_animated(p, time, frequency, orientation, seed).x;
-export const gabor_noise_3d = (p, frequency, direction, seed) => gabor_field_3d(p, frequency, direction, seed).x;
+    gabor_field({ p, time }, gabor_wave_vector(frequency, orientation), seed).noise;
+export const gabor_noise_3d = (p, frequency, direction, seed) =>
+    gabor_field_3d(gabor_place_3d_at(p), normalize(vec3(direction)).mul(min(abs(float(frequency)), 1e6)), seed).noise;
 
 export const gabor_lobe_seed = (seed, index) => gabor_impl_lobe_seed(uint(seed), int(index));
 
-export const gabor_stripes = (p, wave, sharpness, seed) => {
-    const value = gabor_field_wave(p, wave, seed).yx.toVar();
+export const gabor_stripes_of = (field, sharpness) => {
+    const value = vec2(field.quadrature, field.noise).toVar();
     const intensity = length(value).toVar();
     return vec3(value.mul(min(float(sharpness), float(1).div(max(intensity, 1e-10)))), intensity);
 };
+export const gabor_stripes = (p, wave, sharpness, seed) =>
+    gabor_stripes_of(gabor_field(gabor_place_at(p), wave, seed), sharpness);
 
 export const gabor_unorm = noise => clamp(float(noise).mul(0.25).add(0.5), 0, 1);
 
-export const gabor_normal = (slope, p, height) => {
+export const gabor_normal = (gradient, p, height) => {
     const x = dFdx(positionView), y = dFdy(positionView);
     const first = cross(y, normalView), second = cross(normalView, x);
     const area = dot(x, first).toVar();
-    const steep = first.mul(dot(slope, dFdx(p))).add(second.mul(dot(slope, dFdy(p)))).mul(height).mul(sign(area));
+    const steep = first.mul(dot(gradient, dFdx(p))).add(second.mul(dot(gradient, dFdy(p)))).mul(height).mul(sign(area));
     return normalize(normalView.mul(abs(area)).sub(steep));
 };
 

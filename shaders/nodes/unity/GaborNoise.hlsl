@@ -21,10 +21,10 @@ void GaborNoise_float(float2 Place, float Frequency, float Orientation, float Se
 
 void GaborStripes_float(float2 Place, float2 Wave, float Sharpness, float Seed, out float Noise, out float2 Gradient, out float3 Stripes)
 {
-    GaborField field = gabor_field(gabor_place((int2)0, Place * GABOR_RADIUS), gabor_kernel_wave(Wave), (uint)(int)Seed);
-    Noise = field.value.y;
-    Gradient = float2(field.slope_x.y, field.slope_y.y);
-    Stripes = gabor_stripes_of(field.value, Sharpness);
+    GaborField field = gabor_field(gabor_place_at(Place), Wave, (uint)(int)Seed);
+    Noise = field.noise;
+    Gradient = field.gradient;
+    Stripes = gabor_stripes_of(field, Sharpness);
 }
 
 // For graphs with half precision; the noise itself is computed in full precision.

@@ -11,20 +11,22 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
 from scene import CALLS, calls_on_vulkan, report  # noqa: E402
 
-MODULES = "noise", "spectrum", "noise_3d", "materials", "erosion", "direction"  # each after those that it imports
-SCENE = """#import gabor_noise::noise::{gabor_kernel, gabor_noise, gabor_noise_animated, gabor_noise_complex, gabor_noise_four,
-    gabor_noise_gradient, gabor_noise_tiled, gabor_stripes}
-#import gabor_noise::noise_3d::gabor_noise_3d_gradient
+MODULES = "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion", "direction"  # each after those that it imports
+SCENE = """#import gabor_noise::noise::{gabor_field, gabor_noise, gabor_noise_animated, gabor_noise_complex,
+    gabor_noise_gradient, gabor_noise_tiled, gabor_place, gabor_stripes, gabor_wave_vector}
+#import gabor_noise::noise_3d::{gabor_field_3d, gabor_place_3d_at}
 #import gabor_noise::materials::gabor_brushed_metal
+fn solid(p: vec2f) -> f32 {
+    let field = gabor_field_3d(gabor_place_3d_at(vec3f(p, 0.3)), 4.0 * normalize(vec3f(1.0, 2.0, 3.0)), 7u);
+    return field.noise + dot(field.gradient, vec3f(1.0, 2.0, 3.0)) / 64.0;
+}
 @group(0) @binding(0) var<storage, read_write> values: array<f32>;
 @compute @workgroup_size(8) fn main(@builtin(global_invocation_id) pixel: vec3u) {
     let p = (vec2f(pixel.xy) + 0.5) / 32.0;
     values[pixel.y * 256u + pixel.x] = VALUE;
 }
 """
-FUNCTIONS = {name: re.sub(r"vec(\d)\(", r"vec\1f(", call) for name, call in CALLS.items()} | {
-    "solid": "dot(gabor_noise_3d_gradient(vec3f(p, 0.3), 4.0, vec3f(1.0, 2.0, 3.0), 7u), vec4f(64.0, 1.0, 2.0, 3.0) / 64.0)",
-}
+FUNCTIONS = {name: re.sub(r"\bvec(\d)\(", r"vec\1f(", call.replace("ivec2", "vec2i")) for name, call in CALLS.items()} | {"solid": "solid(p)"}
 
 
 def compiled(source, spirv):

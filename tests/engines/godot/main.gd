@@ -9,7 +9,7 @@ func _ready() -> void:
 		return
 	var node := arguments[1] == "node"
 	var values := compute() if arguments[1] == "compute" else await canvas(visual(true) if node else load("res://noise.gdshader"))
-	if node: # the node has no gabor_noise_at; its default position, UV * 8, is the same here
+	if node: # its default position, UV * 8, is the same here
 		values.resize(256 * 256)
 		var unconnected := await canvas(visual(false))
 		for i in values.size():

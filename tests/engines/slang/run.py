@@ -1,6 +1,7 @@
 """Imports functions from the module in the package for Slang, compiles them to SPIR-V and runs them on Vulkan: run.py VALUES.raw"""
 
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -14,6 +15,6 @@ def compiled(source, spirv):
     subprocess.run([sys.executable, "-B", ROOT / "tests/dialects/slangc.py", source, "main", "compute", spirv], check=True)
 
 
-calls = [call.replace("vec", "float") for call in CALLS.values()]
+calls = [re.sub(r"\bvec(?=\d)", "float", call.replace("ivec", "int")) for call in CALLS.values()]
 driver, values = calls_on_vulkan("slang", "slang", "import gabor_noise;" + SLANG, calls, compiled)
 report(sys.argv[1], values, "Slang", slangpy.__version__, "a module, to SPIR-V", driver, functions=list(CALLS))

@@ -24,10 +24,10 @@ async function reds(renderer, render) {
 // Returns the largest error of gabor_normal on a plane of side 4 that shows 8 kernel radii of noise and whose relief is 0.1
 // times the noise.
 async function normal_error(renderer) {
-    const p = uv().mul(8), field = gabor.gabor_field(p, 2, 0.5, 7).toVar();
-    const wanted = tsl.normalize(vec3(field.zw.mul(-0.1 * 8 / 4), 1));
+    const p = uv().mul(8), field = gabor.gabor_field(gabor.gabor_place_at(p), gabor.gabor_wave_vector(2, 0.5), 7);
+    const wanted = tsl.normalize(vec3(field.gradient.mul(-0.1 * 8 / 4), 1));
     const material = new THREE.NodeMaterial();
-    material.fragmentNode = vec4(vec3(tsl.length(gabor.gabor_normal(field.zw, p, 0.1).sub(wanted))), 1);
+    material.fragmentNode = vec4(vec3(tsl.length(gabor.gabor_normal(field.gradient, p, 0.1).sub(wanted))), 1);
     const scene = new THREE.Scene();
     scene.add(new THREE.Mesh(new THREE.PlaneGeometry(4, 4), material));
     const camera = new THREE.OrthographicCamera(-2, 2, 2, -2, 0.1, 10);

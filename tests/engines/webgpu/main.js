@@ -11,11 +11,7 @@ async function draw() {
         }
 
         fn noise(position: vec2f) -> f32 {
-            let p = position / 32.0;
-            if position.y < 256.0 {
-                return gabor_noise(p, 4.0, 0.7854, 7u);
-            }
-            return gabor_noise_at(vec2i(1000000000, -1000000000), p, gabor_kernel(4.0, 0.7854), 7u);
+            return gabor_noise(position / 32.0, 4.0, 0.7854, 7u);
         }
 
         @fragment fn draw(@builtin(position) position: vec4f) -> @location(0) f32 {

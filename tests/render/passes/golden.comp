@@ -16,11 +16,13 @@
 #elif defined GOLDEN_DIRECTION
 #define GABOR_DIRECTION(p) (0.3 * (p))
 #include "gabor_direction.glsl"
-#elif !defined GOLDEN_SPARSE && !defined GOLDEN_NOISE
-#include "gabor_spectrum.glsl"
-#endif
-#if defined GOLDEN_NOISE_3D
+#elif defined GOLDEN_NOISE_3D
+#include "gabor_filter.glsl"
 #include "gabor_noise_3d.glsl"
+#include "gabor_filter_3d.glsl"
+#elif defined GOLDEN_SPECTRUM || defined GOLDEN_MATERIALS
+#include "gabor_spectrum.glsl"
+#include "gabor_filter.glsl"
 #endif
 
 layout(local_size_x = 64) in;

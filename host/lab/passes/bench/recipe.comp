@@ -6,6 +6,7 @@
 #include "recipe.glsl"
 #if GABOR_TAPS == 3
 #include "gabor_spectrum.glsl"
+#include "gabor_filter.glsl"
 #endif
 #include "bench.glsl"
 
@@ -23,24 +24,19 @@ float value(vec2 p, uint instance) {
         return gabor_noise_tiled(p, vec2(16.0, 8.0), frequency, orientation, instance);
     case 4:
         return gabor_noise_animated(p, 0.3, frequency, orientation, instance);
-#ifdef GABOR_TAPS
-    case 5:
-        vec4 four = gabor_noise_four(p, frequency, orientation, instance);
-        return four.x + four.y + four.z + four.w;
-#endif
 #if GABOR_TAPS == 3
-    case 6:
+    case 5:
         return gabor_noise_spread(p, frequency, orientation, 0.0, 1.5707963, instance);
-    case 7:
+    case 6:
         GaborLobes lobes;
         for (int i = 0; i < 3; ++i)
             lobes.lobe[i] = gabor_lobe(frequency + float(i), orientation + float(i), 1.0, 1.0);
         lobes.count = 3;
-        return gabor_noise_lobes(p, lobes, instance);
-    case 8:
+        return gabor_field_lobes(gabor_place_at(p), lobes, instance).noise;
+    case 7:
         vec2 filtered = gabor_noise_filtered(p, vec2(0.02, 0.0), vec2(0.0, 0.1), frequency, orientation, instance);
         return filtered.x + filtered.y;
-    case 9:
+    case 8:
         return gabor_noise_isotropic(p, frequency, instance);
 #endif
     default:

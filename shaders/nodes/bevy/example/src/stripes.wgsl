@@ -1,5 +1,5 @@
 // Stripes that follow a vortex. The direction map is read at the nine nodes around a pixel, so stripes stay whole everywhere.
-#import gabor_noise::noise::{gabor_place, gabor_stripes_of}
+#import gabor_noise::noise::{gabor_place_at, gabor_stripes_of}
 #import gabor_noise::direction::{GaborWaves, gabor_field_waves, gabor_node_position}
 
 @group(0) @binding(0) var<storage, read_write> pixels: array<u32>;
@@ -11,12 +11,12 @@ fn vortex(p: vec2f) -> vec2f {
 }
 
 @compute @workgroup_size(8, 8) fn draw(@builtin(global_invocation_id) pixel: vec3u) {
-    let place = gabor_place(vec2i(), 1.5 * vec2f(pixel.xy) / 32.0); // 1.5 nodes and 32 pixels per kernel radius
+    let place = gabor_place_at(vec2f(pixel.xy) / 32.0); // 32 pixels per kernel radius
     var waves: GaborWaves;
     for (var node = 0; node < 9; node++) {
         waves.wave[node] = vortex(gabor_node_position(place, node));
     }
-    let stripes = gabor_stripes_of(gabor_field_waves(place, waves, 7u).value, 3.0);
+    let stripes = gabor_stripes_of(gabor_field_waves(place, waves, 7u), 3.0);
     let colour = mix(vec3f(0.16, 0.10, 0.30), vec3f(1.0, 0.82, 0.55), 0.5 + 0.5 * stripes.x);
     pixels[768u * pixel.y + pixel.x] = pack4x8unorm(vec4f(colour, 1.0));
 }

@@ -158,7 +158,7 @@ vec4 mx_gabor_slice(uint slice, uint below, uint level, uint above, uint before,
     return mx_gabor_sums(a, b, c, weights, turn_y);
 }
 
-// Noise in space and its gradient, in the units of mx_gabor_field2d.
+// Noise in 3D and its gradient, in the units of mx_gabor_field2d.
 vec4 mx_gabor_field3d(vec3 p, vec3 wave, int seed)
 {
     float x = 1.5 * p.x;

@@ -1,0 +1,556 @@
+// clang-format off
+// Generated from gabor_filter.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
+//
+// gabor_filter.hpp: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
+//
+// Paste or include this file after gabor_noise.hpp, with GABOR_TAPS 3, the default; and after gabor_spectrum.hpp, if you
+// filter its noises.
+//
+//     vec2 f = gabor_noise_filtered(p, dFdx(p), dFdy(p), 4.0, 0.7854, 7u);   // noise, removed share of its variance
+//
+//     I want                                   call
+//     filtered noise                           gabor_noise_filtered
+//     its gradient, or any place or wave       gabor_field_filtered
+//     stripes without moire                    gabor_stripes_of(gabor_field_filtered(...), sharpness)
+//     isotropic noise, or a sum of lobes       gabor_field_isotropic_filtered, gabor_field_lobes_filtered
+//     noise on meshes, filtered                gabor_filter_3d.hpp
+//
+// Arguments of all functions, besides those of gabor_noise.hpp:
+//     dx, dy  change of p, in kernel radii, from one pixel to the next along x and y: dFdx(p) and dFdy(p), or any two
+//             vectors. Where p jumps, as fract(uv) does, take the derivatives of the coordinate before it jumps. The
+//             filter is Gaussian with the covariance (dx dx^T + dy dy^T) / 4: its standard deviation is half a pixel.
+// A field's `removed` is the share of the variance that averaging removed. A material can add it, which is lost contrast,
+// to its roughness. Gradients are those at a fixed footprint.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include "gabor_vectors.hpp"
+
+#ifndef GABOR_NOISE_HPP
+#error Include gabor_noise.hpp before gabor_filter.hpp
+#endif
+#if GABOR_TAPS != 3
+#error gabor_filter.hpp needs GABOR_TAPS 3
+#endif
+#ifndef GABOR_FILTER_HPP
+#define GABOR_FILTER_HPP
+
+// vec2 gabor_noise_filtered(vec2 p, vec2 dx, vec2 dy, float frequency, float orientation, uint seed)
+//     (noise, removed).
+
+// GaborField gabor_field_filtered(GaborPlace place, vec2 dx, vec2 dy, vec2 wave, uint seed)
+//     The filtered noise at `place`.
+//     The rms error against exactly filtered noise is at most 1 % of a standard deviation while the pixel's longest
+//     axis, twice the filter's largest standard deviation, is at most a third of a kernel radius, and 2 % up to a whole
+//     radius; at the worst point, these errors are 2 and 3 %. For larger pixels, only the variance is right. The result
+//     is continuous in p, dx and dy. The cost on GPUs, relative to gabor_noise, is 1.4 for pixels up to 0.18 kernel
+//     radii (9 nodes), 3.1 from 0.2 (16 nodes), 3.4 from 0.66 along x or y (20 nodes), and 3.8 from 0.66 along both (25
+//     nodes); between 0.18 and 0.2, both of the first two filters run. On CPUs, where drivers run both sides of a
+//     branch, the cost is 3 for small pixels and 5 for larger ones.
+
+#ifdef GABOR_SPECTRUM_HPP
+// GaborField gabor_field_isotropic_filtered(GaborPlace place, vec2 dx, vec2 dy, float frequency, uint seed)
+//     gabor_field_isotropic, filtered, at about twice its cost. The rms error against exactly filtered noise is 2 % of a
+//     standard deviation while the pixel's longest axis is at most 0.3 kernel radii, and 4 % at 0.4. For larger pixels,
+//     only the variance is right.
+
+// GaborField gabor_field_lobes_filtered(GaborPlace place, vec2 dx, vec2 dy, GaborLobes lobes, uint seed)
+//     gabor_field_lobes, filtered. dx and dy are in units of p.
+#endif
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// A Gaussian filter of covariance S multiplies a wave with wave vector k by exp(-2 pi^2 k.S k). If H is the Fourier
+// transform of h, one node's kernel h(x) h(y) e^(2 pi i F.d) becomes the integral over q of
+//
+//     H(q_x) H(q_y) exp(-2 pi^2 (F + q).S (F + q)) e^(2 pi i (F + q).d).
+//
+// Along an axis and within w of the node, this is a Fourier series of period 2w: a sum over q = a / 2w. With w = 1, the
+// three waves a = -1, 0, 1 are h itself. After the filter, they are wrong only near the ends of h: by less than 1 % of
+// the noise's standard deviation if the filter's standard deviation is at most 0.1 kernel radii. A wider filter widens
+// the kernel beyond the ends of h, and needs the seven waves a = -3 ... 3: with w = 4/3 and four nodes along the axis
+// up to a standard deviation of 0.33, and with w up to 5/3 and five nodes beyond that. Between 0.09 and 0.1, seven
+// waves gradually replace three.
+//
+// The factor exp(-4 pi^2 S_xy q_x q_y) couples the axes. It acts like exp(S_xy d/dx d/dy): for three waves, 1 + S_xy
+// d/dx d/dy is enough. For seven waves, we use the fact that H is nearly a Gaussian:
+// H = (H e^(2 pi^2 v q^2)) e^(-2 pi^2 v q^2), where v = 1/3 - 2/pi^2 is the variance of h. Mehler's formula (DLMF
+// 18.18.28) then separates the axes: with M = S + v, the centre c = -M^-1 S F of the filtered lobe,
+// rho = M_xy / sqrt(M_xx M_yy), r = sqrt(1 - rho^2), lambda = rho / (1 + r) and, for each axis, g = 2 pi^2 r M and
+// z = sqrt(2 g) (q - c),
+//
+//     exp(-2 pi^2 (q - c).M (q - c)) = sqrt(1 - lambda^2) exp(-(z_x^2 + z_y^2) / 2)
+//                                      (1 - 2 lambda z_x z_y + 2 lambda^2 (z_x^2 - 1/2) (z_y^2 - 1/2) - ...).
+//
+// We use these three terms; |lambda| is at most 0.26.
+
+// A symmetric matrix (xx, yy, xy) times a vector.
+GABOR_INLINE gabor_vec2 gabor_impl_symmetric(gabor_vec3 matrix_, gabor_vec2 v) {
+    return matrix_.xy() * v + matrix_.z * v.yx();
+}
+
+// The share of a lobe's variance that a filter of covariance S keeps. If we approximate the lobe's power by a
+// Gaussian with the variance 1/12 of Hann's window along each axis, and d is the determinant of 1 + 2/3 pi^2 S, this is
+//     d^(-1/2) exp(-4 pi^2 F.S (1 + 2/3 pi^2 S)^-1 F),   where S (1 + 2/3 pi^2 S)^-1 = (S + 2/3 pi^2 |S|) / d.
+GABOR_INLINE float gabor_impl_transmitted(gabor_vec2 wave, gabor_vec3 covariance) {
+    float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z);
+    float d = 1.0f + 6.5797363f * (covariance.x + covariance.y + area);
+    float exponent = 39.478418f / d * gabor_cpp_dot(wave, gabor_impl_symmetric(covariance, wave) + area * wave);
+    return gabor_cpp_exp(-gabor_cpp_clamp(exponent, 0.0f, 80.0f)) * gabor_cpp_inversesqrt(d);
+}
+
+// The covariance of a pixel's filter: xx, yy, xy in kernel radii^2, where nodes are 1 / GABOR_RADIUS apart.
+struct GaborFootprint {
+    gabor_vec3 covariance;
+    gabor_vec3 resolved; // the same, limited to standard deviations of 1/2, the most that the windows allow
+};
+
+GABOR_INLINE GaborFootprint gabor_impl_footprint(gabor_vec2 dx, gabor_vec2 dy) {
+    if (!(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy) < 1.0e6f)) { // too large, or NaN: no wave is left
+        dx = gabor_vec2(1.0e5f, 0.0f);
+        dy = gabor_vec2(0.0f, 1.0e5f);
+    }
+    GaborFootprint footprint;
+    footprint.covariance = 0.25f * gabor_vec3(dx * dx + dy * dy, dx.x * dx.y + dy.x * dy.y);
+
+    // The eigenvalues are mean +- apart. Dividing the determinant by the larger gives the smaller more precisely.
+    float mean = 0.5f * (footprint.covariance.x + footprint.covariance.y);
+    gabor_vec2 axis = gabor_vec2(0.5f * (footprint.covariance.x - footprint.covariance.y), footprint.covariance.z);
+    float apart = gabor_cpp_length(axis);
+    float larger = mean + apart;
+    footprint.resolved = footprint.covariance;
+    if (larger > 0.25f) {
+        float side = 0.25f * (dx.x * dy.y - dx.y * dy.x);
+        float smaller = gabor_cpp_min(side / larger * side, 0.25f);
+        axis *= apart > 0.0f ? 0.5f * (0.25f - smaller) / apart : 0.0f;
+        footprint.resolved = gabor_vec3(gabor_cpp_max(0.5f * (0.25f + smaller) + gabor_vec2(axis.x, -axis.x), 0.0f), axis.y);
+    }
+    return footprint;
+}
+
+// Returns a node's filtered window, in the form with three waves, and the window's derivative. The filter multiplies
+// the wave q = -1/2, 0 or 1/2 of Hann's window by exp(-2 pi^2 S q^2 - 4 pi^2 (S F) q), where S is its variance along
+// the axis. If `even` and `odd` are the even and odd parts of this factor at q = 1/2, the window h becomes
+// 1/2 + even (h - 1/2) + i odd h' / pi.
+GABOR_INLINE gabor_vec4 gabor_impl_filtered_node(float value, float slope, gabor_vec2 part, gabor_vec2 phase) {
+    gabor_vec2 wave = gabor_vec2(value - 0.5f, slope);
+    gabor_vec2 even = part.x * wave, odd = part.y * gabor_vec2(-3.1415927f, 0.31830989f) * wave;
+    return gabor_vec4(gabor_impl_product(gabor_vec2(0.5f + even.x, odd.y), phase), gabor_impl_product(gabor_vec2(even.y, odd.x), phase));
+}
+
+// The derivatives of a node from gabor_impl_filtered_node: the second derivative of its window w is -pi^2 (w - 1/2).
+// `faded` is the derivative of the logarithm of the window's fade.
+GABOR_INLINE gabor_vec4 gabor_impl_filtered_derivative(gabor_vec4 node, float faded, gabor_vec2 phase) {
+    return gabor_vec4(node.zw() + faded * node.xy(), -9.8696044f * (node.xy() - 0.5f * phase));
+}
+
+// Filters an axis with the given S and S F. Windows fade out within half a standard deviation of their ends; the middle
+// window never fades.
+GABOR_INLINE void gabor_impl_filter(GaborAxis& axis, float variance, float blurred, GaborAxis& derivative) {
+    float rise = gabor_cpp_exp(19.739209f * blurred);
+    gabor_vec2 part = 0.5f * gabor_cpp_exp(-4.934802f * variance) * gabor_vec2(rise + 1.0f / rise, rise - 1.0f / rise);
+    float width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(variance), 0.001f, 0.05f);
+    gabor_vec2 t = gabor_cpp_clamp((0.33333333f + 0.66666667f * gabor_vec2(-axis.offset, axis.offset)) / width, 0.0f, 1.0f);
+    gabor_vec2 fade = t * t * (3.0f - 2.0f * t);
+    gabor_vec2 faded = 6.0f / width * t * (1.0f - t) / gabor_cpp_max(fade, 1.0e-6f) * gabor_vec2(-1.0f, 1.0f);
+    gabor_vec2 turn = gabor_impl_wave(axis.turns);
+    gabor_vec2 first = fade.x * turn, last = fade.y * gabor_vec2(turn.x, -turn.y);
+    gabor_vec4 value, slope;
+    gabor_impl_windows(axis.offset, value, slope);
+    axis.node[0] = gabor_impl_filtered_node(value.x, slope.x, part, first);
+    axis.node[1] = gabor_impl_filtered_node(value.y, slope.y, part, gabor_vec2(1.0f, 0.0f));
+    axis.node[2] = gabor_impl_filtered_node(value.z, slope.z, part, last);
+    derivative = axis;
+    derivative.node[0] = gabor_impl_filtered_derivative(axis.node[0], faded.x, first);
+    derivative.node[1] = gabor_impl_filtered_derivative(axis.node[1], 0.0f, gabor_vec2(1.0f, 0.0f));
+    derivative.node[2] = gabor_impl_filtered_derivative(axis.node[2], faded.y, last);
+}
+
+// The sum over nodes, with the coupling of the axes: 1 + S_xy d/dx d/dy.
+GABOR_INLINE gabor_vec2 gabor_impl_coupled_sum(GaborAxis columns, GaborAxis rows, float coupling, float moment) {
+    gabor_vec4 sum, slope;
+    gabor_impl_sum(columns, rows, moment, sum, slope);
+    return sum.xy() + coupling * slope.zw();
+}
+
+// The filtered noise at `place`, with three waves along each axis.
+GABOR_INLINE GaborField gabor_impl_filtered_narrow(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, std::uint32_t salt) {
+    gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
+    GaborAxis columns = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
+    GaborAxis rows = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
+                                     GABOR_RADIUS);
+    gabor_vec2 turn = gabor_cpp_exp(-19.739209f * gabor_cpp_dot(wave, blurred))
+              * gabor_impl_wave(columns.offset * columns.turns + rows.offset * rows.turns);
+    GaborAxis columns_slope, rows_slope;
+    gabor_impl_filter(columns, s.x, blurred.x, columns_slope);
+    gabor_impl_filter(rows, s.y, blurred.y, rows_slope);
+    gabor_vec2 value = gabor_impl_coupled_sum(columns, rows, s.z, place.moment);
+    gabor_vec2 along_x = gabor_impl_coupled_sum(columns_slope, rows, s.z, place.moment);
+    gabor_vec2 along_y = gabor_impl_coupled_sum(columns, rows_slope, s.z, place.moment);
+    return gabor_impl_field(gabor_vec4(value, along_x), gabor_vec4(along_y, 0.0f, 0.0f), turn, wave, gabor_vec2(1.0f));
+}
+
+// For the form with seven waves: a complex number for each factor of an axis, 1, q - c and (q - c)^2 - 1 / 4g.
+struct GaborFactors {
+    gabor_vec3 real;
+    gabor_vec3 imaginary;
+};
+
+// The nodes along an axis and their filtered windows. At a distance of d kernel radii, the window for each factor is
+//     even_0 + C (even_1 + C (even_2 + C even_3)) + i S (odd_1 + C (odd_2 + C odd_3)),
+// where C and S are the cosine and sine of 2 pi d / 2w.
+struct GaborFilteredAxis {
+    gabor_vec3 even_0;
+    gabor_vec3 even_1;
+    gabor_vec3 even_2;
+    gabor_vec3 even_3;
+    gabor_vec3 odd_1;
+    gabor_vec3 odd_2;
+    gabor_vec3 odd_3;
+    float reach;  // w, in node spacings
+    float offset; // offset of the point from the first node, in node spacings
+    int count;    // number of nodes, 4 or 5
+    int first;    // index of the first node
+    int period;
+    std::uint32_t salt;
+    gabor_vec2 turn_back; // turn of the wave q = 1 / 2w from one node to the next
+    gabor_vec2 back;      // the same for the noise's wave
+};
+
+// Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
+// axis. `m` is r M in the plane and D in space.
+GABOR_INLINE GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, std::uint32_t salt, gabor_vec2 step) {
+    GaborFilteredAxis b;
+    b.reach = gabor_cpp_clamp(0.35f + 5.0f * deviation, 2.0f, 2.5f);
+    b.count = b.reach > 2.0f ? 5 : 4;
+    float zero = gabor_cpp_floor(local + (b.count == 5 ? 0.5f : 1.0f)) - 2.0f;
+    b.offset = b.count == 5 ? gabor_cpp_clamp(local - zero, 1.5f, 2.5f) : gabor_cpp_clamp(local - zero, 1.0f, 2.0f); // see gabor_impl_axis
+    b.first = cell + int(zero);
+    b.period = period;
+    b.salt = salt;
+    b.turn_back = gabor_impl_wave(-0.5f / b.reach);
+    b.back = gabor_vec2(step.x, -step.y);
+
+    float g = 19.739209f * m, unit = 0.75f / b.reach;
+    float fall = gabor_cpp_exp((2.5797363f - g) * unit * unit); // e^(-2 pi^2 (m - v) q^2)
+    float rise = gabor_cpp_exp(2.0f * g * c * unit), sink = 1.0f / rise;
+    // H(q) / 2w, within 0.00024, at q = 1, 2 and 3 times 1 / 2w. The values are multiplied by 1, 2 and 4, the leading
+    // coefficients of the waves' cosines C, 2 C^2 - 1 and 4 C^3 - 3 C and of their sines S, 2 S C and S (4 C^2 - 1).
+    float t = b.reach - 2.0f;
+    gabor_vec3 wave = gabor_vec3(0.25723323f, 0.12732396f, -0.03693604f)
+              + t * (gabor_vec3(-0.03099653f, 0.22852218f, 0.10636504f) - t * gabor_vec3(0.0214304f, 0.11618766f, -0.1615392f));
+    float fall_4 = fall * fall * (fall * fall);
+    wave *= gabor_vec3(fall, fall_4, fall_4 * fall_4 * fall);
+    gabor_vec3 above = wave * gabor_vec3(rise, rise * rise, rise * rise * rise);
+    gabor_vec3 below = wave * gabor_vec3(sink, sink * sink, sink * sink * sink);
+    gabor_vec3 even = above + below, odd = above - below;
+    gabor_vec3 q = unit * gabor_vec3(1.0f, 2.0f, 3.0f);
+    float quarter = 0.25f / g;
+    gabor_vec3 even_1 = q * odd - c * even, odd_1 = q * even - c * odd; // for the factor q - c
+    gabor_vec3 even_2 = q * odd_1 - c * even_1 - quarter * even, odd_2 = q * even_1 - c * odd_1 - quarter * odd;
+    b.even_2 = gabor_vec3(even.y, even_1.y, even_2.y);
+    b.even_3 = gabor_vec3(even.z, even_1.z, even_2.z);
+    b.odd_2 = gabor_vec3(odd.y, odd_1.y, odd_2.y);
+    b.odd_3 = gabor_vec3(odd.z, odd_1.z, odd_2.z);
+    b.even_0 = unit * gabor_vec3(1.0f, -c, c * c - quarter) - 0.5f * b.even_2;
+    b.even_1 = gabor_vec3(even.x, even_1.x, even_2.x) - 0.75f * b.even_3;
+    b.odd_1 = gabor_vec3(odd.x, odd_1.x, odd_2.x) - 0.25f * b.odd_3;
+    return b;
+}
+
+// A column or a row of nodes: its word, and for each factor its window times the noise's wave.
+struct GaborFilteredLine {
+    std::uint32_t word;
+    GaborFactors window;
+    gabor_vec2 fade;  // factor of the window, and its derivative
+    gabor_vec2 turn;  // e^(2 pi i d / 2w)
+    gabor_vec2 phase; // the same for the noise's wave
+};
+
+// The factor by which the windows of line `index` fade over the last quarter of a node spacing, and its derivative.
+GABOR_INLINE gabor_vec2 gabor_impl_fade(GaborFilteredAxis b, int index) {
+    float d = b.offset - float(index), t = gabor_cpp_clamp(4.0f * (b.reach - gabor_cpp_abs(d)), 0.0f, 1.0f);
+    return t * gabor_vec2(t * (3.0f - 2.0f * t), -24.0f * GABOR_RADIUS * gabor_cpp_sign(d) * (1.0f - t));
+}
+
+// Computes line `index` from its turn and phase.
+GABOR_INLINE GaborFilteredLine gabor_impl_filtered_line(GaborFilteredAxis b, int index, gabor_vec2 turn, gabor_vec2 phase, gabor_vec2 fade) {
+    GaborFilteredLine line_;
+    line_.word = gabor_impl_line_word(gabor_impl_wrap(b.first + index, b.period), b.salt);
+    line_.turn = turn;
+    line_.phase = phase;
+    gabor_vec3 real = b.even_0 + turn.x * (b.even_1 + turn.x * (b.even_2 + turn.x * b.even_3));
+    gabor_vec3 imaginary = turn.y * (b.odd_1 + turn.x * (b.odd_2 + turn.x * b.odd_3));
+    line_.fade = fade;
+    line_.window = GaborFactors{phase.x * real - phase.y * imaginary, phase.x * imaginary + phase.y * real};
+    return line_;
+}
+
+// Computes line `index` from the previous one.
+GABOR_INLINE GaborFilteredLine gabor_impl_next_line(GaborFilteredLine line_, GaborFilteredAxis b, int index, gabor_vec2 fade) {
+    return gabor_impl_filtered_line(b, index, gabor_impl_product(line_.turn, b.turn_back),
+                                    gabor_impl_product(line_.phase, b.back), fade);
+}
+
+// The line's window with its fade.
+GABOR_INLINE GaborFactors gabor_impl_faded(GaborFilteredLine line_) {
+    return GaborFactors{line_.fade.x * line_.window.real, line_.fade.x * line_.window.imaginary};
+}
+
+// The four or five columns of nodes that reach a point.
+struct GaborColumns {
+    GaborFilteredLine column_0;
+    GaborFilteredLine column_1;
+    GaborFilteredLine column_2;
+    GaborFilteredLine column_3;
+    GaborFilteredLine column_4;
+    bool five;
+};
+
+GABOR_INLINE GaborColumns gabor_impl_columns(GaborFilteredAxis b) {
+    GaborColumns columns;
+    gabor_vec2 turn = gabor_impl_wave(0.5f / b.reach * b.offset);
+    columns.five = b.count == 5;
+    columns.column_0 = gabor_impl_filtered_line(b, 0, turn, gabor_vec2(1.0f, 0.0f), gabor_impl_fade(b, 0));
+    columns.column_1 = gabor_impl_next_line(columns.column_0, b, 1, gabor_vec2(1.0f, 0.0f));
+    columns.column_2 = gabor_impl_next_line(columns.column_1, b, 2, gabor_vec2(1.0f, 0.0f));
+    columns.column_3 = gabor_impl_next_line(columns.column_2, b, 3, gabor_impl_fade(b, 3));
+    columns.column_4 = columns.column_3;
+    if (columns.five) columns.column_4 = gabor_impl_next_line(columns.column_3, b, 4, gabor_impl_fade(b, 4));
+    return columns;
+}
+
+// The line before line 0, given the phase of the noise's wave there.
+GABOR_INLINE GaborFilteredLine gabor_impl_line_before(GaborFilteredAxis b, gabor_vec2 phase) {
+    GaborFilteredLine line_;
+    line_.turn = gabor_impl_wave(0.5f / b.reach * (b.offset + 1.0f));
+    line_.phase = phase;
+    return line_;
+}
+
+// Returns the sum plus a complex number times the factors.
+GABOR_INLINE GaborFactors gabor_impl_plus_product(GaborFactors sum, GaborFactors factors, float real, float imaginary) {
+    return GaborFactors{sum.real + (real * factors.real - imaginary * factors.imaginary),
+                        sum.imaginary + (real * factors.imaginary + imaginary * factors.real)};
+}
+
+// Adds a node to the sums of a row, and to those with the derivative of the fade.
+GABOR_INLINE void gabor_impl_add_filtered_node(GaborFactors& row, GaborFactors& edge, GaborFilteredLine column, std::uint32_t row_word,
+                                  float moment) {
+    gabor_vec2 a = gabor_impl_amplitude_at(column.word * row_word, moment), b = column.fade.x * a, c = column.fade.y * a;
+    row = gabor_impl_plus_product(row, column.window, b.x, b.y);
+    edge = gabor_impl_plus_product(edge, column.window, c.x, c.y);
+}
+
+// The sums of a row over its columns.
+GABOR_INLINE GaborFactors gabor_impl_filtered_row(GaborColumns columns, std::uint32_t row_word, float moment, GaborFactors& edge) {
+    GaborFactors row = GaborFactors{gabor_vec3(0.0f), gabor_vec3(0.0f)}, none = row;
+    edge = row;
+    gabor_impl_add_filtered_node(row, edge, columns.column_0, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_1, row_word, moment);
+    gabor_impl_add_filtered_node(row, none, columns.column_2, row_word, moment);
+    gabor_impl_add_filtered_node(row, edge, columns.column_3, row_word, moment);
+    if (columns.five) gabor_impl_add_filtered_node(row, edge, columns.column_4, row_word, moment);
+    return row;
+}
+
+// Drops the first factor and moves the others up by one.
+GABOR_INLINE GaborFactors gabor_impl_next(GaborFactors f) {
+    return GaborFactors{gabor_vec3(f.real.yz(), 0.0f), gabor_vec3(f.imaginary.yz(), 0.0f)};
+}
+
+// The weighted sum of the products of two axes' factors.
+GABOR_INLINE gabor_vec2 gabor_impl_contracted(GaborFactors a, GaborFactors b, gabor_vec3 weights) {
+    return gabor_vec2(gabor_cpp_dot(weights, a.real * b.real - a.imaginary * b.imaginary),
+                gabor_cpp_dot(weights, a.real * b.imaginary + a.imaginary * b.real));
+}
+
+// The filtered noise at `place`, with seven waves along each axis. If not `wanted`, computes only one row.
+GABOR_INLINE GaborField gabor_impl_filtered_wide(GaborPlace place, gabor_vec2 wave, gabor_vec3 s, bool wanted, std::uint32_t salt) {
+    gabor_vec2 m = s.xy() + 0.13069097f; // v
+    gabor_vec2 deviation = gabor_cpp_sqrt(s.xy());
+    gabor_vec2 blurred = gabor_impl_symmetric(s, wave);
+    gabor_vec2 c = gabor_impl_symmetric(gabor_vec3(m.yx(), -s.z), blurred) / (s.z * s.z - m.x * m.y);
+    float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y);
+    float r = gabor_cpp_sqrt(1.0f - rho * rho);
+    float lambda = rho / (1.0f + r);
+    float mixed = 39.478418f * s.z * r / (1.0f + r); // 2 lambda sqrt(g_x g_y)
+    gabor_vec3 weights = gabor_vec3(1.0f, -2.0f * mixed, 2.0f * mixed * mixed);
+    gabor_vec2 step_x = gabor_impl_wave(wave.x / GABOR_RADIUS);
+    gabor_vec2 step_y = gabor_impl_wave(wave.y / GABOR_RADIUS);
+    GaborFilteredAxis across = gabor_impl_filtered_axis(deviation.x, r * m.x, c.x, place.cell.x, place.local.x, place.period.x, salt,
+                                       step_x);
+    GaborFilteredAxis along = gabor_impl_filtered_axis(deviation.y, r * m.y, c.y, place.cell.y, place.local.y, place.period.y,
+                                      salt ^ GABOR_IMPL_ROWS, step_y);
+    GaborColumns columns = gabor_impl_columns(across);
+    GaborFilteredLine line_ = gabor_impl_line_before(
+        along, gabor_impl_wave(gabor_cpp_dot(wave, gabor_vec2(across.offset, along.offset + 1.0f)) / GABOR_RADIUS));
+    int rows = wanted ? along.count : 0; // saves time where a driver runs both sides of a branch
+    gabor_vec2 value = gabor_vec2(0.0f), next_x = gabor_vec2(0.0f), next_y = gabor_vec2(0.0f), edge_x = gabor_vec2(0.0f), edge_y = gabor_vec2(0.0f);
+    int j = 0; // a do-while loop, because some drivers run a while loop's body once more after its test fails
+    do {
+        line_ = gabor_impl_next_line(line_, along, j, gabor_impl_fade(along, j));
+        GaborFactors edge;
+        GaborFactors row = gabor_impl_filtered_row(columns, line_.word, place.moment, edge);
+        GaborFactors window = gabor_impl_faded(line_);
+        value += gabor_impl_contracted(row, window, weights);
+        next_x += gabor_impl_contracted(gabor_impl_next(row), window, weights);
+        next_y += gabor_impl_contracted(row, gabor_impl_next(window), weights);
+        edge_x += gabor_impl_contracted(edge, window, weights);
+        edge_y += line_.fade.y * gabor_impl_contracted(row, line_.window, weights);
+    } while (++j < rows);
+    float exponent = 19.739209f * (gabor_cpp_dot(wave + c, blurred) + r * gabor_cpp_dot(m, c * c));
+    // The derivative of a wave is 2 pi i (F + q) times the wave. For the factors f_0, f_1, f_2 of an axis,
+    // (q - c) f_n = f_(n + 1) + n / 4g f_(n - 1); f_3 is left out.
+    gabor_vec2 mean = wave + c, before = lambda * gabor_cpp_sqrt(m.yx() / m);
+    gabor_vec2 x = 6.2831853f * (mean.x * value + next_x - before.x * next_y);
+    gabor_vec2 y = 6.2831853f * (mean.y * value + next_y - before.y * next_x);
+    x = edge_x + gabor_vec2(-x.y, x.x);
+    y = edge_y + gabor_vec2(-y.y, y.x);
+    float scale = gabor_cpp_sqrt(1.0f - lambda * lambda) * gabor_cpp_exp(-exponent) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborField{scale * value.y, scale * gabor_vec2(x.y, y.y), scale * value.x, scale * gabor_vec2(x.x, y.x), 0.0f};
+}
+
+// The share of the form with seven waves in the filtered noise; the rest is the form with three.
+GABOR_INLINE float gabor_impl_wide_share(GaborFootprint footprint) {
+    return gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(footprint.resolved.x, footprint.resolved.y)) - 9.0f, 0.0f, 1.0f);
+}
+
+// Nodes are `stretch` / GABOR_RADIUS kernel radii apart.
+GABOR_INLINE GaborField gabor_impl_filtered(GaborPlace place, GaborFootprint footprint, float wide, gabor_vec2 wave, std::uint32_t seed) {
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    wave = gabor_cpp_clamp(wave, -1.0e6f, 1.0e6f) / stretch;
+    float transmitted = gabor_impl_transmitted(wave, footprint.covariance);
+    GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
+    if (transmitted >= 1.0e-10f) {
+        gabor_vec3 s = footprint.resolved;
+        std::uint32_t salt = gabor_impl_salt(seed);
+        float amplitude = 1.0f;
+        if (gabor_cpp_distance(footprint.resolved, footprint.covariance) > 0.0f)
+            amplitude *= gabor_cpp_sqrt(transmitted / gabor_impl_transmitted(wave, s));
+        if (wide < 1.0f)
+            gabor_impl_add_field(sum, gabor_impl_filtered_narrow(place, wave, s, salt), (1.0f - wide) * amplitude,
+                                 stretch);
+        if (wide > 0.0f)
+            gabor_impl_add_field(sum, gabor_impl_filtered_wide(place, wave, s, wide > 0.0f, salt), wide * amplitude,
+                                 stretch);
+    }
+    sum.removed = 1.0f - transmitted;
+    return sum;
+}
+
+GABOR_INLINE GaborField gabor_field_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 wave, std::uint32_t seed) {
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS;
+    GaborFootprint footprint = gabor_impl_footprint(stretch * dx, stretch * dy);
+    return gabor_impl_filtered(place, footprint, gabor_impl_wide_share(footprint), wave, seed);
+}
+
+GABOR_INLINE gabor_vec2 gabor_noise_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, float frequency, float orientation, std::uint32_t seed) {
+    GaborField field = gabor_field_filtered(gabor_place_at(p), dx, dy, gabor_wave_vector(frequency, orientation), seed);
+    return gabor_vec2(field.noise, field.removed);
+}
+
+// Approximates exp(-q/2) I_0(q/2), the mean of exp(-q cos^2) over angles, by the square root of a rational function.
+GABOR_INLINE float gabor_impl_mean_angle(float q) {
+    return gabor_cpp_sqrt((1.0f + q * (0.19075951f + 0.0865599f * q))
+                / (1.0f + q * (1.1907595f + q * (0.60787136f + 0.27193595f * q))));
+}
+
+#ifdef GABOR_SPECTRUM_HPP
+
+GABOR_INLINE GaborField gabor_field_lobes_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, GaborLobes lobes, std::uint32_t seed) {
+    GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
+    float power = gabor_impl_lobes_power(lobes);
+    for (int i = 0; i < gabor_cpp_min(lobes.count, GABOR_LOBES); ++i) {
+        GaborLobe lobe = lobes.lobe[i];
+        gabor_vec2 unit = 1.0f / lobe.radius;
+        GaborField field = gabor_field_filtered(gabor_impl_stretched(place, lobe.radius), unit * dx, unit * dy,
+                                                gabor_impl_lobe_wave(lobe), gabor_lobe_seed(seed, i));
+        gabor_impl_add_field(sum, field, power > 0.0f ? gabor_cpp_sqrt(lobe.power / power) : 0.0f, unit);
+    }
+    return sum;
+}
+
+// ---- Isotropic noise -----------------------------------------------------------------------------------------------
+
+// The share of isotropic noise's variance that a filter keeps: the mean of gabor_impl_transmitted over all directions.
+GABOR_INLINE float gabor_impl_transmitted_isotropic_2d(float frequency, gabor_vec3 covariance) {
+    float area = 6.5797363f * (covariance.x * covariance.y - covariance.z * covariance.z);
+    float d = 1.0f + 6.5797363f * (covariance.x + covariance.y + area);
+    float unit = 39.478418f / d * gabor_cpp_min(frequency * frequency, 1.0e12f);
+    float apart = gabor_cpp_length(gabor_vec2(covariance.x - covariance.y, 2.0f * covariance.z));
+    float smaller = area + gabor_cpp_max(0.5f * (covariance.x + covariance.y - apart), 0.0f);
+    return gabor_cpp_exp(-gabor_cpp_clamp(unit * smaller, 0.0f, 80.0f)) * gabor_impl_mean_angle(gabor_cpp_min(unit * apart, 1.0e8f)) * gabor_cpp_inversesqrt(d);
+}
+
+// A node's window along both axes, filtered: middle + cosine, and its derivative, sine.
+struct GaborWindows {
+    gabor_vec2 middle;
+    gabor_vec2 cosine;
+    gabor_vec2 sine;
+};
+
+// Adds a node's wave, filtered with covariance s. `a` is its amplitude times the wave at the point. The filter multiplies
+// it by exp(-2 pi^2 F.S F) and shifts its window along each axis by i x / pi, x = 2 pi^2 S F: see
+// gabor_impl_filtered_node.
+GABOR_INLINE void gabor_impl_add_filtered_wave(GaborField& sum, GaborWindows node, gabor_vec2 faded, gabor_vec3 s, gabor_vec2 a, gabor_vec2 wave) {
+    gabor_vec2 x = 19.739209f * gabor_impl_symmetric(s, wave);
+    a *= gabor_cpp_exp(-gabor_cpp_max(gabor_cpp_dot(wave, x), 0.0f));
+    x = gabor_cpp_clamp(x, -3.0f, 3.0f); // changes no wave that the filter keeps
+    gabor_vec2 y = x * x;
+    gabor_vec2 even = 1.0f + y * (0.5f + 0.041666667f * y), odd = x * (1.0f + y * (0.16666667f + 0.0083333333f * y));
+    gabor_vec2 real = node.middle + even * node.cosine, imaginary = 0.31830989f * odd * node.sine;
+    gabor_vec2 h_x = gabor_vec2(real.x, imaginary.x), h_y = gabor_vec2(real.y, imaginary.y);
+    gabor_vec2 value = gabor_impl_product(gabor_impl_product(h_x, h_y) + gabor_vec2(s.z * node.sine.x * node.sine.y, 0.0f), a);
+    real = even * node.sine;
+    imaginary = -3.1415927f * odd * node.cosine;
+    gabor_vec2 along_x = gabor_impl_product(gabor_impl_product(gabor_vec2(real.x, imaginary.x), h_y), a);
+    gabor_vec2 along_y = gabor_impl_product(gabor_impl_product(h_x, gabor_vec2(real.y, imaginary.y)), a);
+    sum.noise += value.y;
+    sum.gradient += gabor_vec2(along_x.y, along_y.y) + value.y * faded + 6.2831853f * value.x * wave;
+    sum.quadrature += value.x;
+    sum.quadrature_gradient += gabor_vec2(along_x.x, along_y.x) + value.x * faded - 6.2831853f * value.y * wave;
+}
+
+GABOR_INLINE GaborField gabor_field_isotropic_filtered(GaborPlace place, gabor_vec2 dx, gabor_vec2 dy, float frequency, std::uint32_t seed) {
+    gabor_vec3 s = gabor_impl_footprint(dx, dy).covariance;
+    frequency = gabor_cpp_min(gabor_cpp_abs(frequency), 1.0e6f);
+    float kept = gabor_impl_transmitted_isotropic_2d(frequency, s);
+    GaborField field = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 1.0f - kept};
+    if (!(kept > 1.0e-10f)) {
+        field.removed = 1.0f;
+        return field;
+    }
+    // The windows allow a standard deviation of at most 0.2.
+    s *= 0.04f / gabor_cpp_max(0.5f * (s.x + s.y + gabor_cpp_length(gabor_vec2(s.x - s.y, 2.0f * s.z))), 0.04f);
+    float amplitude = GABOR_IMPL_STAR * gabor_cpp_sqrt(kept / gabor_impl_transmitted_isotropic_2d(frequency, s));
+    gabor_vec2 stretch = place.radius / GABOR_RADIUS, unit = frequency / stretch; // from here on, nodes are 1 / GABOR_RADIUS apart
+    s *= gabor_vec3(stretch * stretch, stretch.x * stretch.y);
+    gabor_vec2 fall = gabor_cpp_exp(-4.934802f * s.xy()), width = gabor_cpp_clamp(0.5f * gabor_cpp_sqrt(s.xy()), 0.001f, 0.05f);
+    std::uint32_t salt = gabor_impl_salt(seed);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, 0.0f, GABOR_RADIUS);
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, 0.0f, GABOR_RADIUS);
+    GaborField sum = GaborField{0.0f, gabor_vec2(0.0f), 0.0f, gabor_vec2(0.0f), 0.0f};
+    for (int j = 0; j < 3; ++j) {
+        gabor_uvec4 row = gabor_impl_row(y.word[j]);
+        for (int i = 0; i < 3; ++i) {
+            gabor_vec2 d = gabor_vec2(x.offset - float(i - 1), y.offset - float(j - 1)) / GABOR_RADIUS;
+            GaborStar star = gabor_impl_star(x.word[i] * row, unit * d, place.moment);
+            gabor_vec2 t = gabor_cpp_clamp((1.0f - gabor_cpp_abs(d)) / width, 0.0f, 1.0f), fade = t * t * (3.0f - 2.0f * t);
+            gabor_vec2 change = -6.0f / width * t * (1.0f - t) * gabor_cpp_sign(d);
+            gabor_vec2 cosine = fall * (gabor_vec2(x.node[i].x, y.node[j].x) - 0.5f);
+            GaborWindows node = GaborWindows{0.5f * fade, fade * cosine, fade * fall * gabor_vec2(x.node[i].z, y.node[j].z)};
+            gabor_vec2 faded = change / gabor_cpp_max(fade, 1.0e-6f); // derivative of the logarithm of the fade
+            gabor_impl_add_filtered_wave(sum, node, faded, s, star.first, unit * star.u);
+            gabor_impl_add_filtered_wave(sum, node, faded, s, star.second, unit * star.v);
+            gabor_impl_add_filtered_wave(sum, node, faded, s, star.third, unit * (star.v - star.u));
+        }
+    }
+    gabor_impl_add_field(field, sum, amplitude, stretch);
+    return field;
+}
+#endif // GABOR_SPECTRUM_HPP
+
+#endif // GABOR_FILTER_HPP

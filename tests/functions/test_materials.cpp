@@ -1,0 +1,239 @@
+// Checks the slopes of materials, the covariance of slopes that their filters remove, the gloss that follows
+// from it, and that colours keep their mean, against differences and averages of the plain materials.
+
+#include "compare.hpp"
+
+#include "gabor_noise.hpp"
+
+#include "gabor_spectrum.hpp"
+
+#include "gabor_filter.hpp"
+
+#include "gabor_materials.hpp"
+
+#include <boost/math/distributions/normal.hpp>
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+using namespace gabor::noise;
+using gabor::test::Random;
+using Vec2 = gabor_vec2;
+using Numbers = std::vector<float>;
+using Ranges = std::vector<std::pair<float, float>>;
+
+namespace {
+
+struct Material {
+    const char* name;
+    float step;     // for differences of the height
+    double fixed;   // largest error of filtered slopes, relative to their rms
+    double gloss;   // largest error in a room, relative to the mean
+    Ranges numbers; // documented ranges
+    Numbers defaults;
+    GaborMaterial (*plain)(Vec2 p, const Numbers& parameters, unsigned seed);
+    GaborMaterial (*filtered)(Vec2 p, float pixel, const Numbers& parameters, unsigned seed);
+};
+
+template <typename T>
+Numbers numbers_of(const T& parameters) {
+    Numbers numbers(sizeof(T) / sizeof(float));
+    std::memcpy(numbers.data(), &parameters, sizeof(T));
+    return numbers;
+}
+
+template <typename T>
+T parameters_of(const Numbers& numbers) {
+    T parameters;
+    std::memcpy(&parameters, numbers.data(), sizeof(T));
+    return parameters;
+}
+
+// clang-format off
+#define MADE(type, name, ...) {&#name[6], __VA_ARGS__, numbers_of(name##_default()), \
+    [](Vec2 p, const Numbers& n, unsigned seed) { return name##_at(p, Vec2(0), parameters_of<type>(n), seed); }, \
+    [](Vec2 p, float w, const Numbers& n, unsigned seed) { \
+        return name##_filtered_at(p, Vec2(w, 0), Vec2(0, w), Vec2(0), parameters_of<type>(n), seed); }}
+// clang-format on
+const Material materials[]{
+    MADE(GaborWood, gabor_wood, 2e-4f, 0.15, 0.06, Ranges{{2, 60}, {0, 3}, {0, 1}, {0, 1}}),
+    MADE(GaborFabric, gabor_fabric, 2e-4f, 0.01, 0.12, Ranges{{2, 60}, {0, 2}, {0, 3}, {0, 1}, {0, 20}}),
+    MADE(GaborLeather, gabor_leather, 1e-3f, 0.1, 0.23, Ranges{{2, 30}, {0, 3}, {0, 3}, {0, 0.7f}}),
+    MADE(GaborMarble, gabor_marble, 1e-4f, 0.01, 0.02, Ranges{{0, 1.3f}, {0, 2}, {0, 1}, {0, 1}}),
+    MADE(GaborSand, gabor_sand, 1e-3f, 0.08, 0.08, Ranges{{1, 20}, {0, 0.2f}, {0, 0.25f}, {0, 1}}),
+    MADE(GaborRipples, gabor_ripples, 1e-3f, 0.01, 0.28,
+         Ranges{{0.1f, 5}, {-6, 6}, {0, 6}, {0, 0.2f}, {0, 1}}),
+    MADE(GaborBrushedMetal, gabor_brushed_metal, 5e-5f, 0.01, 0.03,
+         Ranges{{1, 50}, {0, 0.5f}, {0, 0.01f}, {0, 1}}),
+    MADE(GaborScratches, gabor_scratches, 1e-4f, 0.01, 0.06,
+         Ranges{{0.01f, 8}, {0.3f, 10}, {-6, 6}, {0, 3.1f}, {0, 0.02f}, {0, 1}}),
+    MADE(GaborZebra, gabor_zebra, 1e-4f, 0.01, 0.08, Ranges{{0.5f, 20}, {-6, 6}, {0, 1.57f}, {0, 3}, {0, 1}}),
+    MADE(GaborBark, gabor_bark, 4e-4f, 0.36, 0.2, Ranges{{0.5f, 10}, {0, 1}, {0, 0.4f}, {0, 1}}),
+    MADE(GaborCarbonFibre, gabor_carbon_fibre, 4e-4f, 0.03, 0.21, Ranges{{1, 20}, {0, 0.6f}, {0, 3}, {0, 1}}),
+    MADE(GaborStrata, gabor_strata, 4e-4f, 0.07, 0.08, Ranges{{1, 30}, {0, 3}, {0, 3}, {0, 1}})};
+
+double wide(float x) {
+    return static_cast<double>(x);
+}
+
+double square(double x) {
+    return x * x;
+}
+
+double square(Vec2 v) {
+    return square(wide(v.x)) + square(wide(v.y));
+}
+
+GaborMaterial value_of(const Material& m, float pixel, Vec2 p, unsigned seed) {
+    return pixel > 0 ? m.filtered(p, pixel, m.defaults, seed) : m.plain(p, m.defaults, seed);
+}
+
+// The light of a room with a bright window that `count` random facets with GGX's distribution mirror.
+double mirrored(const GaborMaterial& m, float roughness, int count, Random& random) {
+    const Vector<3> eye{-0.4, 0.2, 0.8944}, window{0.6, -0.3, 0.7416};
+    const Vector<3> normal = unit(Vector<3>{-wide(m.slope.x), -wide(m.slope.y), 1});
+    const Vector<3> x = unit(Vector<3>{1, 0, wide(m.slope.x)}), y = cross(normal, x);
+    double light = 0;
+    for (int i = 0; i < count; ++i) {
+        const double share = wide(random.uniform(0, 0.9999)), turn = wide(random.uniform(0, 6.2831853));
+        const double tilt = square(wide(roughness)) * std::sqrt(share / (1 - share));
+        const Vector<3> across = sum(std::cos(turn), x, std::sin(turn), y);
+        const Vector<3> facet = unit(sum(1, normal, tilt, across));
+        const double seen = 2 * dot(facet, eye) * dot(facet, window) - dot(eye, window);
+        light += (0.2 + 1 / (1 + std::exp(6 - 8 * seen))) / count;
+    }
+    return light;
+}
+
+} // namespace
+
+// Near a crease, the second differences at a step and at half of it disagree by a twentieth of the rms slope:
+// those points do not count. Steps are where rounding and truncation are smallest.
+TEST_CASE("materials' slopes are the derivatives of their heights", "[materials]") {
+    constexpr int points = 500;
+    for (const Material& m : materials)
+        for (const float pixel : {0.0f, 0.005f, 0.02f, 0.08f, 0.3f}) {
+            Random random(3);
+            double rms = 0;
+            for (int i = 0; i < points; ++i)
+                rms += square(value_of(m, pixel, random.uniform<Vec2>(0, 2), random.word()).slope) / points;
+            rms = std::sqrt(rms);
+            double error = 0;
+            int creases = 0;
+            for (int i = 0; i < points; ++i) {
+                const Vec2 p = random.uniform<Vec2>(0, 2);
+                const auto seed = random.word();
+                const GaborMaterial middle = value_of(m, pixel, p, seed);
+                double off = 0;
+                bool crease = false;
+                for (const int axis : {0, 1}) {
+                    std::array<double, 2> difference, bend;
+                    for (const std::size_t half : {0, 1}) {
+                        Vec2 after = p, before = p;
+                        after[axis] += m.step / (half ? 2.0f : 1.0f);
+                        before[axis] -= m.step / (half ? 2.0f : 1.0f);
+                        const double a = wide(value_of(m, pixel, after, seed).height);
+                        const double b = wide(value_of(m, pixel, before, seed).height);
+                        difference[half] = (a - b) / (wide(after[axis]) - wide(before[axis]));
+                        bend[half] = a - 2 * wide(middle.height) + b;
+                    }
+                    crease |= std::abs(bend[0] - 4 * bend[1]) > 0.05 * wide(m.step) * rms;
+                    off += square((4 * difference[1] - difference[0]) / 3 - wide(middle.slope[axis]));
+                }
+                creases += crease;
+                error += crease ? 0 : off / points;
+            }
+            fmt::print("  {:<13} pixel {:.3f}: slopes off by {:.4f} of their rms, {} creases\n", m.name,
+                       pixel, std::sqrt(error) / rms, creases);
+            INFO(m.name << ", pixel " << pixel);
+            CHECK(std::sqrt(error) / rms < (pixel > 0 ? m.fixed : 0.01));
+            CHECK(creases < points / 10);
+        }
+}
+
+TEST_CASE("a material's filter keeps or loses all variance of its slopes", "[materials]") {
+    for (const Material& m : materials)
+        for (const float pixel : {0.004f, 0.016f, 0.06f, 0.25f, 1.0f}) {
+            Random random(5);
+            double whole = 0, kept = 0, lost = 0;
+            for (int i = 0; i < 5000; ++i) {
+                const Vec2 p = random.uniform<Vec2>(0, 40);
+                const auto seed = random.word();
+                const GaborMaterial filtered = value_of(m, pixel, p, seed);
+                whole += square(value_of(m, 0, p, seed).slope);
+                kept += square(filtered.slope);
+                lost += wide(filtered.lost.x) + wide(filtered.lost.y);
+            }
+            fmt::print("  {:<13} pixel {:.3f}: kept {:.3f} + lost {:.3f} of the variance\n", m.name, pixel,
+                       kept / whole, lost / whole);
+            INFO(m.name << ", pixel " << pixel);
+            CHECK(std::abs(kept + lost - whole) < (m.name == std::string_view("bark") ? 0.35 : 0.22) * whole);
+        }
+}
+
+TEST_CASE("materials keep their gloss at every distance", "[materials]") {
+    constexpr int pixels = 24, strata = 24;
+    for (const Material& m : materials)
+        for (const float pixel : {1 / 256.0f, 1 / 64.0f, 1 / 16.0f, 0.25f, 1.0f}) {
+            Random random(6);
+            double mean = 0, error = 0, ignored = 0;
+            for (int i = 0; i < pixels; ++i) {
+                const Vec2 p = random.uniform<Vec2>(0, 30);
+                const auto seed = random.word();
+                const auto offset = [&](int stratum) {
+                    const double share = (stratum + wide(random.uniform(0.001, 0.999))) / strata;
+                    return pixel / 2 * static_cast<float>(quantile(boost::math::normal(), share));
+                };
+                double expected = 0;
+                for (int j = 0; j < strata * strata; ++j) {
+                    const Vec2 at(p.x + offset(j % strata), p.y + offset(j / strata));
+                    const GaborMaterial plain = value_of(m, 0, at, seed);
+                    expected += mirrored(plain, plain.roughness, 1, random) / (strata * strata);
+                }
+                const GaborMaterial filtered = value_of(m, pixel, p, seed);
+                mean += expected / pixels;
+                error +=
+                    square(mirrored(filtered, gabor_roughness(filtered), 2000, random) - expected) / pixels;
+                ignored += square(mirrored(filtered, filtered.roughness, 2000, random) - expected) / pixels;
+            }
+            fmt::print("  {:<13} pixel {:.4f}: light off by {:.3f} of its mean, {:.3f} without `lost`\n",
+                       m.name, pixel, std::sqrt(error) / mean, std::sqrt(ignored) / mean);
+            INFO(m.name << ", pixel " << pixel);
+            CHECK(std::sqrt(error) / mean < m.gloss);
+        }
+}
+
+TEST_CASE("colours keep their mean at the corners of all ranges", "[materials]") {
+    constexpr int samples = 6000;
+    for (const Material& m : materials) {
+        Random random(7);
+        double largest = 0;
+        const std::size_t colours = m.defaults.size() - m.numbers.size();
+        for (unsigned corner = 0; corner < 3u << m.numbers.size(); ++corner) {
+            Numbers n = m.defaults;
+            const unsigned look = corner >> m.numbers.size(); // every other colour bright, or all
+            for (std::size_t i = 0; i < colours; ++i)
+                n[i] = look == 2 || i / 3 % 2 == look ? 1 - 0.15f * static_cast<float>(i % 3) : 0.02f;
+            for (std::size_t i = 0; i < m.numbers.size(); ++i)
+                n[colours + i] = corner >> i & 1 ? m.numbers[i].second : m.numbers[i].first;
+            std::array<double, 3> mean{}, power{};
+            for (int i = 0; i < samples; ++i) {
+                const GaborMaterial near = m.plain(random.uniform<Vec2>(0, 3000), n, random.word());
+                for (const int c : {0, 1, 2}) {
+                    mean[c] += wide(near.colour[c]) / samples;
+                    power[c] += square(wide(near.colour[c])) / samples;
+                }
+            }
+            const GaborMaterial far = m.filtered(Vec2(3, 4), 3000, n, 7);
+            for (const int c : {0, 1, 2}) {
+                const double error = std::sqrt(std::max(power[c] - square(mean[c]), 0.0) / samples);
+                largest = std::max(largest, (std::abs(wide(far.colour[c]) - mean[c]) - 3 * error) / mean[c]);
+            }
+        }
+        fmt::print("  {:<13} means off by {:.4f} and three standard errors\n", m.name, largest);
+        INFO(m.name);
+        CHECK(largest < (m.name == std::string_view("fabric") ? 0.04 : 0.015));
+    }
+}
