@@ -55,8 +55,7 @@ struct GaborMaterial {
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
 // Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2(0.0)
-// for none: a period holds a whole number of rings or threads; scratches and hair snap to directions that repeat with
-// it.
+// for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
@@ -204,9 +203,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
-// and
-// one that shades them. The filtered ones are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
+// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 vec3 gabor_impl_times(vec3 a, vec3 b) {
@@ -299,16 +297,16 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
     return GaborField(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
-// The step in the warped position that a step in p makes.
-vec2 gabor_impl_step_of(GaborWarped at, vec2 step) {
-    return step.x * at.x + step.y * at.y;
+// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density at a warped position.
+vec4 gabor_impl_radii(GaborPixel pixel, GaborWarped at, vec2 density) {
+    return vec4(density * (pixel.dx.x * at.x + pixel.dx.y * at.y), density * (pixel.dy.x * at.x + pixel.dy.y * at.y));
 }
 
-// Moves the position by two noises, and less where they are finer than the pixel: as much as a filter keeps of their
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
 // slopes.
 GaborWarped gabor_impl_warp(GaborPixel pixel, GaborWarped at, vec2 density, vec2 amplitude, uint seed, int index) {
-    vec2 dx = density * gabor_impl_step_of(at, pixel.dx), dy = density * gabor_impl_step_of(at, pixel.dy);
-    amplitude /= 1.0 + 0.82246703 * min(dot(dx, dx) + dot(dy, dy), 1.0e6);
+    vec4 steps = gabor_impl_radii(pixel, at, density);
+    amplitude /= 1.0 + 0.82246703 * min(dot(steps, steps), 1.0e6);
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     vec2 along_x = amplitude * density.x * vec2(field.quadrature_gradient.x, field.gradient.x);
     vec2 along_y = amplitude * density.y * vec2(field.quadrature_gradient.y, field.gradient.y);
@@ -341,9 +339,8 @@ GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
         x = period.x * vec2(other.y, -other.x) / at.period;
         y = period.y * vec2(-whole.y, whole.x) / at.period;
     }
-    return GaborWarped(vec2(dot(x, at.p), dot(y, at.p)), vec2(dot(x, at.x), dot(y, at.x)), vec2(dot(x, at.y), dot(y,
-                                                                                                                  at.y)),
-                       period);
+    return GaborWarped(vec2(dot(x, at.p), dot(y, at.p)), vec2(dot(x, at.x), dot(y, at.x)),
+                       vec2(dot(x, at.y), dot(y, at.y)), period);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -479,9 +476,10 @@ GaborSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint sal
 void gabor_impl_add_spots_row(inout vec4 sum, inout vec2 along_y, GaborSpotsAxis x, uint word, vec4 y, float coupling) {
     vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     vec2 c = gabor_impl_amplitude(x.word.z * word);
-    vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
-                * c.y;
-    sum += y.x * vec4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * vec4(real.y, imaginary.y, real.w, imaginary.w);
+    vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
+    vec4 imaginary = x.first * a.y + x.middle * b.y + x.last * c.y;
+    sum += y.x * vec4(real.x, imaginary.x, real.z, imaginary.z)
+         + coupling * y.y * vec4(real.y, imaginary.y, real.w, imaginary.w);
     along_y += y.z * vec2(real.x, imaginary.x) + coupling * y.w * vec2(real.y, imaginary.y);
 }
 
@@ -500,9 +498,8 @@ GaborSpotsLine gabor_impl_spots_line(GaborFilteredAxis b, int index) {
                           vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
 }
 
-// The sums of a row over its columns: the factors times both parts of the amplitudes, and those with the derivative of
-// the
-// fade.
+// The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
+// derivative of its fade.
 struct GaborSpotsRow {
     vec3 real;
     vec3 imaginary;
@@ -521,11 +518,9 @@ GaborField gabor_impl_spots_wide(GaborPlace place, vec3 s, bool wanted, uint sal
     float rho = s.z * inversesqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
     float mixed = 78.956835 * s.z * r / (1.0 + r);
     GaborFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                        place.period.x,
-                                                        salt, vec2(1.0, 0.0));
+                                                        place.period.x, salt, vec2(1.0, 0.0));
     GaborFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                       place.period.y,
-                                                       salt ^ GABOR_IMPL_ROWS, vec2(1.0, 0.0));
+                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, vec2(1.0, 0.0));
     GaborSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
     GaborSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
@@ -585,11 +580,11 @@ GaborField gabor_impl_spots_filtered(GaborPlace place, vec2 dx, vec2 dy, uint se
     return sum;
 }
 
-// The share of a layer's variance that a filter removes, and the covariance of its gradient that it removes: see
-// gabor_impl_transmitted. The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave
-// vector (1 + 2/3 pi^2 S)^-1 F.
-GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, vec3 s) {
-    vec3 a = 6.5797363 * s, inverse = vec3(1.0 + a.y, 1.0 + a.x, -a.z);
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
+// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
+GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, vec4 steps) {
+    vec3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
+    vec3 inverse = vec3(1.0 + a.y, 1.0 + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
     vec3 whole = vec3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave);
     vec3 left = 3.2898681 * inverse + 39.478418 * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
@@ -597,17 +592,16 @@ GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, vec3 s) {
 }
 
 GaborPair gabor_impl_filtered_waves(GaborLayer layer, GaborPixel pixel) {
-    vec2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
-                                                                                                              pixel.dy);
-    GaborField field = gabor_field_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.wave, layer.seed);
-    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+    vec4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+    GaborPlace place = gabor_impl_place(layer.at, layer.density);
+    GaborField field = gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed);
+    return gabor_impl_filtered_pair(layer, field, steps);
 }
 
 GaborPair gabor_impl_filtered_spots(GaborLayer layer, GaborPixel pixel) {
-    vec2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
-                                                                                                              pixel.dy);
-    GaborField field = gabor_impl_spots_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.seed);
-    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+    vec4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+    GaborPlace place = gabor_impl_place(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed), steps);
 }
 
 void gabor_impl_add_filtered_spots(inout GaborPairs pairs, GaborLayer layer, GaborPixel pixel) {
@@ -655,9 +649,8 @@ vec3 gabor_impl_line(vec3 noise, float removed, float width) {
 vec3 gabor_impl_line_lost(vec3 noise, float removed, vec3 lost, float width) {
     float half_square = 0.5 * width * width, variance = half_square + removed;
     float mean = noise.x * half_square / variance, spread = half_square * removed / variance;
-    float square = sqrt(half_square / variance) * exp(-0.5 * min(noise.x * noise.x / variance,
-                                                                 100.0)) * (mean * mean + spread)
-                 / (4.0 * half_square * half_square);
+    float square = sqrt(half_square / variance) * exp(-0.5 * min(noise.x * noise.x / variance, 100.0))
+                 * (mean * mean + spread) / (4.0 * half_square * half_square);
     vec3 slope = gabor_impl_line(vec3(noise.x, 1.0, 0.0), removed, width);
     return square * lost + (square - slope.y * slope.y) * gabor_impl_square(noise.yz);
 }
@@ -683,8 +676,7 @@ vec3 gabor_impl_toned(vec3 colour, vec2 tone) {
     return min(mean, 1.0);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
-// see
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
 // gabor_impl_ends_at. `phase` is in turns.
 vec3 gabor_impl_rise(vec3 phase, vec3 span) {
     vec3 ends = gabor_impl_ends_at(phase.x, span.x);
@@ -748,8 +740,8 @@ GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, GaborWood woo
     vec3 within = vec3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     vec3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
-    vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11) + gabor_impl_tone(of.c.second.x, of.c.removed,
-                                                                                      0.13);
+    vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11)
+               + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13);
     vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
                 + 0.45 * deep.x * wood.late;
     vec3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.b.second;
@@ -787,11 +779,10 @@ GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, vec2 count, uint se
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
-// The height of a thread: a circle of radius `thick` that goes over a crossing thread if `bend` is 1 and under it if
-// -1.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
 vec3 gabor_impl_thread(vec3 across, vec3 thick, vec3 along, float bend) {
-    float square = thick.x * thick.x - 4.2 * across.x * across.x, side = sqrt(max(square,
-                                                                                  0.0)), turn = 3.1415927 * along.x;
+    float square = thick.x * thick.x - 4.2 * across.x * across.x;
+    float side = sqrt(max(square, 0.0)), turn = 3.1415927 * along.x;
     vec2 slope = (thick.x * thick.yz - 4.2 * across.x * across.yz) / max(side, 0.05);
     return vec3(side - (square < 0.0 ? 2.0 : 1.0) + 0.55 * bend * cos(turn),
                 (square < 0.0 ? vec2(0.0) : slope) - 1.7278760 * bend * sin(turn) * along.yz);
@@ -810,8 +801,8 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count,
     vec3 along_y = gabor_impl_thread(x, one + 0.16 * uneven * of.a.second, y, parity);
     vec3 along_x = gabor_impl_thread(y, one + 0.16 * uneven * of.b.second, x, -parity);
     bool first = along_y.x > along_x.x;
-    vec3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second, lost = first ? of.c.lost
-               : of.d.lost;
+    vec3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second;
+    vec3 lost = first ? of.c.lost : of.d.lost;
     if (top.x < -1.3) top = vec3(-1.3, 0.0, 0.0);
     vec2 tones = gabor_impl_tone(first ? of.a.second.x : of.b.second.x, first ? of.a.removed : of.b.removed,
                                  0.09 * uneven)
@@ -823,11 +814,12 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, vec2 count,
     height = unit * (0.3 * height + 0.035 * fibre);
     lost = unit * unit * (0.29 * (1.0 - kept * kept) * vec3(count * count, 0.0) + 0.001225 * lost);
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
-        vec3 at = gabor_impl_repeated(pixel, fabric.cords, 1.0).x * gabor_impl_along_x(cloth);
+        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
+        vec3 at = cords * gabor_impl_along_x(cloth);
         float damped = exp(-min(4.9348022 * gabor_impl_steps(pixel, at), 20.0)), half_cord = 0.5 * damped;
         float second = 0.125 * damped * damped * damped * damped, turn = 6.2831853 * fract(at.x);
         float cord = 0.625 - half_cord * cos(turn) - second * cos(2.0 * turn);
-        float depth = 0.3 * fabric.relief / gabor_impl_repeated(pixel, fabric.cords, 1.0).x, swing = depth * 6.2831853;
+        float depth = 0.3 * fabric.relief / cords, swing = depth * 6.2831853;
         colour *= mix(0.3, 1.0, cord);
         height += vec3(depth * cord, swing * (half_cord * sin(turn) + 2.0 * second * sin(2.0 * turn)) * at.yz);
         lost += swing * swing * (0.15625 - 0.5 * half_cord * half_cord - 2.0 * second * second)
@@ -893,8 +885,7 @@ GaborMaterial gabor_carbon_fibre_at(vec2 p, vec2 period, GaborCarbonFibre fibres
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's
-// middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 
 GaborWarped gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
     vec2 bends = vec2(0.07, 0.014) * leather.wrinkles;
@@ -935,14 +926,14 @@ GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
     vec3 dome = gabor_impl_step(-one, 3.0 * one, cells) - 0.236 * one;
     pebble = 0.806 * one + gabor_impl_times(kept, pebble);
     dome = 0.236 * one + gabor_impl_times(kept, dome);
-    vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
+    vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
+               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
     vec3 height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * of.a.second);
     float gone = leather.cells * leather.cells * (1.0 - root * root / (1.0 + blur.x));
     vec3 lost = gone * vec3(0.00287, 0.0026, 0.0) + 2.56e-6 * of.a.lost;
     vec3 colour = mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
-    return gabor_impl_material(colour, height,
-                               leather.relief * leather.relief * lost, leather.roughness + 0.15 * (1.0
-                                                                                                   - pebble.x), 0.0);
+    return gabor_impl_material(colour, height, leather.relief * leather.relief * lost,
+                               leather.roughness + 0.15 * (1.0 - pebble.x), 0.0);
 }
 
 GaborMaterial gabor_leather_at(vec2 p, vec2 period, GaborLeather leather, uint seed) {
@@ -979,8 +970,8 @@ GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborWarped stone, u
 
 GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
     float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
-    vec3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds), gabor_impl_tone(crystal.first.x, crystal.removed,
-                                                                                  0.02));
+    vec3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
+                                   gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
 
@@ -1006,9 +997,10 @@ GaborMaterial gabor_marble_at(vec2 p, vec2 period, GaborMarble marble, uint seed
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
     GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
-    for (int i = 4; i < 8; ++i)
-        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(gabor_impl_marble_layer(i, pixel, stone,
-                                                                                                seed)));
+    for (int i = 4; i < 8; ++i) {
+        GaborLayer layer = gabor_impl_marble_layer(i, pixel, stone, seed);
+        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(layer));
+    }
     return material;
 }
 
@@ -1032,8 +1024,8 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of)
     vec2 change = z.x * of.c.first.yz + z.y * of.c.second.yz; // half the derivative of the power
     vec3 phase = vec3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.c.second.yz - z.y * of.c.first.yz));
     vec3 ripple = gabor_impl_rise(phase, span * vec3(1.0, (1.0 / power - 1.0 / whole) * change));
-    vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain) + gabor_impl_tone(of.a.second.x, of.a.removed,
-                                                                                           0.06);
+    vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
+               + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06);
     vec3 colour = mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
     float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9, 0.15).x;
     float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9, 0.15).x;
@@ -1077,7 +1069,7 @@ GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborRipples ripple
 // Adds a wave: the first sum is the height, the second a noise.
 void gabor_impl_add_ripple(inout GaborPair sum, int i, GaborPair wave) {
     float amplitude = exp2(-0.351 * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0 - wave.removed;
-    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power, and x^2 by the square
+    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power, x^2 by the square
     sum.first += amplitude * vec3(x + harmonic * (x * x - y * y),
                                   (1.0 + 2.0 * harmonic * x) * wave.first.yz - 2.0 * harmonic * y * wave.second.yz);
     sum.second += amplitude * wave.first;
@@ -1199,8 +1191,8 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
     float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
                                   of.c.removed + ragged * ragged * of.a.removed, 0.0,
                                   0.01 + 0.09 * intensity).x;
-    vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair) + gabor_impl_tone(of.b.second.x,
-                                                                                                   of.b.removed, 0.08);
+    vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair)
+               + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08);
     vec3 colour = mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
     return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0);
 }
@@ -1283,17 +1275,17 @@ GaborWarped gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWarped rock, GaborStrata strata, uint seed) {
-    if (i < 4) return gabor_impl_octave(gabor_impl_unwarped(pixel), vec2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed,
-                                                                                                                 7));
-    vec2 density = i == 4 ? vec2(0.1, 0.33333333) : i == 5 ? vec2(0.14, 1.0) : i == 6 ? vec2(0.25,
-                                                                                             2.8333333)
-                                                                                                 : vec2(0.6, 8.3333333);
+    if (i < 4)
+        return gabor_impl_octave(gabor_impl_unwarped(pixel), vec2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
+    vec2 density = i == 4 ? vec2(0.1, 0.33333333) : i == 5 ? vec2(0.14, 1.0)
+                 : i == 6 ? vec2(0.25, 2.8333333) : vec2(0.6, 8.3333333);
     return gabor_impl_spots_layer(i - 3, rock, density * vec2(1.0, strata.layers), seed, i - 1);
 }
 
 GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
     vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5, 0.22); // the soft layers, which erode
-    vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
+    vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13)
+               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
     vec3 colour = mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
                       gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
     colour = mix(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
@@ -1375,9 +1367,10 @@ GaborMaterial gabor_marble_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Ga
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed), pixel);
     GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
-    for (int i = 4; i < 8; ++i)
-        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(gabor_impl_marble_layer(i, pixel, stone,
-                                                                                                    seed), pixel));
+    for (int i = 4; i < 8; ++i) {
+        GaborLayer layer = gabor_impl_marble_layer(i, pixel, stone, seed);
+        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(layer, pixel));
+    }
     return material;
 }
 
@@ -1395,9 +1388,10 @@ GaborMaterial gabor_sand_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, Gabo
 GaborMaterial gabor_ripples_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 period, GaborRipples ripples, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 14; ++i)
-        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(gabor_impl_ripples_layer(i, pixel, ripples, seed),
-                                                                pixel));
+    for (int i = 0; i < 14; ++i) {
+        GaborLayer layer = gabor_impl_ripples_layer(i, pixel, ripples, seed);
+        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(layer, pixel));
+    }
     return gabor_impl_ripples(ripples, sum);
 }
 
@@ -1405,9 +1399,10 @@ GaborMaterial gabor_brushed_metal_filtered_at(vec2 p, vec2 dx, vec2 dy, vec2 per
                                               uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 5; ++i)
-        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(gabor_impl_streaks_layer(i, pixel, metal, seed),
-                                                                 pixel));
+    for (int i = 0; i < 5; ++i) {
+        GaborLayer layer = gabor_impl_streaks_layer(i, pixel, metal, seed);
+        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(layer, pixel));
+    }
     return gabor_impl_brushed_metal(metal, sum);
 }
 
@@ -1503,21 +1498,42 @@ GaborStrata gabor_strata_default() {
                        6.0, 1.0, 1.0, 0.9);
 }
 
-GaborMaterial gabor_wood(vec2 p, uint seed) { return gabor_wood_at(p, vec2(0.0), gabor_wood_default(), seed); }
-GaborMaterial gabor_fabric(vec2 p, uint seed) { return gabor_fabric_at(p, vec2(0.0), gabor_fabric_default(), seed); }
-GaborMaterial gabor_leather(vec2 p, uint seed) { return gabor_leather_at(p, vec2(0.0), gabor_leather_default(), seed); }
-GaborMaterial gabor_marble(vec2 p, uint seed) { return gabor_marble_at(p, vec2(0.0), gabor_marble_default(), seed); }
-GaborMaterial gabor_sand(vec2 p, uint seed) { return gabor_sand_at(p, vec2(0.0), gabor_sand_default(), seed); }
-GaborMaterial gabor_ripples(vec2 p, uint seed) { return gabor_ripples_at(p, vec2(0.0), gabor_ripples_default(), seed); }
-GaborMaterial gabor_brushed_metal(vec2 p, uint seed) { return gabor_brushed_metal_at(p, vec2(0.0),
-                                                                                     gabor_brushed_metal_default(), seed); }
-GaborMaterial gabor_scratches(vec2 p, uint seed) { return gabor_scratches_at(p, vec2(0.0), gabor_scratches_default(),
-                                                                             seed); }
-GaborMaterial gabor_zebra(vec2 p, uint seed) { return gabor_zebra_at(p, vec2(0.0), gabor_zebra_default(), seed); }
-GaborMaterial gabor_bark(vec2 p, uint seed) { return gabor_bark_at(p, vec2(0.0), gabor_bark_default(), seed); }
-GaborMaterial gabor_carbon_fibre(vec2 p, uint seed) { return gabor_carbon_fibre_at(p, vec2(0.0),
-                                                                                   gabor_carbon_fibre_default(), seed); }
-GaborMaterial gabor_strata(vec2 p, uint seed) { return gabor_strata_at(p, vec2(0.0), gabor_strata_default(), seed); }
+GaborMaterial gabor_wood(vec2 p, uint seed) {
+    return gabor_wood_at(p, vec2(0.0), gabor_wood_default(), seed);
+}
+GaborMaterial gabor_fabric(vec2 p, uint seed) {
+    return gabor_fabric_at(p, vec2(0.0), gabor_fabric_default(), seed);
+}
+GaborMaterial gabor_leather(vec2 p, uint seed) {
+    return gabor_leather_at(p, vec2(0.0), gabor_leather_default(), seed);
+}
+GaborMaterial gabor_marble(vec2 p, uint seed) {
+    return gabor_marble_at(p, vec2(0.0), gabor_marble_default(), seed);
+}
+GaborMaterial gabor_sand(vec2 p, uint seed) {
+    return gabor_sand_at(p, vec2(0.0), gabor_sand_default(), seed);
+}
+GaborMaterial gabor_ripples(vec2 p, uint seed) {
+    return gabor_ripples_at(p, vec2(0.0), gabor_ripples_default(), seed);
+}
+GaborMaterial gabor_brushed_metal(vec2 p, uint seed) {
+    return gabor_brushed_metal_at(p, vec2(0.0), gabor_brushed_metal_default(), seed);
+}
+GaborMaterial gabor_scratches(vec2 p, uint seed) {
+    return gabor_scratches_at(p, vec2(0.0), gabor_scratches_default(), seed);
+}
+GaborMaterial gabor_zebra(vec2 p, uint seed) {
+    return gabor_zebra_at(p, vec2(0.0), gabor_zebra_default(), seed);
+}
+GaborMaterial gabor_bark(vec2 p, uint seed) {
+    return gabor_bark_at(p, vec2(0.0), gabor_bark_default(), seed);
+}
+GaborMaterial gabor_carbon_fibre(vec2 p, uint seed) {
+    return gabor_carbon_fibre_at(p, vec2(0.0), gabor_carbon_fibre_default(), seed);
+}
+GaborMaterial gabor_strata(vec2 p, uint seed) {
+    return gabor_strata_at(p, vec2(0.0), gabor_strata_default(), seed);
+}
 
 #ifdef GABOR_FILTER_GLSL
 GaborMaterial gabor_wood_filtered(vec2 p, vec2 dx, vec2 dy, uint seed) {

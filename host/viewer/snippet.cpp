@@ -76,7 +76,7 @@ std::string lighting(const View& view) {
            shaders({"srgb.glsl", "light.glsl"});
 }
 
-// Includes of drop-ins, for those who have the files. Empty names are skipped.
+// Includes drop-ins, for users who have the files. Skips empty names.
 std::string includes(std::initializer_list<std::string_view> drop_ins) {
     std::string text;
     for (const std::string_view name : drop_ins)

@@ -12,7 +12,7 @@
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
-// within a kernel radius. A map of lines without a sign jumps, too, from o to o + pi: the noise shows nothing of it, while
+// within a kernel radius. A map of undirected lines also jumps, from o to o + pi. Noise does not show this jump, but
 // stripes lose contrast within a kernel radius. Store such a map as (cos 2 o, sin 2 o), which textures can interpolate.
 //
 // For any map, value and gradient are normal at every point (up to three standard deviations, as in

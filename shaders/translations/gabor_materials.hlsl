@@ -69,8 +69,7 @@ GaborMaterial GaborMaterial_of(float3 colour, float height, float2 slope, float 
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
 // Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, float2(0.0)
-// for none: a period holds a whole number of rings or threads; scratches and hair snap to directions that repeat with
-// it.
+// for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
@@ -368,9 +367,8 @@ GaborStrata GaborStrata_of(float3 rock, float3 sandstone, float3 red, float3 pal
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
-// and
-// one that shades them. The filtered ones are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
+// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 float3 gabor_impl_times(float3 a, float3 b) {
@@ -483,16 +481,16 @@ GaborField gabor_impl_spots(GaborPlace place, uint seed) {
     return GaborField_of(scale * value.y, stretch * slope.yw, scale * value.x, stretch * slope.xz, 0.0);
 }
 
-// The step in the warped position that a step in p makes.
-float2 gabor_impl_step_of(GaborWarped at, float2 step) {
-    return step.x * at.x + step.y * at.y;
+// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density at a warped position.
+float4 gabor_impl_radii(GaborPixel pixel, GaborWarped at, float2 density) {
+    return float4(density * (pixel.dx.x * at.x + pixel.dx.y * at.y), density * (pixel.dy.x * at.x + pixel.dy.y * at.y));
 }
 
-// Moves the position by two noises, and less where they are finer than the pixel: as much as a filter keeps of their
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
 // slopes.
 GaborWarped gabor_impl_warp(GaborPixel pixel, GaborWarped at, float2 density, float2 amplitude, uint seed, int index) {
-    float2 dx = density * gabor_impl_step_of(at, pixel.dx), dy = density * gabor_impl_step_of(at, pixel.dy);
-    amplitude /= 1.0 + 0.82246703 * min(dot(dx, dx) + dot(dy, dy), 1.0e6);
+    float4 steps = gabor_impl_radii(pixel, at, density);
+    amplitude /= 1.0 + 0.82246703 * min(dot(steps, steps), 1.0e6);
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     float2 along_x = amplitude * density.x * float2(field.quadrature_gradient.x, field.gradient.x);
     float2 along_y = amplitude * density.y * float2(field.quadrature_gradient.y, field.gradient.y);
@@ -525,9 +523,8 @@ GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
         x = period.x * float2(other.y, -other.x) / at.period;
         y = period.y * float2(-whole.y, whole.x) / at.period;
     }
-    return GaborWarped_of(float2(dot(x, at.p), dot(y, at.p)), float2(dot(x, at.x), dot(y, at.x)), float2(dot(x, at.y), dot(y,
-                                                                                                                  at.y)),
-                       period);
+    return GaborWarped_of(float2(dot(x, at.p), dot(y, at.p)), float2(dot(x, at.x), dot(y, at.x)),
+                       float2(dot(x, at.y), dot(y, at.y)), period);
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -706,9 +703,10 @@ GaborSpotsAxis gabor_impl_spots_axis(int cell, float local, int period, uint sal
 void gabor_impl_add_spots_row(inout float4 sum, inout float2 along_y, GaborSpotsAxis x, uint word, float4 y, float coupling) {
     float2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     float2 c = gabor_impl_amplitude(x.word.z * word);
-    float4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
-                * c.y;
-    sum += y.x * float4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * float4(real.y, imaginary.y, real.w, imaginary.w);
+    float4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
+    float4 imaginary = x.first * a.y + x.middle * b.y + x.last * c.y;
+    sum += y.x * float4(real.x, imaginary.x, real.z, imaginary.z)
+         + coupling * y.y * float4(real.y, imaginary.y, real.w, imaginary.w);
     along_y += y.z * float2(real.x, imaginary.x) + coupling * y.w * float2(real.y, imaginary.y);
 }
 
@@ -736,9 +734,8 @@ GaborSpotsLine gabor_impl_spots_line(GaborFilteredAxis b, int index) {
                           float3(real.x, imaginary, real.z), gabor_impl_fade(b, index));
 }
 
-// The sums of a row over its columns: the factors times both parts of the amplitudes, and those with the derivative of
-// the
-// fade.
+// The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
+// derivative of its fade.
 struct GaborSpotsRow {
     float3 real;
     float3 imaginary;
@@ -766,11 +763,9 @@ GaborField gabor_impl_spots_wide(GaborPlace place, float3 s, bool wanted, uint s
     float rho = s.z * rsqrt(m.x * m.y), r = sqrt(1.0 - rho * rho), lambda = rho / (1.0 + r);
     float mixed = 78.956835 * s.z * r / (1.0 + r);
     GaborFilteredAxis across = gabor_impl_filtered_axis(sqrt(s.x), r * m.x, 0.0, place.cell.x, place.local.x,
-                                                        place.period.x,
-                                                        salt, float2(1.0, 0.0));
+                                                        place.period.x, salt, float2(1.0, 0.0));
     GaborFilteredAxis along = gabor_impl_filtered_axis(sqrt(s.y), r * m.y, 0.0, place.cell.y, place.local.y,
-                                                       place.period.y,
-                                                       salt ^ GABOR_IMPL_ROWS, float2(1.0, 0.0));
+                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, float2(1.0, 0.0));
     GaborSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
     GaborSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
@@ -830,11 +825,11 @@ GaborField gabor_impl_spots_filtered(GaborPlace place, float2 dx, float2 dy, uin
     return sum;
 }
 
-// The share of a layer's variance that a filter removes, and the covariance of its gradient that it removes: see
-// gabor_impl_transmitted. The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave
-// vector (1 + 2/3 pi^2 S)^-1 F.
-GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, float3 s) {
-    float3 a = 6.5797363 * s, inverse = float3(1.0 + a.y, 1.0 + a.x, -a.z);
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
+// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
+GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, float4 steps) {
+    float3 a = 6.5797363 * gabor_impl_footprint(steps.xy, steps.zw).covariance;
+    float3 inverse = float3(1.0 + a.y, 1.0 + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
     float3 whole = float3(3.2898681, 3.2898681, 0.0) + 39.478418 * gabor_impl_square(layer.wave);
     float3 left = 3.2898681 * inverse + 39.478418 * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
@@ -842,17 +837,16 @@ GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, float3 s)
 }
 
 GaborPair gabor_impl_filtered_waves(GaborLayer layer, GaborPixel pixel) {
-    float2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
-                                                                                                              pixel.dy);
-    GaborField field = gabor_field_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.wave, layer.seed);
-    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+    float4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+    GaborPlace place = gabor_impl_place(layer.at, layer.density);
+    GaborField field = gabor_field_filtered(place, steps.xy, steps.zw, layer.wave, layer.seed);
+    return gabor_impl_filtered_pair(layer, field, steps);
 }
 
 GaborPair gabor_impl_filtered_spots(GaborLayer layer, GaborPixel pixel) {
-    float2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
-                                                                                                              pixel.dy);
-    GaborField field = gabor_impl_spots_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.seed);
-    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+    float4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+    GaborPlace place = gabor_impl_place(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy, steps.zw, layer.seed), steps);
 }
 
 void gabor_impl_add_filtered_spots(inout GaborPairs pairs, GaborLayer layer, GaborPixel pixel) {
@@ -900,9 +894,8 @@ float3 gabor_impl_line(float3 noise, float removed, float width) {
 float3 gabor_impl_line_lost(float3 noise, float removed, float3 lost, float width) {
     float half_square = 0.5 * width * width, variance = half_square + removed;
     float mean = noise.x * half_square / variance, spread = half_square * removed / variance;
-    float square = sqrt(half_square / variance) * exp(-0.5 * min(noise.x * noise.x / variance,
-                                                                 100.0)) * (mean * mean + spread)
-                 / (4.0 * half_square * half_square);
+    float square = sqrt(half_square / variance) * exp(-0.5 * min(noise.x * noise.x / variance, 100.0))
+                 * (mean * mean + spread) / (4.0 * half_square * half_square);
     float3 slope = gabor_impl_line(float3(noise.x, 1.0, 0.0), removed, width);
     return square * lost + (square - slope.y * slope.y) * gabor_impl_square(noise.yz);
 }
@@ -928,8 +921,7 @@ float3 gabor_impl_toned(float3 colour, float2 tone) {
     return min(mean, 1.0);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
-// see
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
 // gabor_impl_ends_at. `phase` is in turns.
 float3 gabor_impl_rise(float3 phase, float3 span) {
     float3 ends = gabor_impl_ends_at(phase.x, span.x);
@@ -993,8 +985,8 @@ GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, GaborWood woo
     float3 within = float3(1.0, 0.0, 0.0) - 0.75 * ring; // a quarter as deep in late wood
     float3 deep = gabor_impl_times(pores, within);
     float early = (1.0 - ring.x) * (1.0 - pores.x), late = ring.x * (1.0 - 0.25 * pores.x);
-    float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11) + gabor_impl_tone(of.c.second.x, of.c.removed,
-                                                                                      0.13);
+    float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11)
+               + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13);
     float3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
                 + 0.45 * deep.x * wood.late;
     float3 height = 0.0006 * ring - 0.0024 * deep + 0.0002 * of.b.second;
@@ -1032,11 +1024,10 @@ GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, float2 count, uint 
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
-// The height of a thread: a circle of radius `thick` that goes over a crossing thread if `bend` is 1 and under it if
-// -1.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
 float3 gabor_impl_thread(float3 across, float3 thick, float3 along, float bend) {
-    float square = thick.x * thick.x - 4.2 * across.x * across.x, side = sqrt(max(square,
-                                                                                  0.0)), turn = 3.1415927 * along.x;
+    float square = thick.x * thick.x - 4.2 * across.x * across.x;
+    float side = sqrt(max(square, 0.0)), turn = 3.1415927 * along.x;
     float2 slope = (thick.x * thick.yz - 4.2 * across.x * across.yz) / max(side, 0.05);
     return float3(side - (square < 0.0 ? 2.0 : 1.0) + 0.55 * bend * cos(turn),
                 (square < 0.0 ? (float2)(0.0) : slope) - 1.7278760 * bend * sin(turn) * along.yz);
@@ -1055,8 +1046,8 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, float2 coun
     float3 along_y = gabor_impl_thread(x, one + 0.16 * uneven * of.a.second, y, parity);
     float3 along_x = gabor_impl_thread(y, one + 0.16 * uneven * of.b.second, x, -parity);
     bool first = along_y.x > along_x.x;
-    float3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second, lost = first ? of.c.lost
-               : of.d.lost;
+    float3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second;
+    float3 lost = first ? of.c.lost : of.d.lost;
     if (top.x < -1.3) top = float3(-1.3, 0.0, 0.0);
     float2 tones = gabor_impl_tone(first ? of.a.second.x : of.b.second.x, first ? of.a.removed : of.b.removed,
                                  0.09 * uneven)
@@ -1068,11 +1059,12 @@ GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth, float2 coun
     height = unit * (0.3 * height + 0.035 * fibre);
     lost = unit * unit * (0.29 * (1.0 - kept * kept) * float3(count * count, 0.0) + 0.001225 * lost);
     if (fabric.cords > 0.0) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
-        float3 at = gabor_impl_repeated(pixel, fabric.cords, 1.0).x * gabor_impl_along_x(cloth);
+        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0).x;
+        float3 at = cords * gabor_impl_along_x(cloth);
         float damped = exp(-min(4.9348022 * gabor_impl_steps(pixel, at), 20.0)), half_cord = 0.5 * damped;
         float second = 0.125 * damped * damped * damped * damped, turn = 6.2831853 * frac(at.x);
         float cord = 0.625 - half_cord * cos(turn) - second * cos(2.0 * turn);
-        float depth = 0.3 * fabric.relief / gabor_impl_repeated(pixel, fabric.cords, 1.0).x, swing = depth * 6.2831853;
+        float depth = 0.3 * fabric.relief / cords, swing = depth * 6.2831853;
         colour *= lerp(0.3, 1.0, cord);
         height += float3(depth * cord, swing * (half_cord * sin(turn) + 2.0 * second * sin(2.0 * turn)) * at.yz);
         lost += swing * swing * (0.15625 - 0.5 * half_cord * half_cord - 2.0 * second * second)
@@ -1138,8 +1130,7 @@ GaborMaterial gabor_carbon_fibre_at(float2 p, float2 period, GaborCarbonFibre fi
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's
-// middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 
 GaborWarped gabor_impl_skin(GaborPixel pixel, GaborLeather leather, uint seed) {
     float2 bends = float2(0.07, 0.014) * leather.wrinkles;
@@ -1189,14 +1180,14 @@ GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs of) {
     float3 dome = gabor_impl_step(-one, 3.0 * one, cells) - 0.236 * one;
     pebble = 0.806 * one + gabor_impl_times(kept, pebble);
     dome = 0.236 * one + gabor_impl_times(kept, dome);
-    float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
+    float2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14)
+               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08);
     float3 height = leather.relief * (0.016 * pebble + 0.013 * dome + 0.0016 * of.a.second);
     float gone = leather.cells * leather.cells * (1.0 - root * root / (1.0 + blur.x));
     float3 lost = gone * float3(0.00287, 0.0026, 0.0) + 2.56e-6 * of.a.lost;
     float3 colour = lerp(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
-    return gabor_impl_material(colour, height,
-                               leather.relief * leather.relief * lost, leather.roughness + 0.15 * (1.0
-                                                                                                   - pebble.x), 0.0);
+    return gabor_impl_material(colour, height, leather.relief * leather.relief * lost,
+                               leather.roughness + 0.15 * (1.0 - pebble.x), 0.0);
 }
 
 GaborMaterial gabor_leather_at(float2 p, float2 period, GaborLeather leather, uint seed) {
@@ -1233,8 +1224,8 @@ GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborWarped stone, u
 
 GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
     float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5, 0.8).x;
-    float3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds), gabor_impl_tone(crystal.first.x, crystal.removed,
-                                                                                  0.02));
+    float3 colour = gabor_impl_toned(marble.stone * (1.0 - clouds),
+                                   gabor_impl_tone(crystal.first.x, crystal.removed, 0.02));
     return gabor_impl_material(colour, 0.00012 * crystal.second, 1.44e-8 * crystal.lost, marble.roughness, 0.0);
 }
 
@@ -1260,9 +1251,10 @@ GaborMaterial gabor_marble_at(float2 p, float2 period, GaborMarble marble, uint 
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
     GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
-    for (int i = 4; i < 8; ++i)
-        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(gabor_impl_marble_layer(i, pixel, stone,
-                                                                                                seed)));
+    for (int i = 4; i < 8; ++i) {
+        GaborLayer layer = gabor_impl_marble_layer(i, pixel, stone, seed);
+        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(layer));
+    }
     return material;
 }
 
@@ -1286,8 +1278,8 @@ GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, GaborPairs of)
     float2 change = z.x * of.c.first.yz + z.y * of.c.second.yz; // half the derivative of the power
     float3 phase = float3(gabor_phasor(z).x, 0.15915494 / power * (z.x * of.c.second.yz - z.y * of.c.first.yz));
     float3 ripple = gabor_impl_rise(phase, span * float3(1.0, (1.0 / power - 1.0 / whole) * change));
-    float2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain) + gabor_impl_tone(of.a.second.x, of.a.removed,
-                                                                                           0.06);
+    float2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
+               + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06);
     float3 colour = lerp(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
     float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9, 0.15).x;
     float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9, 0.15).x;
@@ -1331,7 +1323,7 @@ GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborRipples ripple
 // Adds a wave: the first sum is the height, the second a noise.
 void gabor_impl_add_ripple(inout GaborPair sum, int i, GaborPair wave) {
     float amplitude = exp2(-0.351 * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0 - wave.removed;
-    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power, and x^2 by the square
+    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power, x^2 by the square
     sum.first += amplitude * float3(x + harmonic * (x * x - y * y),
                                   (1.0 + 2.0 * harmonic * x) * wave.first.yz - 2.0 * harmonic * y * wave.second.yz);
     sum.second += amplitude * wave.first;
@@ -1453,8 +1445,8 @@ GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
     float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
                                   of.c.removed + ragged * ragged * of.a.removed, 0.0,
                                   0.01 + 0.09 * intensity).x;
-    float2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair) + gabor_impl_tone(of.b.second.x,
-                                                                                                   of.b.removed, 0.08);
+    float2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14 * zebra.hair)
+               + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08);
     float3 colour = lerp(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
     return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0);
 }
@@ -1537,17 +1529,17 @@ GaborWarped gabor_impl_rock(GaborPixel pixel, GaborStrata strata, uint seed) {
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWarped rock, GaborStrata strata, uint seed) {
-    if (i < 4) return gabor_impl_octave(gabor_impl_unwarped(pixel), float2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed,
-                                                                                                                 7));
-    float2 density = i == 4 ? float2(0.1, 0.33333333) : i == 5 ? float2(0.14, 1.0) : i == 6 ? float2(0.25,
-                                                                                             2.8333333)
-                                                                                                 : float2(0.6, 8.3333333);
+    if (i < 4)
+        return gabor_impl_octave(gabor_impl_unwarped(pixel), float2(16.0, 24.0), i, 4, 0.8, gabor_lobe_seed(seed, 7));
+    float2 density = i == 4 ? float2(0.1, 0.33333333) : i == 5 ? float2(0.14, 1.0)
+                 : i == 6 ? float2(0.25, 2.8333333) : float2(0.6, 8.3333333);
     return gabor_impl_spots_layer(i - 3, rock, density * float2(1.0, strata.layers), seed, i - 1);
 }
 
 GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
     float3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5, 0.22); // the soft layers, which erode
-    float2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
+    float2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13)
+               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11);
     float3 colour = lerp(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
                       gabor_impl_above(of.b.first, of.b.removed, 0.0, 0.5).x);
     colour = lerp(colour, gabor_impl_toned(strata.red, tones), 0.8 * soft.x);
@@ -1629,9 +1621,10 @@ GaborMaterial gabor_marble_filtered_at(float2 p, float2 dx, float2 dy, float2 pe
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed), pixel);
     GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
-    for (int i = 4; i < 8; ++i)
-        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(gabor_impl_marble_layer(i, pixel, stone,
-                                                                                                    seed), pixel));
+    for (int i = 4; i < 8; ++i) {
+        GaborLayer layer = gabor_impl_marble_layer(i, pixel, stone, seed);
+        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(layer, pixel));
+    }
     return material;
 }
 
@@ -1649,9 +1642,10 @@ GaborMaterial gabor_sand_filtered_at(float2 p, float2 dx, float2 dy, float2 peri
 GaborMaterial gabor_ripples_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborRipples ripples, uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 14; ++i)
-        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(gabor_impl_ripples_layer(i, pixel, ripples, seed),
-                                                                pixel));
+    for (int i = 0; i < 14; ++i) {
+        GaborLayer layer = gabor_impl_ripples_layer(i, pixel, ripples, seed);
+        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(layer, pixel));
+    }
     return gabor_impl_ripples(ripples, sum);
 }
 
@@ -1659,9 +1653,10 @@ GaborMaterial gabor_brushed_metal_filtered_at(float2 p, float2 dx, float2 dy, fl
                                               uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 5; ++i)
-        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(gabor_impl_streaks_layer(i, pixel, metal, seed),
-                                                                 pixel));
+    for (int i = 0; i < 5; ++i) {
+        GaborLayer layer = gabor_impl_streaks_layer(i, pixel, metal, seed);
+        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(layer, pixel));
+    }
     return gabor_impl_brushed_metal(metal, sum);
 }
 
@@ -1757,21 +1752,42 @@ GaborStrata gabor_strata_default() {
                        6.0, 1.0, 1.0, 0.9);
 }
 
-GaborMaterial gabor_wood(float2 p, uint seed) { return gabor_wood_at(p, (float2)(0.0), gabor_wood_default(), seed); }
-GaborMaterial gabor_fabric(float2 p, uint seed) { return gabor_fabric_at(p, (float2)(0.0), gabor_fabric_default(), seed); }
-GaborMaterial gabor_leather(float2 p, uint seed) { return gabor_leather_at(p, (float2)(0.0), gabor_leather_default(), seed); }
-GaborMaterial gabor_marble(float2 p, uint seed) { return gabor_marble_at(p, (float2)(0.0), gabor_marble_default(), seed); }
-GaborMaterial gabor_sand(float2 p, uint seed) { return gabor_sand_at(p, (float2)(0.0), gabor_sand_default(), seed); }
-GaborMaterial gabor_ripples(float2 p, uint seed) { return gabor_ripples_at(p, (float2)(0.0), gabor_ripples_default(), seed); }
-GaborMaterial gabor_brushed_metal(float2 p, uint seed) { return gabor_brushed_metal_at(p, (float2)(0.0),
-                                                                                     gabor_brushed_metal_default(), seed); }
-GaborMaterial gabor_scratches(float2 p, uint seed) { return gabor_scratches_at(p, (float2)(0.0), gabor_scratches_default(),
-                                                                             seed); }
-GaborMaterial gabor_zebra(float2 p, uint seed) { return gabor_zebra_at(p, (float2)(0.0), gabor_zebra_default(), seed); }
-GaborMaterial gabor_bark(float2 p, uint seed) { return gabor_bark_at(p, (float2)(0.0), gabor_bark_default(), seed); }
-GaborMaterial gabor_carbon_fibre(float2 p, uint seed) { return gabor_carbon_fibre_at(p, (float2)(0.0),
-                                                                                   gabor_carbon_fibre_default(), seed); }
-GaborMaterial gabor_strata(float2 p, uint seed) { return gabor_strata_at(p, (float2)(0.0), gabor_strata_default(), seed); }
+GaborMaterial gabor_wood(float2 p, uint seed) {
+    return gabor_wood_at(p, (float2)(0.0), gabor_wood_default(), seed);
+}
+GaborMaterial gabor_fabric(float2 p, uint seed) {
+    return gabor_fabric_at(p, (float2)(0.0), gabor_fabric_default(), seed);
+}
+GaborMaterial gabor_leather(float2 p, uint seed) {
+    return gabor_leather_at(p, (float2)(0.0), gabor_leather_default(), seed);
+}
+GaborMaterial gabor_marble(float2 p, uint seed) {
+    return gabor_marble_at(p, (float2)(0.0), gabor_marble_default(), seed);
+}
+GaborMaterial gabor_sand(float2 p, uint seed) {
+    return gabor_sand_at(p, (float2)(0.0), gabor_sand_default(), seed);
+}
+GaborMaterial gabor_ripples(float2 p, uint seed) {
+    return gabor_ripples_at(p, (float2)(0.0), gabor_ripples_default(), seed);
+}
+GaborMaterial gabor_brushed_metal(float2 p, uint seed) {
+    return gabor_brushed_metal_at(p, (float2)(0.0), gabor_brushed_metal_default(), seed);
+}
+GaborMaterial gabor_scratches(float2 p, uint seed) {
+    return gabor_scratches_at(p, (float2)(0.0), gabor_scratches_default(), seed);
+}
+GaborMaterial gabor_zebra(float2 p, uint seed) {
+    return gabor_zebra_at(p, (float2)(0.0), gabor_zebra_default(), seed);
+}
+GaborMaterial gabor_bark(float2 p, uint seed) {
+    return gabor_bark_at(p, (float2)(0.0), gabor_bark_default(), seed);
+}
+GaborMaterial gabor_carbon_fibre(float2 p, uint seed) {
+    return gabor_carbon_fibre_at(p, (float2)(0.0), gabor_carbon_fibre_default(), seed);
+}
+GaborMaterial gabor_strata(float2 p, uint seed) {
+    return gabor_strata_at(p, (float2)(0.0), gabor_strata_default(), seed);
+}
 
 #ifdef GABOR_FILTER_HLSL
 GaborMaterial gabor_wood_filtered(float2 p, float2 dx, float2 dy, uint seed) {

@@ -60,8 +60,7 @@ struct GaborMaterial {
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
 // Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2(0.0)
-// for none: a period holds a whole number of rings or threads; scratches and hair snap to directions that repeat with
-// it.
+// for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
@@ -209,9 +208,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
-// and
-// one that shades them. The filtered ones are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
+// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 GABOR_INLINE gabor_vec3 gabor_impl_times(gabor_vec3 a, gabor_vec3 b) {
@@ -304,16 +302,16 @@ GABOR_INLINE GaborField gabor_impl_spots(GaborPlace place, std::uint32_t seed) {
     return GaborField{scale * value.y, stretch * slope.yw(), scale * value.x, stretch * slope.xz(), 0.0f};
 }
 
-// The step in the warped position that a step in p makes.
-GABOR_INLINE gabor_vec2 gabor_impl_step_of(GaborWarped at, gabor_vec2 step) {
-    return step.x * at.x + step.y * at.y;
+// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density at a warped position.
+GABOR_INLINE gabor_vec4 gabor_impl_radii(GaborPixel pixel, GaborWarped at, gabor_vec2 density) {
+    return gabor_vec4(density * (pixel.dx.x * at.x + pixel.dx.y * at.y), density * (pixel.dy.x * at.x + pixel.dy.y * at.y));
 }
 
-// Moves the position by two noises, and less where they are finer than the pixel: as much as a filter keeps of their
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
 // slopes.
 GABOR_INLINE GaborWarped gabor_impl_warp(GaborPixel pixel, GaborWarped at, gabor_vec2 density, gabor_vec2 amplitude, std::uint32_t seed, int index) {
-    gabor_vec2 dx = density * gabor_impl_step_of(at, pixel.dx), dy = density * gabor_impl_step_of(at, pixel.dy);
-    amplitude /= 1.0f + 0.82246703f * gabor_cpp_min(gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy), 1.0e6f);
+    gabor_vec4 steps = gabor_impl_radii(pixel, at, density);
+    amplitude /= 1.0f + 0.82246703f * gabor_cpp_min(gabor_cpp_dot(steps, steps), 1.0e6f);
     GaborField field = gabor_impl_spots(gabor_impl_place(at, density), gabor_lobe_seed(seed, index));
     gabor_vec2 along_x = amplitude * density.x * gabor_vec2(field.quadrature_gradient.x, field.gradient.x);
     gabor_vec2 along_y = amplitude * density.y * gabor_vec2(field.quadrature_gradient.y, field.gradient.y);
@@ -346,9 +344,8 @@ GABOR_INLINE GaborWarped gabor_impl_turned(GaborWarped at, float angle) {
         x = period.x * gabor_vec2(other.y, -other.x) / at.period;
         y = period.y * gabor_vec2(-whole.y, whole.x) / at.period;
     }
-    return GaborWarped{gabor_vec2(gabor_cpp_dot(x, at.p), gabor_cpp_dot(y, at.p)), gabor_vec2(gabor_cpp_dot(x, at.x), gabor_cpp_dot(y, at.x)), gabor_vec2(gabor_cpp_dot(x, at.y), gabor_cpp_dot(y,
-                                                                                                                  at.y)),
-                       period};
+    return GaborWarped{gabor_vec2(gabor_cpp_dot(x, at.p), gabor_cpp_dot(y, at.p)), gabor_vec2(gabor_cpp_dot(x, at.x), gabor_cpp_dot(y, at.x)),
+                       gabor_vec2(gabor_cpp_dot(x, at.y), gabor_cpp_dot(y, at.y)), period};
 }
 
 // Repetitions per unit along each axis: `count` or, with a period, the nearest number for which the period holds a
@@ -484,9 +481,10 @@ GABOR_INLINE GaborSpotsAxis gabor_impl_spots_axis(int cell, float local, int per
 GABOR_INLINE void gabor_impl_add_spots_row(gabor_vec4& sum, gabor_vec2& along_y, GaborSpotsAxis x, std::uint32_t word, gabor_vec4 y, float coupling) {
     gabor_vec2 a = gabor_impl_amplitude(x.word.x * word), b = gabor_impl_amplitude(x.word.y * word);
     gabor_vec2 c = gabor_impl_amplitude(x.word.z * word);
-    gabor_vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x, imaginary = x.first * a.y + x.middle * b.y + x.last
-                * c.y;
-    sum += y.x * gabor_vec4(real.x, imaginary.x, real.z, imaginary.z) + coupling * y.y * gabor_vec4(real.y, imaginary.y, real.w, imaginary.w);
+    gabor_vec4 real = x.first * a.x + x.middle * b.x + x.last * c.x;
+    gabor_vec4 imaginary = x.first * a.y + x.middle * b.y + x.last * c.y;
+    sum += y.x * gabor_vec4(real.x, imaginary.x, real.z, imaginary.z)
+         + coupling * y.y * gabor_vec4(real.y, imaginary.y, real.w, imaginary.w);
     along_y += y.z * gabor_vec2(real.x, imaginary.x) + coupling * y.w * gabor_vec2(real.y, imaginary.y);
 }
 
@@ -505,9 +503,8 @@ GABOR_INLINE GaborSpotsLine gabor_impl_spots_line(GaborFilteredAxis b, int index
                           gabor_vec3(real.x, imaginary, real.z), gabor_impl_fade(b, index)};
 }
 
-// The sums of a row over its columns: the factors times both parts of the amplitudes, and those with the derivative of
-// the
-// fade.
+// The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
+// derivative of its fade.
 struct GaborSpotsRow {
     gabor_vec3 real;
     gabor_vec3 imaginary;
@@ -526,11 +523,9 @@ GABOR_INLINE GaborField gabor_impl_spots_wide(GaborPlace place, gabor_vec3 s, bo
     float rho = s.z * gabor_cpp_inversesqrt(m.x * m.y), r = gabor_cpp_sqrt(1.0f - rho * rho), lambda = rho / (1.0f + r);
     float mixed = 78.956835f * s.z * r / (1.0f + r);
     GaborFilteredAxis across = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.x), r * m.x, 0.0f, place.cell.x, place.local.x,
-                                                        place.period.x,
-                                                        salt, gabor_vec2(1.0f, 0.0f));
+                                                        place.period.x, salt, gabor_vec2(1.0f, 0.0f));
     GaborFilteredAxis along = gabor_impl_filtered_axis(gabor_cpp_sqrt(s.y), r * m.y, 0.0f, place.cell.y, place.local.y,
-                                                       place.period.y,
-                                                       salt ^ GABOR_IMPL_ROWS, gabor_vec2(1.0f, 0.0f));
+                                                       place.period.y, salt ^ GABOR_IMPL_ROWS, gabor_vec2(1.0f, 0.0f));
     GaborSpotsLine x_0 = gabor_impl_spots_line(across, 0), x_1 = gabor_impl_spots_line(across, 1);
     GaborSpotsLine x_2 = gabor_impl_spots_line(across, 2), x_3 = gabor_impl_spots_line(across, 3), x_4 = x_3;
     if (across.count == 5) x_4 = gabor_impl_spots_line(across, 4);
@@ -590,11 +585,11 @@ GABOR_INLINE GaborField gabor_impl_spots_filtered(GaborPlace place, gabor_vec2 d
     return sum;
 }
 
-// The share of a layer's variance that a filter removes, and the covariance of its gradient that it removes: see
-// gabor_impl_transmitted. The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave
-// vector (1 + 2/3 pi^2 S)^-1 F.
-GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, gabor_vec3 s) {
-    gabor_vec3 a = 6.5797363f * s, inverse = gabor_vec3(1.0f + a.y, 1.0f + a.x, -a.z);
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
+// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
+GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField field, gabor_vec4 steps) {
+    gabor_vec3 a = 6.5797363f * gabor_impl_footprint(steps.xy(), steps.zw()).covariance;
+    gabor_vec3 inverse = gabor_vec3(1.0f + a.y, 1.0f + a.x, -a.z);
     inverse /= inverse.x * inverse.y - a.z * a.z;
     gabor_vec3 whole = gabor_vec3(3.2898681f, 3.2898681f, 0.0f) + 39.478418f * gabor_impl_square(layer.wave);
     gabor_vec3 left = 3.2898681f * inverse + 39.478418f * gabor_impl_square(gabor_impl_symmetric(inverse, layer.wave));
@@ -602,17 +597,16 @@ GABOR_INLINE GaborPair gabor_impl_filtered_pair(GaborLayer layer, GaborField fie
 }
 
 GABOR_INLINE GaborPair gabor_impl_filtered_waves(GaborLayer layer, GaborPixel pixel) {
-    gabor_vec2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
-                                                                                                              pixel.dy);
-    GaborField field = gabor_field_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.wave, layer.seed);
-    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+    gabor_vec4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+    GaborPlace place = gabor_impl_place(layer.at, layer.density);
+    GaborField field = gabor_field_filtered(place, steps.xy(), steps.zw(), layer.wave, layer.seed);
+    return gabor_impl_filtered_pair(layer, field, steps);
 }
 
 GABOR_INLINE GaborPair gabor_impl_filtered_spots(GaborLayer layer, GaborPixel pixel) {
-    gabor_vec2 dx = layer.density * gabor_impl_step_of(layer.at, pixel.dx), dy = layer.density * gabor_impl_step_of(layer.at,
-                                                                                                              pixel.dy);
-    GaborField field = gabor_impl_spots_filtered(gabor_impl_place(layer.at, layer.density), dx, dy, layer.seed);
-    return gabor_impl_filtered_pair(layer, field, gabor_impl_footprint(dx, dy).covariance);
+    gabor_vec4 steps = gabor_impl_radii(pixel, layer.at, layer.density);
+    GaborPlace place = gabor_impl_place(layer.at, layer.density);
+    return gabor_impl_filtered_pair(layer, gabor_impl_spots_filtered(place, steps.xy(), steps.zw(), layer.seed), steps);
 }
 
 GABOR_INLINE void gabor_impl_add_filtered_spots(GaborPairs& pairs, GaborLayer layer, GaborPixel pixel) {
@@ -660,9 +654,8 @@ GABOR_INLINE gabor_vec3 gabor_impl_line(gabor_vec3 noise, float removed, float w
 GABOR_INLINE gabor_vec3 gabor_impl_line_lost(gabor_vec3 noise, float removed, gabor_vec3 lost, float width) {
     float half_square = 0.5f * width * width, variance = half_square + removed;
     float mean = noise.x * half_square / variance, spread = half_square * removed / variance;
-    float square = gabor_cpp_sqrt(half_square / variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(noise.x * noise.x / variance,
-                                                                 100.0f)) * (mean * mean + spread)
-                 / (4.0f * half_square * half_square);
+    float square = gabor_cpp_sqrt(half_square / variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(noise.x * noise.x / variance, 100.0f))
+                 * (mean * mean + spread) / (4.0f * half_square * half_square);
     gabor_vec3 slope = gabor_impl_line(gabor_vec3(noise.x, 1.0f, 0.0f), removed, width);
     return square * lost + (square - slope.y * slope.y) * gabor_impl_square(noise.yz());
 }
@@ -688,8 +681,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_toned(gabor_vec3 colour, gabor_vec2 tone) {
     return gabor_cpp_min(mean, 1.0f);
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
-// see
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
 // gabor_impl_ends_at. `phase` is in turns.
 GABOR_INLINE gabor_vec3 gabor_impl_rise(gabor_vec3 phase, gabor_vec3 span) {
     gabor_vec3 ends = gabor_impl_ends_at(phase.x, span.x);
@@ -753,8 +745,8 @@ GABOR_INLINE GaborMaterial gabor_impl_wood(GaborPixel pixel, GaborWarped board, 
     gabor_vec3 within = gabor_vec3(1.0f, 0.0f, 0.0f) - 0.75f * ring; // a quarter as deep in late wood
     gabor_vec3 deep = gabor_impl_times(pores, within);
     float early = (1.0f - ring.x) * (1.0f - pores.x), late = ring.x * (1.0f - 0.25f * pores.x);
-    gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11f) + gabor_impl_tone(of.c.second.x, of.c.removed,
-                                                                                      0.13f);
+    gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.11f)
+               + gabor_impl_tone(of.c.second.x, of.c.removed, 0.13f);
     gabor_vec3 colour = early * gabor_impl_toned(wood.early, tones) + late * gabor_impl_toned(wood.late, tones)
                 + 0.45f * deep.x * wood.late;
     gabor_vec3 height = 0.0006f * ring - 0.0024f * deep + 0.0002f * of.b.second;
@@ -792,11 +784,10 @@ GABOR_INLINE GaborLayer gabor_impl_fabric_layer(int i, GaborWarped cloth, gabor_
     return gabor_impl_spots_layer(i, cloth, density, seed, 1 + i);
 }
 
-// The height of a thread: a circle of radius `thick` that goes over a crossing thread if `bend` is 1 and under it if
-// -1.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
 GABOR_INLINE gabor_vec3 gabor_impl_thread(gabor_vec3 across, gabor_vec3 thick, gabor_vec3 along, float bend) {
-    float square = thick.x * thick.x - 4.2f * across.x * across.x, side = gabor_cpp_sqrt(gabor_cpp_max(square,
-                                                                                  0.0f)), turn = 3.1415927f * along.x;
+    float square = thick.x * thick.x - 4.2f * across.x * across.x;
+    float side = gabor_cpp_sqrt(gabor_cpp_max(square, 0.0f)), turn = 3.1415927f * along.x;
     gabor_vec2 slope = (thick.x * thick.yz() - 4.2f * across.x * across.yz()) / gabor_cpp_max(side, 0.05f);
     return gabor_vec3(side - (square < 0.0f ? 2.0f : 1.0f) + 0.55f * bend * gabor_cpp_cos(turn),
                 (square < 0.0f ? gabor_vec2(0.0f) : slope) - 1.7278760f * bend * gabor_cpp_sin(turn) * along.yz());
@@ -815,8 +806,8 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
     gabor_vec3 along_y = gabor_impl_thread(x, one + 0.16f * uneven * of.a.second, y, parity);
     gabor_vec3 along_x = gabor_impl_thread(y, one + 0.16f * uneven * of.b.second, x, -parity);
     bool first = along_y.x > along_x.x;
-    gabor_vec3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second, lost = first ? of.c.lost
-               : of.d.lost;
+    gabor_vec3 top = first ? along_y : along_x, fibre = first ? of.c.second : of.d.second;
+    gabor_vec3 lost = first ? of.c.lost : of.d.lost;
     if (top.x < -1.3f) top = gabor_vec3(-1.3f, 0.0f, 0.0f);
     gabor_vec2 tones = gabor_impl_tone(first ? of.a.second.x : of.b.second.x, first ? of.a.removed : of.b.removed,
                                  0.09f * uneven)
@@ -828,11 +819,12 @@ GABOR_INLINE GaborMaterial gabor_impl_fabric(GaborPixel pixel, GaborWarped cloth
     height = unit * (0.3f * height + 0.035f * fibre);
     lost = unit * unit * (0.29f * (1.0f - kept * kept) * gabor_vec3(count * count, 0.0f) + 0.001225f * lost);
     if (fabric.cords > 0.0f) { // wide crests and narrow furrows, 1 - cos(pi x)^4: two waves, which the filter damps
-        gabor_vec3 at = gabor_impl_repeated(pixel, fabric.cords, 1.0f).x * gabor_impl_along_x(cloth);
+        float cords = gabor_impl_repeated(pixel, fabric.cords, 1.0f).x;
+        gabor_vec3 at = cords * gabor_impl_along_x(cloth);
         float damped = gabor_cpp_exp(-gabor_cpp_min(4.9348022f * gabor_impl_steps(pixel, at), 20.0f)), half_cord = 0.5f * damped;
         float second = 0.125f * damped * damped * damped * damped, turn = 6.2831853f * gabor_cpp_fract(at.x);
         float cord = 0.625f - half_cord * gabor_cpp_cos(turn) - second * gabor_cpp_cos(2.0f * turn);
-        float depth = 0.3f * fabric.relief / gabor_impl_repeated(pixel, fabric.cords, 1.0f).x, swing = depth * 6.2831853f;
+        float depth = 0.3f * fabric.relief / cords, swing = depth * 6.2831853f;
         colour *= gabor_cpp_mix(0.3f, 1.0f, cord);
         height += gabor_vec3(depth * cord, swing * (half_cord * gabor_cpp_sin(turn) + 2.0f * second * gabor_cpp_sin(2.0f * turn)) * at.yz());
         lost += swing * swing * (0.15625f - 0.5f * half_cord * half_cord - 2.0f * second * second)
@@ -898,8 +890,7 @@ GABOR_INLINE GaborMaterial gabor_carbon_fibre_at(gabor_vec2 p, gabor_vec2 period
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's
-// middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 
 GABOR_INLINE GaborWarped gabor_impl_skin(GaborPixel pixel, GaborLeather leather, std::uint32_t seed) {
     gabor_vec2 bends = gabor_vec2(0.07f, 0.014f) * leather.wrinkles;
@@ -940,14 +931,14 @@ GABOR_INLINE GaborMaterial gabor_impl_leather(GaborLeather leather, GaborPairs o
     gabor_vec3 dome = gabor_impl_step(-one, 3.0f * one, cells) - 0.236f * one;
     pebble = 0.806f * one + gabor_impl_times(kept, pebble);
     dome = 0.236f * one + gabor_impl_times(kept, dome);
-    gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
+    gabor_vec2 tones = gabor_impl_tone(of.b.second.x, of.b.removed, 0.14f)
+               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.08f);
     gabor_vec3 height = leather.relief * (0.016f * pebble + 0.013f * dome + 0.0016f * of.a.second);
     float gone = leather.cells * leather.cells * (1.0f - root * root / (1.0f + blur.x));
     gabor_vec3 lost = gone * gabor_vec3(0.00287f, 0.0026f, 0.0f) + 2.56e-6f * of.a.lost;
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(leather.crease, tones), gabor_impl_toned(leather.pebble, tones), pebble.x);
-    return gabor_impl_material(colour, height,
-                               leather.relief * leather.relief * lost, leather.roughness + 0.15f * (1.0f
-                                                                                                   - pebble.x), 0.0f);
+    return gabor_impl_material(colour, height, leather.relief * leather.relief * lost,
+                               leather.roughness + 0.15f * (1.0f - pebble.x), 0.0f);
 }
 
 GABOR_INLINE GaborMaterial gabor_leather_at(gabor_vec2 p, gabor_vec2 period, GaborLeather leather, std::uint32_t seed) {
@@ -984,8 +975,8 @@ GABOR_INLINE GaborLayer gabor_impl_marble_layer(int i, GaborPixel pixel, GaborWa
 
 GABOR_INLINE GaborMaterial gabor_impl_marble(GaborMarble marble, GaborPair cloud, GaborPair crystal) {
     float clouds = marble.clouds * gabor_impl_above(cloud.second, cloud.removed, 0.5f, 0.8f).x;
-    gabor_vec3 colour = gabor_impl_toned(marble.stone * (1.0f - clouds), gabor_impl_tone(crystal.first.x, crystal.removed,
-                                                                                  0.02f));
+    gabor_vec3 colour = gabor_impl_toned(marble.stone * (1.0f - clouds),
+                                   gabor_impl_tone(crystal.first.x, crystal.removed, 0.02f));
     return gabor_impl_material(colour, 0.00012f * crystal.second, 1.44e-8f * crystal.lost, marble.roughness, 0.0f);
 }
 
@@ -1011,9 +1002,10 @@ GABOR_INLINE GaborMaterial gabor_marble_at(gabor_vec2 p, gabor_vec2 period, Gabo
         cloud = gabor_impl_plus_octave(cloud, gabor_impl_marble_layer(i, pixel, stone, seed));
     GaborPair crystal = gabor_impl_spots_pair(gabor_impl_marble_layer(3, pixel, stone, seed));
     GaborMaterial material = gabor_impl_marble(marble, cloud, crystal);
-    for (int i = 4; i < 8; ++i)
-        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(gabor_impl_marble_layer(i, pixel, stone,
-                                                                                                seed)));
+    for (int i = 4; i < 8; ++i) {
+        GaborLayer layer = gabor_impl_marble_layer(i, pixel, stone, seed);
+        gabor_impl_add_veins(material, marble, i, gabor_impl_waves_pair(layer));
+    }
     return material;
 }
 
@@ -1037,8 +1029,8 @@ GABOR_INLINE GaborMaterial gabor_impl_sand(GaborSand sand, GaborLayer ripples, G
     gabor_vec2 change = z.x * of.c.first.yz() + z.y * of.c.second.yz(); // half the derivative of the power
     gabor_vec3 phase = gabor_vec3(gabor_phasor(z).x, 0.15915494f / power * (z.x * of.c.second.yz() - z.y * of.c.first.yz()));
     gabor_vec3 ripple = gabor_impl_rise(phase, span * gabor_vec3(1.0f, (1.0f / power - 1.0f / whole) * change));
-    gabor_vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain) + gabor_impl_tone(of.a.second.x, of.a.removed,
-                                                                                           0.06f);
+    gabor_vec2 tones = gabor_impl_tone(of.b.first.x, of.b.removed, sand.grain)
+               + gabor_impl_tone(of.a.second.x, of.a.removed, 0.06f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(sand.trough, tones), gabor_impl_toned(sand.crest, tones), ripple.x);
     float dark = gabor_impl_above(of.b.second, of.b.removed, 1.9f, 0.15f).x;
     float bright = gabor_impl_above(-of.b.second, of.b.removed, 1.9f, 0.15f).x;
@@ -1082,7 +1074,7 @@ GABOR_INLINE GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborR
 // Adds a wave: the first sum is the height, the second a noise.
 GABOR_INLINE void gabor_impl_add_ripple(GaborPair& sum, int i, GaborPair wave) {
     float amplitude = gabor_cpp_exp2(-0.351f * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0f - wave.removed;
-    float harmonic = 0.2f * kept; // a filter damps a wave of twice the frequency by the fourth power, and x^2 by the square
+    float harmonic = 0.2f * kept; // a filter damps a wave of twice the frequency by the fourth power, x^2 by the square
     sum.first += amplitude * gabor_vec3(x + harmonic * (x * x - y * y),
                                   (1.0f + 2.0f * harmonic * x) * wave.first.yz() - 2.0f * harmonic * y * wave.second.yz());
     sum.second += amplitude * wave.first;
@@ -1204,8 +1196,8 @@ GABOR_INLINE GaborMaterial gabor_impl_zebra(GaborZebra zebra, GaborPairs of) {
     float dark = gabor_impl_above(of.c.first + ragged * intensity * of.a.first,
                                   of.c.removed + ragged * ragged * of.a.removed, 0.0f,
                                   0.01f + 0.09f * intensity).x;
-    gabor_vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14f * zebra.hair) + gabor_impl_tone(of.b.second.x,
-                                                                                                   of.b.removed, 0.08f);
+    gabor_vec2 tones = gabor_impl_tone(of.a.second.x, of.a.removed, 0.14f * zebra.hair)
+               + gabor_impl_tone(of.b.second.x, of.b.removed, 0.08f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(zebra.bright, tones), gabor_impl_toned(zebra.stripe, tones), dark);
     return gabor_impl_material(colour, relief * of.a.first, relief * relief * of.a.lost, zebra.roughness, 0.0f);
 }
@@ -1288,17 +1280,17 @@ GABOR_INLINE GaborWarped gabor_impl_rock(GaborPixel pixel, GaborStrata strata, s
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 GABOR_INLINE GaborLayer gabor_impl_strata_layer(int i, GaborPixel pixel, GaborWarped rock, GaborStrata strata, std::uint32_t seed) {
-    if (i < 4) return gabor_impl_octave(gabor_impl_unwarped(pixel), gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed,
-                                                                                                                 7));
-    gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f) : i == 6 ? gabor_vec2(0.25f,
-                                                                                             2.8333333f)
-                                                                                                 : gabor_vec2(0.6f, 8.3333333f);
+    if (i < 4)
+        return gabor_impl_octave(gabor_impl_unwarped(pixel), gabor_vec2(16.0f, 24.0f), i, 4, 0.8f, gabor_lobe_seed(seed, 7));
+    gabor_vec2 density = i == 4 ? gabor_vec2(0.1f, 0.33333333f) : i == 5 ? gabor_vec2(0.14f, 1.0f)
+                 : i == 6 ? gabor_vec2(0.25f, 2.8333333f) : gabor_vec2(0.6f, 8.3333333f);
     return gabor_impl_spots_layer(i - 3, rock, density * gabor_vec2(1.0f, strata.layers), seed, i - 1);
 }
 
 GABOR_INLINE GaborMaterial gabor_impl_strata(GaborStrata strata, GaborPairs of) {
     gabor_vec3 soft = gabor_impl_above(of.c.first, of.c.removed, 0.5f, 0.22f); // the soft layers, which erode
-    gabor_vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f) + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
+    gabor_vec2 tones = gabor_impl_tone(of.e.first.x, of.e.removed, 0.13f)
+               + gabor_impl_tone(of.a.first.x, of.a.removed, 0.11f);
     gabor_vec3 colour = gabor_cpp_mix(gabor_impl_toned(strata.rock, tones), gabor_impl_toned(strata.sandstone, tones),
                       gabor_impl_above(of.b.first, of.b.removed, 0.0f, 0.5f).x);
     colour = gabor_cpp_mix(colour, gabor_impl_toned(strata.red, tones), 0.8f * soft.x);
@@ -1380,9 +1372,10 @@ GABOR_INLINE GaborMaterial gabor_marble_filtered_at(gabor_vec2 p, gabor_vec2 dx,
     for (int i = 0; i < 4; ++i)
         gabor_impl_add_filtered_spots(of, gabor_impl_marble_layer(i, pixel, stone, seed), pixel);
     GaborMaterial material = gabor_impl_marble(marble, of.a, of.b);
-    for (int i = 4; i < 8; ++i)
-        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(gabor_impl_marble_layer(i, pixel, stone,
-                                                                                                    seed), pixel));
+    for (int i = 4; i < 8; ++i) {
+        GaborLayer layer = gabor_impl_marble_layer(i, pixel, stone, seed);
+        gabor_impl_add_veins(material, marble, i, gabor_impl_filtered_waves(layer, pixel));
+    }
     return material;
 }
 
@@ -1400,9 +1393,10 @@ GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
 GABOR_INLINE GaborMaterial gabor_ripples_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborRipples ripples, std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 14; ++i)
-        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(gabor_impl_ripples_layer(i, pixel, ripples, seed),
-                                                                pixel));
+    for (int i = 0; i < 14; ++i) {
+        GaborLayer layer = gabor_impl_ripples_layer(i, pixel, ripples, seed);
+        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(layer, pixel));
+    }
     return gabor_impl_ripples(ripples, sum);
 }
 
@@ -1410,9 +1404,10 @@ GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_v
                                               std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
     GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 5; ++i)
-        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(gabor_impl_streaks_layer(i, pixel, metal, seed),
-                                                                 pixel));
+    for (int i = 0; i < 5; ++i) {
+        GaborLayer layer = gabor_impl_streaks_layer(i, pixel, metal, seed);
+        gabor_impl_add_streaks(sum, i, gabor_impl_filtered_spots(layer, pixel));
+    }
     return gabor_impl_brushed_metal(metal, sum);
 }
 
@@ -1508,21 +1503,42 @@ GABOR_INLINE GaborStrata gabor_strata_default() {
                        6.0f, 1.0f, 1.0f, 0.9f};
 }
 
-GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed) { return gabor_wood_at(p, gabor_vec2(0.0f), gabor_wood_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed) { return gabor_fabric_at(p, gabor_vec2(0.0f), gabor_fabric_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed) { return gabor_leather_at(p, gabor_vec2(0.0f), gabor_leather_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed) { return gabor_marble_at(p, gabor_vec2(0.0f), gabor_marble_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed) { return gabor_sand_at(p, gabor_vec2(0.0f), gabor_sand_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed) { return gabor_ripples_at(p, gabor_vec2(0.0f), gabor_ripples_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed) { return gabor_brushed_metal_at(p, gabor_vec2(0.0f),
-                                                                                     gabor_brushed_metal_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed) { return gabor_scratches_at(p, gabor_vec2(0.0f), gabor_scratches_default(),
-                                                                             seed); }
-GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed) { return gabor_zebra_at(p, gabor_vec2(0.0f), gabor_zebra_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed) { return gabor_bark_at(p, gabor_vec2(0.0f), gabor_bark_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed) { return gabor_carbon_fibre_at(p, gabor_vec2(0.0f),
-                                                                                   gabor_carbon_fibre_default(), seed); }
-GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) { return gabor_strata_at(p, gabor_vec2(0.0f), gabor_strata_default(), seed); }
+GABOR_INLINE GaborMaterial gabor_wood(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_wood_at(p, gabor_vec2(0.0f), gabor_wood_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_fabric(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_fabric_at(p, gabor_vec2(0.0f), gabor_fabric_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_leather(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_leather_at(p, gabor_vec2(0.0f), gabor_leather_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_marble_at(p, gabor_vec2(0.0f), gabor_marble_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_sand_at(p, gabor_vec2(0.0f), gabor_sand_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_ripples_at(p, gabor_vec2(0.0f), gabor_ripples_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_brushed_metal_at(p, gabor_vec2(0.0f), gabor_brushed_metal_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_scratches(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_scratches_at(p, gabor_vec2(0.0f), gabor_scratches_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_zebra(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_zebra_at(p, gabor_vec2(0.0f), gabor_zebra_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_bark(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_bark_at(p, gabor_vec2(0.0f), gabor_bark_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_carbon_fibre(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_carbon_fibre_at(p, gabor_vec2(0.0f), gabor_carbon_fibre_default(), seed);
+}
+GABOR_INLINE GaborMaterial gabor_strata(gabor_vec2 p, std::uint32_t seed) {
+    return gabor_strata_at(p, gabor_vec2(0.0f), gabor_strata_default(), seed);
+}
 
 #ifdef GABOR_FILTER_HPP
 GABOR_INLINE GaborMaterial gabor_wood_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {

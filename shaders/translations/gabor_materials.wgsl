@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 94b351dc059629cf.
+// naga 30.0.1 made it from GLSL with the digest 768cb06b57a83dd5.
 //
 // gabor_materials.wgsl: twelve materials from Gabor noise.
 //
@@ -49,8 +49,7 @@ struct GaborMaterial {
 //
 // The first two take the default parameters. The filtered ones average over a pixel; dx and dy are dFdx(p) and dFdy(p).
 // Noises that only displace the pattern then cost as much as without the filter. `period` is in units of p, vec2f(0.0)
-// for none: a period holds a whole number of rings or threads; scratches and hair snap to directions that repeat with
-// it.
+// for none: a period holds a whole number of rings or threads, and scratches and hair snap to directions that fit it.
 //
 // Colours are linear, from 0 to 1. Brackets give the number of noises, and the shortest period at which the tiled
 // material looks like the untiled one; shorter periods compress its large-scale variation. The grain of wood and bark
@@ -198,9 +197,8 @@ struct GaborStrata {
 //     E[f'^2] (C + g g^T) - E[f']^2 g g^T
 // over what the filter removed. A height is a sum of such terms; their covariances add up.
 //
-// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered,
-// and
-// one that shades them. The filtered ones are loops, because compilers inline the filter for each call.
+// Each material has a function that lists its layers, one that gathers their noises, one that gathers them filtered, and
+// one that shades them. Those that filter are loops, because compilers inline the filter for each call.
 
 // Computes values with derivatives along x and y of p: (value, d/dx, d/dy).
 fn gabor_impl_times(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
@@ -399,51 +397,48 @@ fn gabor_impl_spots(place: GaborPlace, seed: u32) -> GaborField {
     return GaborField((_e137 * _e138.y), (_e141 * _e142.yw), (_e145 * _e146.x), (_e149 * _e150.xz), 0f);
 }
 
-// The step in the warped position that a step in p makes.
-fn gabor_impl_step_of(at: GaborWarped, step_: vec2<f32>) -> vec2<f32> {
-    return ((step_.x * at.x) + (step_.y * at.y));
+// The steps (dx, dy) to the next pixels, in kernel radii of a noise with this density at a warped position.
+fn gabor_impl_radii(pixel: GaborPixel, at: GaborWarped, density: vec2<f32>) -> vec4<f32> {
+    let _e12 = (density * ((pixel.dx.x * at.x) + (pixel.dx.y * at.y)));
+    let _e22 = (density * ((pixel.dy.x * at.x) + (pixel.dy.y * at.y)));
+    return vec4<f32>(_e12.x, _e12.y, _e22.x, _e22.y);
 }
 
-// Moves the position by two noises, and less where they are finer than the pixel: as much as a filter keeps of their
+// Moves the position by two noises. Noises that are finer than the pixel move it only as much as a filter keeps of their
 // slopes.
 fn gabor_impl_warp(pixel: GaborPixel, at: GaborWarped, density: vec2<f32>, amplitude: vec2<f32>, seed: u32, index: i32) -> GaborWarped {
     var amplitude_5: vec2<f32>;
-    var dx_7: vec2<f32>;
-    var dy_7: vec2<f32>;
+    var steps: vec4<f32>;
     var field_10: GaborField;
     var along_x_3: vec2<f32>;
     var along_y_3: vec2<f32>;
     amplitude_5 = amplitude;
-    let _e8 = gabor_impl_step_of(at, pixel.dx);
-    dx_7 = (density * _e8);
-    let _e12 = gabor_impl_step_of(at, pixel.dy);
-    dy_7 = (density * _e12);
-    let _e15 = amplitude_5;
-    let _e18 = dx_7;
-    let _e19 = dx_7;
-    let _e21 = dy_7;
-    let _e22 = dy_7;
-    amplitude_5 = (_e15 / vec2((1f + (0.822467f * min((dot(_e18, _e19) + dot(_e21, _e22)), 1000000f)))));
-    let _e31 = gabor_impl_place(at, density);
-    let _e32 = gabor_lobe_seed(seed, index);
-    let _e33 = gabor_impl_spots(_e31, _e32);
-    field_10 = _e33;
-    let _e35 = amplitude_5;
-    let _e38 = field_10;
-    let _e41 = field_10;
-    along_x_3 = ((_e35 * density.x) * vec2<f32>(_e38.quadrature_gradient.x, _e41.gradient.x));
-    let _e47 = amplitude_5;
-    let _e50 = field_10;
+    let _e7 = gabor_impl_radii(pixel, at, density);
+    steps = _e7;
+    let _e9 = amplitude_5;
+    let _e12 = steps;
+    let _e13 = steps;
+    amplitude_5 = (_e9 / vec2((1f + (0.822467f * min(dot(_e12, _e13), 1000000f)))));
+    let _e21 = gabor_impl_place(at, density);
+    let _e22 = gabor_lobe_seed(seed, index);
+    let _e23 = gabor_impl_spots(_e21, _e22);
+    field_10 = _e23;
+    let _e25 = amplitude_5;
+    let _e28 = field_10;
+    let _e31 = field_10;
+    along_x_3 = ((_e25 * density.x) * vec2<f32>(_e28.quadrature_gradient.x, _e31.gradient.x));
+    let _e37 = amplitude_5;
+    let _e40 = field_10;
+    let _e43 = field_10;
+    along_y_3 = ((_e37 * density.y) * vec2<f32>(_e40.quadrature_gradient.y, _e43.gradient.y));
+    let _e50 = amplitude_5;
+    let _e51 = field_10;
     let _e53 = field_10;
-    along_y_3 = ((_e47 * density.y) * vec2<f32>(_e50.quadrature_gradient.y, _e53.gradient.y));
-    let _e60 = amplitude_5;
-    let _e61 = field_10;
-    let _e63 = field_10;
-    let _e71 = along_x_3;
-    let _e76 = along_y_3;
-    let _e82 = along_x_3;
-    let _e87 = along_y_3;
-    return GaborWarped((at.p + (_e60 * vec2<f32>(_e61.quadrature, _e63.noise))), ((at.x + (at.x.x * _e71)) + (at.x.y * _e76)), ((at.y + (at.y.x * _e82)) + (at.y.y * _e87)), at.period);
+    let _e61 = along_x_3;
+    let _e66 = along_y_3;
+    let _e72 = along_x_3;
+    let _e77 = along_y_3;
+    return GaborWarped((at.p + (_e50 * vec2<f32>(_e51.quadrature, _e53.noise))), ((at.x + (at.x.x * _e61)) + (at.x.y * _e66)), ((at.y + (at.y.x * _e72)) + (at.y.y * _e77)), at.period);
 }
 
 // Turns the axes by an angle. If the pattern repeats, the new x axis takes one of 24 directions near that angle. A line
@@ -566,10 +561,10 @@ fn gabor_impl_repeated(pixel: GaborPixel, count: f32, whole: f32) -> vec2<f32> {
 
 // The squared length of a pixel along an axis of a repeated pattern; `a` is the position along it, with derivatives.
 fn gabor_impl_steps(pixel: GaborPixel, a: vec3<f32>) -> f32 {
-    var steps: vec2<f32>;
-    steps = vec2<f32>(dot(a.yz, pixel.dx), dot(a.yz, pixel.dy));
-    let _e10 = steps;
-    let _e11 = steps;
+    var steps_1: vec2<f32>;
+    steps_1 = vec2<f32>(dot(a.yz, pixel.dx), dot(a.yz, pixel.dy));
+    let _e10 = steps_1;
+    let _e11 = steps_1;
     return dot(_e10, _e11);
 }
 
@@ -822,9 +817,8 @@ fn gabor_impl_spots_line(b: GaborFilteredAxis, index: i32) -> GaborSpotsLine {
     return GaborSpotsLine(_e51, vec3<f32>(_e52.x, _e54, _e55.z), _e58);
 }
 
-// The sums of a row over its columns: the factors times both parts of the amplitudes, and those with the derivative of
-// the
-// fade.
+// The sums of a row over its columns: the factors times both parts of the amplitudes, and the first factor with the
+// derivative of its fade.
 struct GaborSpotsRow {
     real: vec3<f32>,
     imaginary: vec3<f32>,
@@ -1134,78 +1128,71 @@ fn gabor_impl_spots_filtered(place: GaborPlace, dx: vec2<f32>, dy: vec2<f32>, se
     return _e82;
 }
 
-// The share of a layer's variance that a filter removes, and the covariance of its gradient that it removes: see
-// gabor_impl_transmitted. The lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave
-// vector (1 + 2/3 pi^2 S)^-1 F.
-fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField, s: vec3<f32>) -> GaborPair {
+// A layer's filtered field, with the covariance of its gradient that the filter removes: see gabor_impl_transmitted. The
+// lobe has the covariance I / 12, and the filter leaves (12 + 8 pi^2 S)^-1 around the wave vector (1 + 2/3 pi^2 S)^-1 F.
+fn gabor_impl_filtered_pair(layer: GaborLayer, field: GaborField, steps: vec4<f32>) -> GaborPair {
     var a_13: vec3<f32>;
     var inverse: vec3<f32>;
     var whole_2: vec3<f32>;
     var left_1: vec3<f32>;
-    a_13 = (6.579736f * s);
-    let _e7 = a_13;
+    let _e6 = gabor_impl_footprint(steps.xy, steps.zw);
+    a_13 = (6.579736f * _e6.covariance);
     let _e11 = a_13;
-    let _e14 = a_13;
-    inverse = vec3<f32>((1f + _e7.y), (1f + _e11.x), -(_e14.z));
-    let _e19 = inverse;
-    let _e20 = inverse;
-    let _e22 = inverse;
-    let _e25 = a_13;
-    let _e27 = a_13;
-    inverse = (_e19 / vec3(((_e20.x * _e22.y) - (_e25.z * _e27.z))));
-    let _e39 = gabor_impl_square(layer.wave);
-    whole_2 = (vec3<f32>(3.289868f, 3.289868f, 0f) + (39.478416f * _e39));
-    let _e44 = inverse;
-    let _e47 = inverse;
-    let _e49 = gabor_impl_symmetric(_e47, layer.wave);
-    let _e50 = gabor_impl_square(_e49);
-    left_1 = ((3.289868f * _e44) + (39.478416f * _e50));
-    let _e54 = whole_2;
-    let _e58 = left_1;
-    let _e61 = gabor_impl_pair(layer, field, (_e54 - ((1f - field.removed) * _e58)));
-    return _e61;
+    let _e15 = a_13;
+    let _e18 = a_13;
+    inverse = vec3<f32>((1f + _e11.y), (1f + _e15.x), -(_e18.z));
+    let _e23 = inverse;
+    let _e24 = inverse;
+    let _e26 = inverse;
+    let _e29 = a_13;
+    let _e31 = a_13;
+    inverse = (_e23 / vec3(((_e24.x * _e26.y) - (_e29.z * _e31.z))));
+    let _e43 = gabor_impl_square(layer.wave);
+    whole_2 = (vec3<f32>(3.289868f, 3.289868f, 0f) + (39.478416f * _e43));
+    let _e48 = inverse;
+    let _e51 = inverse;
+    let _e53 = gabor_impl_symmetric(_e51, layer.wave);
+    let _e54 = gabor_impl_square(_e53);
+    left_1 = ((3.289868f * _e48) + (39.478416f * _e54));
+    let _e58 = whole_2;
+    let _e62 = left_1;
+    let _e65 = gabor_impl_pair(layer, field, (_e58 - ((1f - field.removed) * _e62)));
+    return _e65;
 }
 
 fn gabor_impl_filtered_waves(layer: GaborLayer, pixel: GaborPixel) -> GaborPair {
-    var dx_9: vec2<f32>;
-    var dy_9: vec2<f32>;
+    var steps_3: vec4<f32>;
+    var place_17: GaborPlace;
     var field_13: GaborField;
-    let _e5 = gabor_impl_step_of(layer.at, pixel.dx);
-    dx_9 = (layer.density * _e5);
-    let _e11 = gabor_impl_step_of(layer.at, pixel.dy);
-    dy_9 = (layer.density * _e11);
-    let _e16 = gabor_impl_place(layer.at, layer.density);
-    let _e17 = dx_9;
-    let _e18 = dy_9;
-    let _e21 = gabor_field_filtered(_e16, _e17, _e18, layer.wave, layer.seed);
-    field_13 = _e21;
-    let _e23 = field_13;
-    let _e24 = dx_9;
-    let _e25 = dy_9;
-    let _e26 = gabor_impl_footprint(_e24, _e25);
-    let _e28 = gabor_impl_filtered_pair(layer, _e23, _e26.covariance);
-    return _e28;
+    let _e4 = gabor_impl_radii(pixel, layer.at, layer.density);
+    steps_3 = _e4;
+    let _e8 = gabor_impl_place(layer.at, layer.density);
+    place_17 = _e8;
+    let _e10 = place_17;
+    let _e11 = steps_3;
+    let _e13 = steps_3;
+    let _e17 = gabor_field_filtered(_e10, _e11.xy, _e13.zw, layer.wave, layer.seed);
+    field_13 = _e17;
+    let _e19 = field_13;
+    let _e20 = steps_3;
+    let _e21 = gabor_impl_filtered_pair(layer, _e19, _e20);
+    return _e21;
 }
 
 fn gabor_impl_filtered_spots(layer: GaborLayer, pixel: GaborPixel) -> GaborPair {
-    var dx_10: vec2<f32>;
-    var dy_10: vec2<f32>;
-    var field_14: GaborField;
-    let _e5 = gabor_impl_step_of(layer.at, pixel.dx);
-    dx_10 = (layer.density * _e5);
-    let _e11 = gabor_impl_step_of(layer.at, pixel.dy);
-    dy_10 = (layer.density * _e11);
-    let _e16 = gabor_impl_place(layer.at, layer.density);
-    let _e17 = dx_10;
-    let _e18 = dy_10;
-    let _e20 = gabor_impl_spots_filtered(_e16, _e17, _e18, layer.seed);
-    field_14 = _e20;
-    let _e22 = field_14;
-    let _e23 = dx_10;
-    let _e24 = dy_10;
-    let _e25 = gabor_impl_footprint(_e23, _e24);
-    let _e27 = gabor_impl_filtered_pair(layer, _e22, _e25.covariance);
-    return _e27;
+    var steps_4: vec4<f32>;
+    var place_18: GaborPlace;
+    let _e4 = gabor_impl_radii(pixel, layer.at, layer.density);
+    steps_4 = _e4;
+    let _e8 = gabor_impl_place(layer.at, layer.density);
+    place_18 = _e8;
+    let _e10 = place_18;
+    let _e11 = steps_4;
+    let _e13 = steps_4;
+    let _e16 = gabor_impl_spots_filtered(_e10, _e11.xy, _e13.zw, layer.seed);
+    let _e17 = steps_4;
+    let _e18 = gabor_impl_filtered_pair(layer, _e16, _e17);
+    return _e18;
 }
 
 fn gabor_impl_add_filtered_spots(pairs: ptr<function, GaborPairs>, layer: GaborLayer, pixel: GaborPixel) {
@@ -1372,14 +1359,14 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> vec2<f32> {
 // sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
 fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
     var mean_4: vec3<f32>;
-    var s_10: f32;
+    var s_9: f32;
     var d_7: vec3<f32>;
     var i_9: i32 = 0i;
     mean_4 = (colour * exp((tone.x + (0.5f * tone.y))));
     if (tone.y > 0f) {
         {
-            s_10 = sqrt(tone.y);
-            let _e24 = s_10;
+            s_9 = sqrt(tone.y);
+            let _e24 = s_9;
             d_7 = ((vec3(-(tone.x)) - log(max(colour, vec3(0.000001f)))) / vec3(_e24));
             let _e28 = d_7;
             let _e30 = d_7;
@@ -1395,7 +1382,7 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
                     let _e51 = mean_4[_e49];
                     let _e52 = i_9;
                     let _e54 = d_7[_e52];
-                    let _e55 = s_10;
+                    let _e55 = s_9;
                     let _e57 = gabor_impl_below((_e54 - _e55));
                     let _e61 = i_9;
                     let _e63 = d_7[_e61];
@@ -1413,8 +1400,7 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
     return min(_e66, vec3(1f));
 }
 
-// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for:
-// see
+// The square of a sawtooth that rises from 0 to 1, averaged over the phases that a vector of length `span` stands for: see
 // gabor_impl_ends_at. `phase` is in turns.
 fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     var ends_4: vec3<f32>;
@@ -1660,32 +1646,32 @@ fn gabor_impl_wood(pixel: GaborPixel, board: GaborWarped, wood: GaborWood, of_: 
 }
 
 fn gabor_wood_at(p: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_10: GaborPixel;
+    var pixel_11: GaborPixel;
     var board_4: GaborWarped;
     var of_1: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_10 = _e8;
-    let _e10 = pixel_10;
+    pixel_11 = _e8;
+    let _e10 = pixel_11;
     let _e11 = gabor_impl_board(_e10, wood, seed);
     board_4 = _e11;
     let _e13 = gabor_impl_no_pairs();
     of_1 = _e13;
-    let _e17 = pixel_10;
+    let _e17 = pixel_11;
     let _e18 = board_4;
     let _e19 = gabor_impl_wood_layer(0i, _e17, _e18, seed);
     let _e20 = gabor_impl_spots_pair(_e19);
     of_1.a = _e20;
-    let _e23 = pixel_10;
+    let _e23 = pixel_11;
     let _e24 = board_4;
     let _e25 = gabor_impl_wood_layer(1i, _e23, _e24, seed);
     let _e26 = gabor_impl_spots_pair(_e25);
     of_1.b = _e26;
-    let _e29 = pixel_10;
+    let _e29 = pixel_11;
     let _e30 = board_4;
     let _e31 = gabor_impl_wood_layer(2i, _e29, _e30, seed);
     let _e32 = gabor_impl_spots_pair(_e31);
     of_1.c = _e32;
-    let _e33 = pixel_10;
+    let _e33 = pixel_11;
     let _e34 = board_4;
     let _e35 = of_1;
     let _e36 = gabor_impl_wood(_e33, _e34, wood, _e35, seed);
@@ -1712,7 +1698,7 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u
     var local_36: vec2<f32>;
     var local_37: vec2<f32>;
     var local_38: vec2<f32>;
-    var density_5: vec2<f32>;
+    var density_6: vec2<f32>;
     if (i == 0i) {
         local_38 = vec2<f32>((0.7f * count.x), 1.1f);
     } else {
@@ -1731,14 +1717,13 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u
         local_38 = _e31;
     }
     let _e33 = local_38;
-    density_5 = _e33;
-    let _e35 = density_5;
+    density_6 = _e33;
+    let _e35 = density_6;
     let _e38 = gabor_impl_spots_layer(i, cloth, _e35, seed, (1i + i));
     return _e38;
 }
 
-// The height of a thread: a circle of radius `thick` that goes over a crossing thread if `bend` is 1 and under it if
-// -1.
+// The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
 fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32) -> vec3<f32> {
     var square_2: f32;
     var side_2: f32;
@@ -1801,6 +1786,7 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var local_48: f32;
     var colour_3: vec3<f32>;
     var height_2: vec3<f32>;
+    var cords: f32;
     var at_9: vec3<f32>;
     var damped_2: f32;
     var half_cord: f32;
@@ -1954,73 +1940,75 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     if (fabric.cords > 0f) {
         {
             let _e274 = gabor_impl_repeated(pixel, fabric.cords, 1f);
-            let _e276 = gabor_impl_along_x(cloth);
-            at_9 = (_e274.x * _e276);
-            let _e280 = at_9;
-            let _e281 = gabor_impl_steps(pixel, _e280);
-            damped_2 = exp(-(min((4.934802f * _e281), 20f)));
-            let _e289 = damped_2;
-            half_cord = (0.5f * _e289);
-            let _e293 = damped_2;
+            cords = _e274.x;
+            let _e277 = cords;
+            let _e278 = gabor_impl_along_x(cloth);
+            at_9 = (_e277 * _e278);
+            let _e282 = at_9;
+            let _e283 = gabor_impl_steps(pixel, _e282);
+            damped_2 = exp(-(min((4.934802f * _e283), 20f)));
+            let _e291 = damped_2;
+            half_cord = (0.5f * _e291);
             let _e295 = damped_2;
             let _e297 = damped_2;
             let _e299 = damped_2;
-            second_3 = ((((0.125f * _e293) * _e295) * _e297) * _e299);
-            let _e303 = at_9;
-            turn_13 = (6.2831855f * fract(_e303.x));
-            let _e309 = half_cord;
-            let _e310 = turn_13;
-            let _e314 = second_3;
-            let _e316 = turn_13;
-            cord = ((0.625f - (_e309 * cos(_e310))) - (_e314 * cos((2f * _e316))));
-            let _e327 = gabor_impl_repeated(pixel, fabric.cords, 1f);
-            depth_1 = ((0.3f * fabric.relief) / _e327.x);
-            let _e331 = depth_1;
-            swing = (_e331 * 6.2831855f);
-            let _e335 = colour_3;
-            let _e338 = cord;
-            colour_3 = (_e335 * mix(0.3f, 1f, _e338));
-            let _e341 = height_2;
-            let _e342 = depth_1;
-            let _e343 = cord;
-            let _e345 = swing;
-            let _e346 = half_cord;
-            let _e347 = turn_13;
-            let _e351 = second_3;
-            let _e354 = turn_13;
-            let _e360 = at_9;
-            let _e362 = ((_e345 * ((_e346 * sin(_e347)) + ((2f * _e351) * sin((2f * _e354))))) * _e360.yz);
-            height_2 = (_e341 + vec3<f32>((_e342 * _e343), _e362.x, _e362.y));
-            let _e367 = lost_5;
+            let _e301 = damped_2;
+            second_3 = ((((0.125f * _e295) * _e297) * _e299) * _e301);
+            let _e305 = at_9;
+            turn_13 = (6.2831855f * fract(_e305.x));
+            let _e311 = half_cord;
+            let _e312 = turn_13;
+            let _e316 = second_3;
+            let _e318 = turn_13;
+            cord = ((0.625f - (_e311 * cos(_e312))) - (_e316 * cos((2f * _e318))));
+            let _e327 = cords;
+            depth_1 = ((0.3f * fabric.relief) / _e327);
+            let _e330 = depth_1;
+            swing = (_e330 * 6.2831855f);
+            let _e334 = colour_3;
+            let _e337 = cord;
+            colour_3 = (_e334 * mix(0.3f, 1f, _e337));
+            let _e340 = height_2;
+            let _e341 = depth_1;
+            let _e342 = cord;
+            let _e344 = swing;
+            let _e345 = half_cord;
+            let _e346 = turn_13;
+            let _e350 = second_3;
+            let _e353 = turn_13;
+            let _e359 = at_9;
+            let _e361 = ((_e344 * ((_e345 * sin(_e346)) + ((2f * _e350) * sin((2f * _e353))))) * _e359.yz);
+            height_2 = (_e340 + vec3<f32>((_e341 * _e342), _e361.x, _e361.y));
+            let _e366 = lost_5;
+            let _e367 = swing;
             let _e368 = swing;
-            let _e369 = swing;
-            let _e373 = half_cord;
-            let _e375 = half_cord;
-            let _e379 = second_3;
-            let _e381 = second_3;
-            let _e385 = at_9;
-            let _e387 = gabor_impl_square(_e385.yz);
-            lost_5 = (_e367 + (((_e368 * _e369) * ((0.15625f - ((0.5f * _e373) * _e375)) - ((2f * _e379) * _e381))) * _e387));
+            let _e372 = half_cord;
+            let _e374 = half_cord;
+            let _e378 = second_3;
+            let _e380 = second_3;
+            let _e384 = at_9;
+            let _e386 = gabor_impl_square(_e384.yz);
+            lost_5 = (_e366 + (((_e367 * _e368) * ((0.15625f - ((0.5f * _e372) * _e374)) - ((2f * _e378) * _e380))) * _e386));
         }
     }
-    let _e390 = colour_3;
-    let _e391 = height_2;
-    let _e392 = lost_5;
-    let _e395 = gabor_impl_material(_e390, _e391, _e392, fabric.roughness, 0f);
-    return _e395;
+    let _e389 = colour_3;
+    let _e390 = height_2;
+    let _e391 = lost_5;
+    let _e394 = gabor_impl_material(_e389, _e390, _e391, fabric.roughness, 0f);
+    return _e394;
 }
 
 fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_14: GaborPixel;
+    var pixel_15: GaborPixel;
     var cloth_2: GaborWarped;
     var count_4: vec2<f32>;
     var of_3: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_14 = _e8;
-    let _e10 = pixel_14;
+    pixel_15 = _e8;
+    let _e10 = pixel_15;
     let _e11 = gabor_impl_cloth(_e10, fabric, seed);
     cloth_2 = _e11;
-    let _e13 = pixel_14;
+    let _e13 = pixel_15;
     let _e16 = gabor_impl_repeated(_e13, fabric.threads, 2f);
     count_4 = _e16;
     let _e18 = gabor_impl_no_pairs();
@@ -2045,7 +2033,7 @@ fn gabor_fabric_at(p: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u
     let _e42 = gabor_impl_fabric_layer(3i, _e40, _e41, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
     of_3.d = _e43;
-    let _e44 = pixel_14;
+    let _e44 = pixel_15;
     let _e45 = cloth_2;
     let _e46 = count_4;
     let _e47 = of_3;
@@ -2216,16 +2204,16 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
 }
 
 fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_17: GaborPixel;
+    var pixel_18: GaborPixel;
     var cloth_5: GaborWarped;
     var count_7: vec2<f32>;
     var of_5: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_17 = _e8;
-    let _e10 = pixel_17;
+    pixel_18 = _e8;
+    let _e10 = pixel_18;
     let _e11 = gabor_impl_twill(_e10, seed);
     cloth_5 = _e11;
-    let _e13 = pixel_17;
+    let _e13 = pixel_18;
     let _e16 = gabor_impl_repeated(_e13, fibres.tows, 4f);
     count_7 = _e16;
     let _e18 = gabor_impl_no_pairs();
@@ -2240,7 +2228,7 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
     let _e30 = gabor_impl_tow_layer(1i, _e28, _e29, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_5.b = _e31;
-    let _e32 = pixel_17;
+    let _e32 = pixel_18;
     let _e33 = cloth_5;
     let _e34 = count_7;
     let _e35 = of_5;
@@ -2250,8 +2238,7 @@ fn gabor_carbon_fibre_at(p: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFib
 
 // ---- Leather -------------------------------------------------------------------------------------------------------
 //
-// Three waves; the phase of the third is the sum of the other two, so the crests of all three meet in each cell's
-// middle.
+// Three waves. The phase of the third is the sum of the other two, so the crests of all three meet in each cell's middle.
 
 fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> GaborWarped {
     var bends_1: vec2<f32>;
@@ -2419,13 +2406,13 @@ fn gabor_impl_leather(leather: GaborLeather, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_20: GaborPixel;
+    var pixel_21: GaborPixel;
     var skin_2: GaborWarped;
     var of_7: GaborPairs;
     var i_14: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_20 = _e8;
-    let _e10 = pixel_20;
+    pixel_21 = _e8;
+    let _e10 = pixel_21;
     let _e11 = gabor_impl_skin(_e10, leather, seed);
     skin_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
@@ -2437,7 +2424,7 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
         }
         let _e25 = of_7;
         let _e27 = i_14;
-        let _e28 = pixel_20;
+        let _e28 = pixel_21;
         let _e29 = skin_2;
         let _e30 = gabor_impl_leather_layer(_e27, _e28, _e29, leather, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
@@ -2447,17 +2434,17 @@ fn gabor_leather_at(p: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed
             i_14 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_20;
+    let _e34 = pixel_21;
     let _e35 = skin_2;
     let _e36 = gabor_impl_leather_layer(3i, _e34, _e35, leather, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_7.b = _e37;
-    let _e40 = pixel_20;
+    let _e40 = pixel_21;
     let _e41 = skin_2;
     let _e42 = gabor_impl_leather_layer(4i, _e40, _e41, leather, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
     of_7.c = _e43;
-    let _e46 = pixel_20;
+    let _e46 = pixel_21;
     let _e47 = skin_2;
     let _e48 = gabor_impl_leather_layer(5i, _e46, _e47, leather, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
@@ -2679,16 +2666,17 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
 }
 
 fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_23: GaborPixel;
+    var pixel_24: GaborPixel;
     var stone_3: GaborWarped;
     var cloud_1: GaborPair;
     var i_17: i32 = 0i;
     var crystal_1: GaborPair;
     var material: GaborMaterial;
     var i_18: i32 = 4i;
+    var layer_8: GaborLayer;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_23 = _e8;
-    let _e10 = pixel_23;
+    pixel_24 = _e8;
+    let _e10 = pixel_24;
     let _e11 = gabor_impl_stone(_e10, marble, seed);
     stone_3 = _e11;
     let _e13 = gabor_impl_no_pair();
@@ -2700,7 +2688,7 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
         }
         let _e24 = cloud_1;
         let _e25 = i_17;
-        let _e26 = pixel_23;
+        let _e26 = pixel_24;
         let _e27 = stone_3;
         let _e28 = gabor_impl_marble_layer(_e25, _e26, _e27, seed);
         let _e29 = gabor_impl_plus_octave(_e24, _e28);
@@ -2710,7 +2698,7 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
             i_17 = (_e21 + 1i);
         }
     }
-    let _e31 = pixel_23;
+    let _e31 = pixel_24;
     let _e32 = stone_3;
     let _e33 = gabor_impl_marble_layer(3i, _e31, _e32, seed);
     let _e34 = gabor_impl_spots_pair(_e33);
@@ -2724,20 +2712,24 @@ fn gabor_marble_at(p: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u
         if !((_e42 < 8i)) {
             break;
         }
-        let _e50 = i_18;
-        let _e51 = i_18;
-        let _e52 = pixel_23;
-        let _e53 = stone_3;
-        let _e54 = gabor_impl_marble_layer(_e51, _e52, _e53, seed);
-        let _e55 = gabor_impl_waves_pair(_e54);
-        gabor_impl_add_veins((&material), marble, _e50, _e55);
+        {
+            let _e49 = i_18;
+            let _e50 = pixel_24;
+            let _e51 = stone_3;
+            let _e52 = gabor_impl_marble_layer(_e49, _e50, _e51, seed);
+            layer_8 = _e52;
+            let _e55 = i_18;
+            let _e56 = layer_8;
+            let _e57 = gabor_impl_waves_pair(_e56);
+            gabor_impl_add_veins((&material), marble, _e55, _e57);
+        }
         continuing {
             let _e46 = i_18;
             i_18 = (_e46 + 1i);
         }
     }
-    let _e57 = material;
-    return _e57;
+    let _e59 = material;
+    return _e59;
 }
 
 // ---- Sand ----------------------------------------------------------------------------------------------------------
@@ -2864,17 +2856,17 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
 }
 
 fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_26: GaborPixel;
+    var pixel_27: GaborPixel;
     var dune_2: GaborWarped;
     var ripples_1: GaborLayer;
     var of_9: GaborPairs;
     var i_20: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_26 = _e8;
-    let _e10 = pixel_26;
+    pixel_27 = _e8;
+    let _e10 = pixel_27;
     let _e11 = gabor_impl_dune(_e10, seed);
     dune_2 = _e11;
-    let _e14 = pixel_26;
+    let _e14 = pixel_27;
     let _e15 = dune_2;
     let _e16 = gabor_impl_sand_layer(4i, _e14, _e15, sand, seed);
     ripples_1 = _e16;
@@ -2887,7 +2879,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
         }
         let _e30 = of_9;
         let _e32 = i_20;
-        let _e33 = pixel_26;
+        let _e33 = pixel_27;
         let _e34 = dune_2;
         let _e35 = gabor_impl_sand_layer(_e32, _e33, _e34, sand, seed);
         let _e36 = gabor_impl_plus_octave(_e30.a, _e35);
@@ -2897,7 +2889,7 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
             i_20 = (_e26 + 1i);
         }
     }
-    let _e39 = pixel_26;
+    let _e39 = pixel_27;
     let _e40 = dune_2;
     let _e41 = gabor_impl_sand_layer(3i, _e39, _e40, sand, seed);
     let _e42 = gabor_impl_spots_pair(_e41);
@@ -2917,12 +2909,12 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
 // the filter removed does not change the mean of the harmonic.
 
 fn gabor_impl_ripples_layer(i: i32, pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborLayer {
-    var density_6: f32;
+    var density_7: f32;
     var angle_1: f32;
-    density_6 = ((ripples.waves * exp2((0.27f * f32(i)))) / 2.2f);
+    density_7 = ((ripples.waves * exp2((0.27f * f32(i)))) / 2.2f);
     angle_1 = (ripples.direction + (ripples.spread * (fract(((0.618034f * f32(i)) + 0.1f)) - 0.5f)));
     let _e27 = gabor_impl_unwarped(pixel);
-    let _e28 = density_6;
+    let _e28 = density_7;
     let _e31 = angle_1;
     let _e32 = gabor_impl_waves_layer(0i, _e27, vec2(_e28), 2.2f, _e31, seed, i);
     return _e32;
@@ -2994,11 +2986,11 @@ fn gabor_impl_ripples(ripples: GaborRipples, sum: GaborPair) -> GaborMaterial {
 }
 
 fn gabor_ripples_at(p: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed: u32) -> GaborMaterial {
-    var pixel_28: GaborPixel;
+    var pixel_29: GaborPixel;
     var sum_23: GaborPair;
     var i_23: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_28 = _e8;
+    pixel_29 = _e8;
     let _e10 = gabor_impl_no_pair();
     sum_23 = _e10;
     loop {
@@ -3008,7 +3000,7 @@ fn gabor_ripples_at(p: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed
         }
         let _e22 = i_23;
         let _e23 = i_23;
-        let _e24 = pixel_28;
+        let _e24 = pixel_29;
         let _e25 = gabor_impl_ripples_layer(_e23, _e24, ripples, seed);
         let _e26 = gabor_impl_waves_pair(_e25);
         gabor_impl_add_ripple((&sum_23), _e22, _e26);
@@ -3025,10 +3017,10 @@ fn gabor_ripples_at(p: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 fn gabor_impl_streaks_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
-    var density_7: vec2<f32>;
-    density_7 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
+    var density_8: vec2<f32>;
+    density_8 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
     let _e17 = gabor_impl_unwarped(pixel);
-    let _e18 = density_7;
+    let _e18 = density_8;
     let _e19 = gabor_impl_spots_layer(0i, _e17, _e18, seed, i);
     return _e19;
 }
@@ -3062,11 +3054,11 @@ fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, sum: GaborPair) -> GaborMa
 }
 
 fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_30: GaborPixel;
+    var pixel_31: GaborPixel;
     var sum_26: GaborPair;
     var i_26: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_30 = _e8;
+    pixel_31 = _e8;
     let _e10 = gabor_impl_no_pair();
     sum_26 = _e10;
     loop {
@@ -3076,7 +3068,7 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
         }
         let _e22 = i_26;
         let _e23 = i_26;
-        let _e24 = pixel_30;
+        let _e24 = pixel_31;
         let _e25 = gabor_impl_streaks_layer(_e23, _e24, metal, seed);
         let _e26 = gabor_impl_spots_pair(_e25);
         gabor_impl_add_streaks((&sum_26), _e22, _e26);
@@ -3165,11 +3157,11 @@ fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborM
 }
 
 fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_32: GaborPixel;
+    var pixel_33: GaborPixel;
     var sum_29: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_29: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_32 = _e8;
+    pixel_33 = _e8;
     loop {
         let _e23 = i_29;
         if !((_e23 < 14i)) {
@@ -3177,7 +3169,7 @@ fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches
         }
         let _e31 = i_29;
         let _e32 = i_29;
-        let _e33 = pixel_32;
+        let _e33 = pixel_33;
         let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
         let _e35 = gabor_impl_spots_pair(_e34);
         gabor_impl_add_scratches((&sum_29), scratches, _e31, _e35);
@@ -3200,11 +3192,11 @@ fn gabor_impl_hide(pixel: GaborPixel, seed: u32) -> GaborWarped {
 }
 
 fn gabor_impl_stripes_direction(pixel: GaborPixel, zebra: GaborZebra, seed: u32) -> f32 {
-    var place_17: GaborPlace;
+    var place_19: GaborPlace;
     let _e3 = gabor_impl_unwarped(pixel);
     let _e6 = gabor_impl_place(_e3, vec2(0.6f));
-    place_17 = _e6;
-    let _e10 = place_17;
+    place_19 = _e6;
+    let _e10 = place_19;
     let _e12 = gabor_lobe_seed(seed, 1i);
     let _e13 = gabor_impl_spots(_e10, _e12);
     return (zebra.direction + (zebra.bends * _e13.quadrature));
@@ -3261,33 +3253,33 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_36: GaborPixel;
+    var pixel_37: GaborPixel;
     var skin_4: GaborWarped;
     var direction_2: f32;
     var of_11: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_36 = _e8;
-    let _e10 = pixel_36;
+    pixel_37 = _e8;
+    let _e10 = pixel_37;
     let _e11 = gabor_impl_hide(_e10, seed);
     skin_4 = _e11;
-    let _e13 = pixel_36;
+    let _e13 = pixel_37;
     let _e14 = gabor_impl_stripes_direction(_e13, zebra, seed);
     direction_2 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_11 = _e16;
-    let _e20 = pixel_36;
+    let _e20 = pixel_37;
     let _e21 = skin_4;
     let _e22 = direction_2;
     let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
     let _e24 = gabor_impl_spots_pair(_e23);
     of_11.a = _e24;
-    let _e27 = pixel_36;
+    let _e27 = pixel_37;
     let _e28 = skin_4;
     let _e29 = direction_2;
     let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_11.b = _e31;
-    let _e34 = pixel_36;
+    let _e34 = pixel_37;
     let _e35 = skin_4;
     let _e36 = direction_2;
     let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
@@ -3431,13 +3423,13 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_39: GaborPixel;
+    var pixel_40: GaborPixel;
     var trunk_2: GaborWarped;
     var of_13: GaborPairs;
     var i_32: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_39 = _e8;
-    let _e10 = pixel_39;
+    pixel_40 = _e8;
+    let _e10 = pixel_40;
     let _e11 = gabor_impl_trunk(_e10, seed);
     trunk_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
@@ -3449,7 +3441,7 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
         }
         let _e25 = of_13;
         let _e27 = i_32;
-        let _e28 = pixel_39;
+        let _e28 = pixel_40;
         let _e29 = trunk_2;
         let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
@@ -3459,17 +3451,17 @@ fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) ->
             i_32 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_39;
+    let _e34 = pixel_40;
     let _e35 = trunk_2;
     let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_13.b = _e37;
-    let _e40 = pixel_39;
+    let _e40 = pixel_40;
     let _e41 = trunk_2;
     let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
     of_13.c = _e43;
-    let _e46 = pixel_39;
+    let _e46 = pixel_40;
     let _e47 = trunk_2;
     let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
@@ -3506,7 +3498,7 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
     var local_73: vec2<f32>;
     var local_74: vec2<f32>;
     var local_75: vec2<f32>;
-    var density_8: vec2<f32>;
+    var density_9: vec2<f32>;
     if (i < 4i) {
         let _e7 = gabor_impl_unwarped(pixel);
         let _e14 = gabor_lobe_seed(seed, 7i);
@@ -3531,8 +3523,8 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
         local_75 = _e37;
     }
     let _e39 = local_75;
-    density_8 = _e39;
-    let _e43 = density_8;
+    density_9 = _e39;
+    let _e43 = density_9;
     let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
     return _e50;
 }
@@ -3581,13 +3573,13 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_42: GaborPixel;
+    var pixel_43: GaborPixel;
     var rock_2: GaborWarped;
     var of_15: GaborPairs;
     var i_34: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_42 = _e8;
-    let _e10 = pixel_42;
+    pixel_43 = _e8;
+    let _e10 = pixel_43;
     let _e11 = gabor_impl_rock(_e10, strata, seed);
     rock_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
@@ -3599,7 +3591,7 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
         }
         let _e25 = of_15;
         let _e27 = i_34;
-        let _e28 = pixel_42;
+        let _e28 = pixel_43;
         let _e29 = rock_2;
         let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
@@ -3609,22 +3601,22 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
             i_34 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_42;
+    let _e34 = pixel_43;
     let _e35 = rock_2;
     let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_15.b = _e37;
-    let _e40 = pixel_42;
+    let _e40 = pixel_43;
     let _e41 = rock_2;
     let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
     of_15.c = _e43;
-    let _e46 = pixel_42;
+    let _e46 = pixel_43;
     let _e47 = rock_2;
     let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
     let _e49 = gabor_impl_spots_pair(_e48);
     of_15.d = _e49;
-    let _e52 = pixel_42;
+    let _e52 = pixel_43;
     let _e53 = rock_2;
     let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
     let _e55 = gabor_impl_spots_pair(_e54);
@@ -3637,13 +3629,13 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_43: GaborPixel;
+    var pixel_44: GaborPixel;
     var board_5: GaborWarped;
     var of_16: GaborPairs;
     var i_35: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_43 = _e6;
-    let _e8 = pixel_43;
+    pixel_44 = _e6;
+    let _e8 = pixel_44;
     let _e9 = gabor_impl_board(_e8, wood, seed);
     board_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -3654,17 +3646,17 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_35;
-        let _e24 = pixel_43;
+        let _e24 = pixel_44;
         let _e25 = board_5;
         let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_43;
+        let _e27 = pixel_44;
         gabor_impl_add_filtered_spots((&of_16), _e26, _e27);
         continuing {
             let _e19 = i_35;
             i_35 = (_e19 + 1i);
         }
     }
-    let _e29 = pixel_43;
+    let _e29 = pixel_44;
     let _e30 = board_5;
     let _e31 = of_16;
     let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
@@ -3672,17 +3664,17 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_44: GaborPixel;
+    var pixel_45: GaborPixel;
     var cloth_6: GaborWarped;
     var count_8: vec2<f32>;
     var of_17: GaborPairs;
     var i_36: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_44 = _e6;
-    let _e8 = pixel_44;
+    pixel_45 = _e6;
+    let _e8 = pixel_45;
     let _e9 = gabor_impl_cloth(_e8, fabric, seed);
     cloth_6 = _e9;
-    let _e11 = pixel_44;
+    let _e11 = pixel_45;
     let _e14 = gabor_impl_repeated(_e11, fabric.threads, 2f);
     count_8 = _e14;
     let _e16 = gabor_impl_no_pairs();
@@ -3696,14 +3688,14 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
         let _e29 = cloth_6;
         let _e30 = count_8;
         let _e31 = gabor_impl_fabric_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_44;
+        let _e32 = pixel_45;
         gabor_impl_add_filtered_spots((&of_17), _e31, _e32);
         continuing {
             let _e24 = i_36;
             i_36 = (_e24 + 1i);
         }
     }
-    let _e34 = pixel_44;
+    let _e34 = pixel_45;
     let _e35 = cloth_6;
     let _e36 = count_8;
     let _e37 = of_17;
@@ -3712,17 +3704,17 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
 }
 
 fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_45: GaborPixel;
+    var pixel_46: GaborPixel;
     var cloth_7: GaborWarped;
     var count_9: vec2<f32>;
     var of_18: GaborPairs;
     var i_37: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_45 = _e6;
-    let _e8 = pixel_45;
+    pixel_46 = _e6;
+    let _e8 = pixel_46;
     let _e9 = gabor_impl_twill(_e8, seed);
     cloth_7 = _e9;
-    let _e11 = pixel_45;
+    let _e11 = pixel_46;
     let _e14 = gabor_impl_repeated(_e11, fibres.tows, 4f);
     count_9 = _e14;
     let _e16 = gabor_impl_no_pairs();
@@ -3736,14 +3728,14 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
         let _e29 = cloth_7;
         let _e30 = count_9;
         let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_45;
+        let _e32 = pixel_46;
         gabor_impl_add_filtered_spots((&of_18), _e31, _e32);
         continuing {
             let _e24 = i_37;
             i_37 = (_e24 + 1i);
         }
     }
-    let _e34 = pixel_45;
+    let _e34 = pixel_46;
     let _e35 = cloth_7;
     let _e36 = count_9;
     let _e37 = of_18;
@@ -3752,15 +3744,15 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
 }
 
 fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_46: GaborPixel;
+    var pixel_47: GaborPixel;
     var skin_5: GaborWarped;
     var of_19: GaborPairs;
     var i_38: i32 = 0i;
     var i_39: i32 = 4i;
     var pair_4: GaborPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_46 = _e6;
-    let _e8 = pixel_46;
+    pixel_47 = _e6;
+    let _e8 = pixel_47;
     let _e9 = gabor_impl_skin(_e8, leather, seed);
     skin_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -3771,10 +3763,10 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
             break;
         }
         let _e23 = i_38;
-        let _e24 = pixel_46;
+        let _e24 = pixel_47;
         let _e25 = skin_5;
         let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
-        let _e27 = pixel_46;
+        let _e27 = pixel_47;
         gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
         continuing {
             let _e19 = i_38;
@@ -3788,10 +3780,10 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
         }
         {
             let _e38 = i_39;
-            let _e39 = pixel_46;
+            let _e39 = pixel_47;
             let _e40 = skin_5;
             let _e41 = gabor_impl_leather_layer(_e38, _e39, _e40, leather, seed);
-            let _e42 = pixel_46;
+            let _e42 = pixel_47;
             let _e43 = gabor_impl_filtered_waves(_e41, _e42);
             pair_4 = _e43;
             let _e45 = i_39;
@@ -3814,15 +3806,16 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
 }
 
 fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_47: GaborPixel;
+    var pixel_48: GaborPixel;
     var stone_4: GaborWarped;
     var of_20: GaborPairs;
     var i_40: i32 = 0i;
     var material_1: GaborMaterial;
     var i_41: i32 = 4i;
+    var layer_9: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_47 = _e6;
-    let _e8 = pixel_47;
+    pixel_48 = _e6;
+    let _e8 = pixel_48;
     let _e9 = gabor_impl_stone(_e8, marble, seed);
     stone_4 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -3833,10 +3826,10 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
             break;
         }
         let _e23 = i_40;
-        let _e24 = pixel_47;
+        let _e24 = pixel_48;
         let _e25 = stone_4;
         let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_47;
+        let _e27 = pixel_48;
         gabor_impl_add_filtered_spots((&of_20), _e26, _e27);
         continuing {
             let _e19 = i_40;
@@ -3852,32 +3845,36 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
         if !((_e37 < 8i)) {
             break;
         }
-        let _e45 = i_41;
-        let _e46 = i_41;
-        let _e47 = pixel_47;
-        let _e48 = stone_4;
-        let _e49 = gabor_impl_marble_layer(_e46, _e47, _e48, seed);
-        let _e50 = pixel_47;
-        let _e51 = gabor_impl_filtered_waves(_e49, _e50);
-        gabor_impl_add_veins((&material_1), marble, _e45, _e51);
+        {
+            let _e44 = i_41;
+            let _e45 = pixel_48;
+            let _e46 = stone_4;
+            let _e47 = gabor_impl_marble_layer(_e44, _e45, _e46, seed);
+            layer_9 = _e47;
+            let _e50 = i_41;
+            let _e51 = layer_9;
+            let _e52 = pixel_48;
+            let _e53 = gabor_impl_filtered_waves(_e51, _e52);
+            gabor_impl_add_veins((&material_1), marble, _e50, _e53);
+        }
         continuing {
             let _e41 = i_41;
             i_41 = (_e41 + 1i);
         }
     }
-    let _e53 = material_1;
-    return _e53;
+    let _e55 = material_1;
+    return _e55;
 }
 
 fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_48: GaborPixel;
+    var pixel_49: GaborPixel;
     var dune_3: GaborWarped;
     var of_21: GaborPairs;
     var i_42: i32 = 0i;
     var ripples_5: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_48 = _e6;
-    let _e8 = pixel_48;
+    pixel_49 = _e6;
+    let _e8 = pixel_49;
     let _e9 = gabor_impl_dune(_e8, seed);
     dune_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -3888,22 +3885,22 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_42;
-        let _e24 = pixel_48;
+        let _e24 = pixel_49;
         let _e25 = dune_3;
         let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
-        let _e27 = pixel_48;
+        let _e27 = pixel_49;
         gabor_impl_add_filtered_spots((&of_21), _e26, _e27);
         continuing {
             let _e19 = i_42;
             i_42 = (_e19 + 1i);
         }
     }
-    let _e30 = pixel_48;
+    let _e30 = pixel_49;
     let _e31 = dune_3;
     let _e32 = gabor_impl_sand_layer(4i, _e30, _e31, sand, seed);
     ripples_5 = _e32;
     let _e35 = ripples_5;
-    let _e36 = pixel_48;
+    let _e36 = pixel_49;
     let _e37 = gabor_impl_filtered_waves(_e35, _e36);
     of_21.c = _e37;
     let _e38 = ripples_5;
@@ -3913,11 +3910,12 @@ fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_ripples_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed: u32) -> GaborMaterial {
-    var pixel_49: GaborPixel;
+    var pixel_50: GaborPixel;
     var sum_30: GaborPair;
     var i_43: i32 = 0i;
+    var layer_10: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_49 = _e6;
+    pixel_50 = _e6;
     let _e8 = gabor_impl_no_pair();
     sum_30 = _e8;
     loop {
@@ -3925,29 +3923,34 @@ fn gabor_ripples_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
         if !((_e12 < 14i)) {
             break;
         }
-        let _e20 = i_43;
-        let _e21 = i_43;
-        let _e22 = pixel_49;
-        let _e23 = gabor_impl_ripples_layer(_e21, _e22, ripples, seed);
-        let _e24 = pixel_49;
-        let _e25 = gabor_impl_filtered_waves(_e23, _e24);
-        gabor_impl_add_ripple((&sum_30), _e20, _e25);
+        {
+            let _e19 = i_43;
+            let _e20 = pixel_50;
+            let _e21 = gabor_impl_ripples_layer(_e19, _e20, ripples, seed);
+            layer_10 = _e21;
+            let _e24 = i_43;
+            let _e25 = layer_10;
+            let _e26 = pixel_50;
+            let _e27 = gabor_impl_filtered_waves(_e25, _e26);
+            gabor_impl_add_ripple((&sum_30), _e24, _e27);
+        }
         continuing {
             let _e16 = i_43;
             i_43 = (_e16 + 1i);
         }
     }
-    let _e27 = sum_30;
-    let _e28 = gabor_impl_ripples(ripples, _e27);
-    return _e28;
+    let _e29 = sum_30;
+    let _e30 = gabor_impl_ripples(ripples, _e29);
+    return _e30;
 }
 
 fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_50: GaborPixel;
+    var pixel_51: GaborPixel;
     var sum_31: GaborPair;
     var i_44: i32 = 0i;
+    var layer_11: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_50 = _e6;
+    pixel_51 = _e6;
     let _e8 = gabor_impl_no_pair();
     sum_31 = _e8;
     loop {
@@ -3955,29 +3958,33 @@ fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, p
         if !((_e12 < 5i)) {
             break;
         }
-        let _e20 = i_44;
-        let _e21 = i_44;
-        let _e22 = pixel_50;
-        let _e23 = gabor_impl_streaks_layer(_e21, _e22, metal, seed);
-        let _e24 = pixel_50;
-        let _e25 = gabor_impl_filtered_spots(_e23, _e24);
-        gabor_impl_add_streaks((&sum_31), _e20, _e25);
+        {
+            let _e19 = i_44;
+            let _e20 = pixel_51;
+            let _e21 = gabor_impl_streaks_layer(_e19, _e20, metal, seed);
+            layer_11 = _e21;
+            let _e24 = i_44;
+            let _e25 = layer_11;
+            let _e26 = pixel_51;
+            let _e27 = gabor_impl_filtered_spots(_e25, _e26);
+            gabor_impl_add_streaks((&sum_31), _e24, _e27);
+        }
         continuing {
             let _e16 = i_44;
             i_44 = (_e16 + 1i);
         }
     }
-    let _e27 = sum_31;
-    let _e28 = gabor_impl_brushed_metal(metal, _e27);
-    return _e28;
+    let _e29 = sum_31;
+    let _e30 = gabor_impl_brushed_metal(metal, _e29);
+    return _e30;
 }
 
 fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_51: GaborPixel;
+    var pixel_52: GaborPixel;
     var sum_32: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
     var i_45: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_51 = _e6;
+    pixel_52 = _e6;
     loop {
         let _e21 = i_45;
         if !((_e21 < 14i)) {
@@ -3985,9 +3992,9 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
         }
         let _e29 = i_45;
         let _e30 = i_45;
-        let _e31 = pixel_51;
+        let _e31 = pixel_52;
         let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
-        let _e33 = pixel_51;
+        let _e33 = pixel_52;
         let _e34 = gabor_impl_filtered_spots(_e32, _e33);
         gabor_impl_add_scratches((&sum_32), scratches, _e29, _e34);
         continuing {
@@ -4001,17 +4008,17 @@ fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, perio
 }
 
 fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_52: GaborPixel;
+    var pixel_53: GaborPixel;
     var skin_6: GaborWarped;
     var direction_3: f32;
     var of_22: GaborPairs;
     var i_46: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_52 = _e6;
-    let _e8 = pixel_52;
+    pixel_53 = _e6;
+    let _e8 = pixel_53;
     let _e9 = gabor_impl_hide(_e8, seed);
     skin_6 = _e9;
-    let _e11 = pixel_52;
+    let _e11 = pixel_53;
     let _e12 = gabor_impl_stripes_direction(_e11, zebra, seed);
     direction_3 = _e12;
     let _e14 = gabor_impl_no_pairs();
@@ -4022,22 +4029,22 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
             break;
         }
         let _e26 = i_46;
-        let _e27 = pixel_52;
+        let _e27 = pixel_53;
         let _e28 = skin_6;
         let _e29 = direction_3;
         let _e30 = gabor_impl_zebra_layer(_e26, _e27, _e28, _e29, zebra, seed);
-        let _e31 = pixel_52;
+        let _e31 = pixel_53;
         gabor_impl_add_filtered_spots((&of_22), _e30, _e31);
         continuing {
             let _e22 = i_46;
             i_46 = (_e22 + 1i);
         }
     }
-    let _e35 = pixel_52;
+    let _e35 = pixel_53;
     let _e36 = skin_6;
     let _e37 = direction_3;
     let _e38 = gabor_impl_zebra_layer(2i, _e35, _e36, _e37, zebra, seed);
-    let _e39 = pixel_52;
+    let _e39 = pixel_53;
     let _e40 = gabor_impl_filtered_waves(_e38, _e39);
     of_22.c = _e40;
     let _e41 = of_22;
@@ -4046,15 +4053,15 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
 }
 
 fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_53: GaborPixel;
+    var pixel_54: GaborPixel;
     var trunk_3: GaborWarped;
     var of_23: GaborPairs;
     var i_47: i32 = 0i;
     var i_48: i32 = 6i;
     var pair_5: GaborPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_53 = _e6;
-    let _e8 = pixel_53;
+    pixel_54 = _e6;
+    let _e8 = pixel_54;
     let _e9 = gabor_impl_trunk(_e8, seed);
     trunk_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4065,10 +4072,10 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             break;
         }
         let _e23 = i_47;
-        let _e24 = pixel_53;
+        let _e24 = pixel_54;
         let _e25 = trunk_3;
         let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
-        let _e27 = pixel_53;
+        let _e27 = pixel_54;
         gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
         continuing {
             let _e19 = i_47;
@@ -4082,10 +4089,10 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
         }
         {
             let _e38 = i_48;
-            let _e39 = pixel_53;
+            let _e39 = pixel_54;
             let _e40 = trunk_3;
             let _e41 = gabor_impl_bark_layer(_e38, _e39, _e40, bark, seed);
-            let _e42 = pixel_53;
+            let _e42 = pixel_54;
             let _e43 = gabor_impl_filtered_waves(_e41, _e42);
             pair_5 = _e43;
             let _e45 = i_48;
@@ -4108,13 +4115,13 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_54: GaborPixel;
+    var pixel_55: GaborPixel;
     var rock_3: GaborWarped;
     var of_24: GaborPairs;
     var i_49: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_54 = _e6;
-    let _e8 = pixel_54;
+    pixel_55 = _e6;
+    let _e8 = pixel_55;
     let _e9 = gabor_impl_rock(_e8, strata, seed);
     rock_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
@@ -4125,10 +4132,10 @@ fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
             break;
         }
         let _e23 = i_49;
-        let _e24 = pixel_54;
+        let _e24 = pixel_55;
         let _e25 = rock_3;
         let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
-        let _e27 = pixel_54;
+        let _e27 = pixel_55;
         gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
         continuing {
             let _e19 = i_49;
