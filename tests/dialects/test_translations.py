@@ -26,7 +26,7 @@ GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DIRECT3D = pathlib.Path(os.environ.get("GABOR_DIRECT3D", ROOT / "build" / "direct3d"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
 
-CALLS = {  # each call, and its column in the matrix of docs/engines.md
+CALLS = {  # each call, and its column in the matrix of docs/engine-results.md
     "gabor_noise(p, 4.0, 0.7854, 7u)": "noise",
     "gabor_noise_gradient(p, 4.0, 0.7854, 7u).y": "gradient",
     "gabor_noise_complex(p, 4.0, 0.7854, 7u).x": "complex",
@@ -219,7 +219,7 @@ class Translations(unittest.TestCase):
                 print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
                 self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height|sea", call) else 1))
                 errors[CALLS[call]] = max(errors.get(CALLS[call], 0), float(difference.max() / max(1, wanted.std())))
-        if folder := os.environ.get("GABOR_MATRIX"):  # for tools/test-engines, which writes docs/engines.md
+        if folder := os.environ.get("GABOR_MATRIX"):  # for tools/test-engines, which writes docs/engine-results.md
             name = self._testMethodName.removeprefix("test_")
             (pathlib.Path(folder) / f"{name}.json").write_text(json.dumps(errors))
 

@@ -1,6 +1,6 @@
 """Draws water up to the horizon under a low lamp, one picture below the other: lost.py PICTURE.npy WIDTH HEIGHT
 
-Without what the filter removed of the slopes; with it, by the recipe of docs/engines.md; and the mean of 256 samples a pixel."""
+Without what the filter removed of the slopes; with it, by the recipe of docs/materials.md; and the mean of 256 samples a pixel."""
 
 import pathlib
 import re
@@ -11,7 +11,7 @@ from draw import drawn
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 DROP_INS = [(ROOT / "shaders" / f"gabor_{name}.glsl").read_text() for name in ("noise", "spectrum", "filter", "materials")]
-RECIPE = re.search(r"(?ms)^## Materials in engines.*?^```glsl\n(.*?)^```", (ROOT / "docs" / "engines.md").read_text())[1]
+RECIPE = re.search(r"(?ms)^```glsl\n(.*?)^```", (ROOT / "docs" / "materials.md").read_text())[1]
 FRAGMENT = """
 out vec4 result;
 
