@@ -246,7 +246,7 @@ NB_MODULE(_native, module) {
                 GaborTerrain terrain =
                     given.empty() // without a base, generates hills
                         ? gabor_terrain_at(ground, point, point, seed)
-                        : GaborTerrain{given[0][i], {given[1][i], given[2][i]}, given[3][i]};
+                        : GaborTerrain{given[0][i], {given[1][i], given[2][i]}, given[3][i], {}, {}};
                 if (erosion.octaves > 0)
                     terrain = gabor_eroded_at(ground, point, point, terrain, erosion, seed);
                 values[i] = terrain.height;

@@ -45,7 +45,7 @@ void main() {
     int column = first_column + here.x;
     vec2 p = (vec2(column, first_row + here.y) + 0.5) * pixel;
     GaborTerrainPlace ground = GaborTerrainPlace(ivec2(0), p, period);
-    GaborTerrain base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0);
+    GaborTerrain base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0, vec3(0.0), vec2(0.0));
     GaborTerrain terrain = gabor_eroded_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), base, erosion, seed);
     int at = channels * (before + here.y * width + here.x);
     eroded[at + erosion_height] = terrain.height;

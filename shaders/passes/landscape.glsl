@@ -26,6 +26,10 @@ GaborTerrain ground_at(Ground ground, vec2 p, float pixel) {
     return ground_on(ground, p, pixel, hills_at(ground, p, pixel));
 }
 
+vec3 normal_of(GaborTerrain here) {
+    return normalize(vec3(-here.slope.x, 1.0, -here.slope.y));
+}
+
 // Grass and dry ground, with rock where it is steep and snow where it is high.
 vec3 ground_colour(GaborTerrain here, vec3 normal) {
     float steep = length(normal.xz) / normal.y;
@@ -109,7 +113,7 @@ RayHit seen_from_above(Ground ground, vec2 p, float pixel) {
     GaborTerrain hills = hills_at(ground, p, pixel);
     hit.ground = ground_on(ground, p, pixel, hills);
     hit.added = hit.ground.height - hills.height;
-    vec3 normal = normalize(vec3(-hit.ground.slope.x, 1.0, -hit.ground.slope.y));
+    vec3 normal = normal_of(hit.ground);
     hit.colour = ground_colour(hit.ground, normal);
     hit.light = sunlit(sun_of(ground), hit.ground, normal, hit.colour, 1.0);
     return hit;
@@ -119,16 +123,12 @@ RayHit seen_from_above(Ground ground, vec2 p, float pixel) {
 RayHit seen_along(Ground ground, vec3 eye, vec3 ray, float wide, float clear) {
     vec3 sun = sun_of(ground);
     eye.y = max(eye.y, hills_at(ground, eye.xz, 0.0).height + ground.reach + 0.02);
-    RayHit hit = RayHit(GaborTerrain(0.0, vec2(0.0), 0.0), 0.0, vec3(0.0), sky_along(sun, ray));
+    RayHit hit = RayHit(GaborTerrain(0.0, vec2(0.0), 0.0, vec3(0.0), vec2(0.0)), 0.0, vec3(0.0), sky_along(sun, ray));
     float t = distance_to_ground(ground, eye, ray, wide, 6.0 * clear);
     if (t < 0.0) return hit;
     vec3 at = eye + t * ray;
     hit = seen_from_above(ground, at.xz, wide * t);
-    float w = max(wide * t, 0.0008);
-    float x = ground_at(ground, at.xz + vec2(w, 0.0), wide * t).height;
-    float z = ground_at(ground, at.xz + vec2(0.0, w), wide * t).height;
-    vec3 normal = normalize(vec3(hit.ground.height - x, w, hit.ground.height - z));
-    hit.colour = ground_colour(hit.ground, normal);
+    vec3 normal = normal_of(hit.ground);
     float sunlight = dot(normal, sun) > 0.0 ? sunlight_at(ground, at + 0.004 * normal, wide * t) : 0.0;
     hit.light = sunlit(sun, hit.ground, normal, hit.colour, sunlight);
     vec3 air = sky_along(sun, normalize(vec3(ray.x, max(ray.y, 0.02), ray.z)));

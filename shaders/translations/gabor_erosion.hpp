@@ -5,7 +5,7 @@
 //
 // Paste or include this file after gabor_noise.hpp.
 //
-//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
+//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
@@ -21,11 +21,13 @@
 #ifndef GABOR_EROSION_HPP
 #define GABOR_EROSION_HPP
 
-// A height in units of p, its derivatives, and a ridge value from -1 in creases and valleys to 1 on ridges and peaks.
+// A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
     float height;
-    gabor_vec2 slope;
-    float ridge;
+    gabor_vec2 slope;       // the derivatives of the height along x and y
+    float ridge;      // from -1 in creases and valleys to 1 on ridges and peaks
+    gabor_vec3 curvature;   // the second derivatives of the height: xx, xy and yy
+    gabor_vec2 ridge_slope; // the derivatives of ridge
 };
 
 struct GaborErosion {
@@ -33,8 +35,10 @@ struct GaborErosion {
     float frequency;       // gullies per unit of p in the first octave, 0.001 to 10000, usually 0.1 to 10
     float strength;        // depth of gullies times their frequency, 0 to 10, usually 0 to 0.5: how steep they are
     float lacunarity;      // frequency of an octave relative to the previous one, 1 to 8, usually 1 to 4
-    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for equal slopes
-    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4
+    float gain;            // depth of an octave relative to the previous one, 0 to 2, usually 0 to 1: 1 / lacunarity for
+                           // equal slopes
+    float onset;           // slope at which gullies reach their full depth, 0.000001 to 100, usually 0.01 to 4: twice the
+                           // rms slope of a map leaves its valleys open
     float detail;          // how far fine gullies reach into creases, ridges and flat areas, 0.1 to 100, usually 0.1 to 10
     float uniformity;      // how uniform the depths of gullies are, 0 to 100, usually 0 to 8: 1 for natural variety, 4 for
                            // even stripes
@@ -48,18 +52,19 @@ struct GaborErosion {
 //     Parameters for alpine ridges and valleys on the hills of gabor_terrain.
 
 // GaborTerrain gabor_terrain(vec2 p, uint seed)
-//     Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
+//     Hills to erode: about four units wide, with mean height 0, rms slope 0.64 and continuous curvature.
 
 // GaborTerrain gabor_eroded(vec2 p, GaborTerrain base, GaborErosion erosion, uint seed)
-//     Adds gullies and ridges to the base at p. Where the base is flat, base.ridge distinguishes valleys, -1, from
-//     peaks, 1. The height is continuous where the base and its slope are, and the result can be eroded again. The
-//     returned slope takes only the phase of the gullies into account, not how they turn and fade: its rms error is
-//     0.63 times the rms slope.
+//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there; elsewhere
+//     flat ground stays as it is. The height is continuous where the base and its slope are. The returned slope is the
+//     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
+//     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
+//     draw it as a heightmap first, which has its curvature in nine texels.
 
 // GaborTerrain gabor_terrain_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
 //     The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
-//     and dFdy(p).
+//     and dFdy(p), and slopes are derivatives for a pixel of that size.
 
 // GaborTerrain gabor_terrain_tiled(vec2 p, vec2 period, uint seed)
 // GaborTerrain gabor_eroded_tiled(vec2 p, vec2 period, GaborTerrain base, GaborErosion erosion, uint seed)
@@ -104,10 +109,11 @@ GABOR_INLINE GaborPlace gabor_impl_ground(GaborTerrainPlace ground, float nodes)
 
 // Computes the cubic B-splines of the four nodes around a point, and their derivatives. The point is t in [0, 1) node
 // spacings beyond the second node.
-GABOR_INLINE void gabor_impl_splines(float t, gabor_vec4& value, gabor_vec4& slope) {
+GABOR_INLINE void gabor_impl_splines(float t, gabor_vec4& value, gabor_vec4& slope, gabor_vec4& curvature) {
     float u = 1.0f - t;
     value = gabor_vec4(u * u * u, 4.0f - 3.0f * t * t * (1.0f + u), 4.0f - 3.0f * u * u * (1.0f + t), t * t * t) / 6.0f;
     slope = 0.5f * gabor_vec4(-u * u, t * (3.0f * t - 4.0f), u * (4.0f - 3.0f * u), t * t);
+    curvature = gabor_vec4(u, 3.0f * t - 2.0f, 3.0f * u - 2.0f, t);
 }
 
 GABOR_INLINE gabor_uvec4 gabor_impl_four_line_words(int index, int period, std::uint32_t salt) {
@@ -123,15 +129,22 @@ struct GaborHills {
     gabor_vec2 value;
     gabor_vec2 slope_x;
     gabor_vec2 slope_y;
+    gabor_vec2 curvature_xx;
+    gabor_vec2 curvature_xy;
+    gabor_vec2 curvature_yy;
 };
 
-// Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-GABOR_INLINE void gabor_impl_add_hill_row(GaborHills& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, float y, float slope_y) {
+// Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
+// derivatives.
+GABOR_INLINE void gabor_impl_add_hill_row(GaborHills& sum, gabor_uvec4 words, gabor_vec4 x, gabor_vec4 slope_x, gabor_vec4 curvature_x, gabor_vec3 y) {
     gabor_vec4 a = gabor_vec4(gabor_ivec4(words)), b = gabor_vec4(gabor_ivec4(words << 16u));
-    gabor_vec2 row = gabor_vec2(gabor_cpp_dot(x, a), gabor_cpp_dot(x, b));
-    sum.value += y * row;
-    sum.slope_x += y * gabor_vec2(gabor_cpp_dot(slope_x, a), gabor_cpp_dot(slope_x, b));
-    sum.slope_y += slope_y * row;
+    gabor_vec2 row = gabor_vec2(gabor_cpp_dot(x, a), gabor_cpp_dot(x, b)), along_x = gabor_vec2(gabor_cpp_dot(slope_x, a), gabor_cpp_dot(slope_x, b));
+    sum.value += y.x * row;
+    sum.slope_x += y.x * along_x;
+    sum.slope_y += y.y * row;
+    sum.curvature_xx += y.x * gabor_vec2(gabor_cpp_dot(curvature_x, a), gabor_cpp_dot(curvature_x, b));
+    sum.curvature_xy += y.y * along_x;
+    sum.curvature_yy += y.z * row;
 }
 
 // Wide hills, plus small ones along the contours of a second noise; the higher the wide hills, the higher the small
@@ -142,74 +155,171 @@ GABOR_INLINE void gabor_impl_add_hill_row(GaborHills& sum, gabor_uvec4 words, ga
 GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     GaborPlace place = gabor_impl_ground(ground, 1.0f);
     gabor_vec2 zero = gabor_cpp_floor(place.local);
-    gabor_vec4 x, y, slope_x, slope_y;
-    gabor_impl_splines(place.local.x - zero.x, x, slope_x);
-    gabor_impl_splines(place.local.y - zero.y, y, slope_y);
+    gabor_vec4 x, y, slope_x, slope_y, curvature_x, curvature_y;
+    gabor_impl_splines(place.local.x - zero.x, x, slope_x, curvature_x);
+    gabor_impl_splines(place.local.y - zero.y, y, slope_y, curvature_y);
     std::uint32_t salt = gabor_impl_salt(seed);
     gabor_uvec4 columns = gabor_impl_four_line_words(place.cell.x + int(zero.x), place.period.x, salt);
     gabor_uvec4 rows = gabor_impl_four_line_words(place.cell.y + int(zero.y), place.period.y, salt ^ GABOR_IMPL_ROWS);
-    GaborHills hills = GaborHills{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
-    gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, y.x, slope_y.x);
-    gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, y.y, slope_y.y);
-    gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, y.z, slope_y.z);
-    gabor_impl_add_hill_row(hills, columns * rows.w, x, slope_x, y.w, slope_y.w);
+    GaborHills hills = GaborHills{gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f), gabor_vec2(0.0f)};
+    gabor_impl_add_hill_row(hills, columns * rows.x, x, slope_x, curvature_x, gabor_vec3(y.x, slope_y.x, curvature_y.x));
+    gabor_impl_add_hill_row(hills, columns * rows.y, x, slope_x, curvature_x, gabor_vec3(y.y, slope_y.y, curvature_y.y));
+    gabor_impl_add_hill_row(hills, columns * rows.z, x, slope_x, curvature_x, gabor_vec3(y.z, slope_y.z, curvature_y.z));
+    gabor_impl_add_hill_row(hills, columns * rows.w, x, slope_x, curvature_x, gabor_vec3(y.w, slope_y.w, curvature_y.w));
     gabor_vec4 s = gabor_cpp_clamp(gabor_vec4(dx, dy), -1.0e9f, 1.0e9f);
     float area = s.x * s.w - s.y * s.z;
     float kept = gabor_cpp_inversesqrt(1.0f + 0.34768212f * gabor_cpp_dot(s, s) + 0.12088286f * area * area);
     float unit = 1.6825360e-9f * kept; // 315 / 151 sqrt(3) / 2^31: variance 1
     gabor_vec2 noise = unit * hills.value, wave = gabor_cpp_exp(3.1582734f * (kept * kept - 1.0f)) * gabor_impl_wave(0.4f * noise.y);
     float rough = 0.3f + 0.12f * noise.x, height = noise.x + rough * wave.y;
-    gabor_vec2 factors = 0.33f * unit * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x);
-    gabor_vec2 slope = place.radius * gabor_vec2(gabor_cpp_dot(factors, hills.slope_x), gabor_cpp_dot(factors, hills.slope_y));
-    return GaborTerrain{0.33f * height, slope, height * gabor_cpp_inversesqrt(1.0f + height * height)};
+    // The height of noises a and b is 0.33 (a + (0.3 + 0.12 a) sin(2 pi 0.4 b)). Its derivatives by a and b; by ab and bb:
+    gabor_vec2 first = 0.33f * unit * gabor_vec2(1.0f + 0.12f * wave.y, 2.5132741f * rough * wave.x);
+    gabor_vec2 second = 0.33f * unit * unit * gabor_vec2(0.30159289f * wave.x, -6.3165468f * rough * wave.y);
+    gabor_vec2 along_x = hills.slope_x, along_y = hills.slope_y;
+    gabor_vec2 slope = place.radius * gabor_vec2(gabor_cpp_dot(first, along_x), gabor_cpp_dot(first, along_y));
+    gabor_vec3 curvature = gabor_vec3(gabor_cpp_dot(first, hills.curvature_xx) + along_x.y * (2.0f * second.x * along_x.x + second.y * along_x.y),
+                          gabor_cpp_dot(first, hills.curvature_xy) + second.x * (along_x.x * along_y.y + along_x.y * along_y.x)
+                              + second.y * along_x.y * along_y.y,
+                          gabor_cpp_dot(first, hills.curvature_yy) + along_y.y * (2.0f * second.x * along_y.x + second.y * along_y.y));
+    curvature *= gabor_vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
+    float to_ridge = gabor_cpp_inversesqrt(1.0f + height * height);
+    return GaborTerrain{0.33f * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33f * slope};
 }
 
-// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
-GABOR_INLINE float gabor_impl_mask(float t, float rounding) {
-    float s = 1.0f - gabor_cpp_min(t < rounding ? 0.5f * t * t / rounding : t - 0.5f * rounding, 1.0f);
-    return 1.0f - s * s;
+// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
+// direction.
+struct GaborBentField {
+    gabor_vec2 value;
+    gabor_vec2 along_x;
+    gabor_vec2 along_y;
+    gabor_vec2 bent;
+};
+
+// Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
+GABOR_INLINE void gabor_impl_add_bent_row(gabor_vec4& sum, gabor_vec2& along_y, gabor_vec4& places, GaborAxis x, GaborAxis y, int j) {
+    gabor_vec4 before = gabor_vec4(0.0f), row = gabor_vec4(0.0f), after = gabor_vec4(0.0f);
+    gabor_impl_add_products(before, x.node[0], gabor_impl_amplitude(x.word[0] * y.word[j]));
+    gabor_impl_add_products(row, x.node[1], gabor_impl_amplitude(x.word[1] * y.word[j]));
+    if (GABOR_TAPS > 2) gabor_impl_add_products(after, x.node[2], gabor_impl_amplitude(x.word[2] * y.word[j]));
+    gabor_vec2 moved = after.xy() - before.xy();
+    row += before + after;
+    if (GABOR_TAPS > 3) {
+        after = gabor_vec4(0.0f);
+        gabor_impl_add_products(after, x.node[3], gabor_impl_amplitude(x.word[3] * y.word[j]));
+        moved += 2.0f * after.xy();
+        row += after;
+    }
+    gabor_vec4 here = gabor_vec4(0.0f);
+    gabor_impl_add_products(here, row, y.node[j].xy());
+    sum += here;
+    along_y += gabor_impl_product(row.xy(), y.node[j].zw());
+    places += gabor_vec4(gabor_impl_product(moved, y.node[j].xy()), float(j - 1) * here.xy());
+}
+
+// gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
+GABOR_INLINE GaborBentField gabor_impl_bent_field(GaborPlace place, gabor_vec2 wave, gabor_vec2 direction, std::uint32_t seed) {
+    std::uint32_t salt = gabor_impl_salt(seed);
+    GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, place.radius.x);
+    salt ^= GABOR_IMPL_ROWS;
+    GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt, wave.y, place.radius.y);
+    gabor_vec4 sum = gabor_vec4(0.0f), places = gabor_vec4(0.0f);
+    gabor_vec2 along_y = gabor_vec2(0.0f);
+    gabor_impl_add_bent_row(sum, along_y, places, x, y, 0);
+    gabor_impl_add_bent_row(sum, along_y, places, x, y, 1);
+    if (GABOR_TAPS > 2) gabor_impl_add_bent_row(sum, along_y, places, x, y, 2);
+    if (GABOR_TAPS > 3) gabor_impl_add_bent_row(sum, along_y, places, x, y, 3);
+    gabor_vec2 turn = gabor_impl_wave(x.offset * x.turns + y.offset * y.turns);
+    GaborField field = gabor_impl_field(sum, gabor_vec4(along_y, 0.0f, 0.0f), turn, wave, place.radius / GABOR_RADIUS);
+    gabor_vec2 value = gabor_vec2(field.quadrature, field.noise);
+    direction *= 6.2831853f / place.radius;
+    gabor_vec2 nodes = direction.x * places.xy() + direction.y * places.zw();
+    gabor_vec2 bent = gabor_cpp_dot(direction, gabor_vec2(x.offset, y.offset)) * value
+              - gabor_impl_product(nodes, turn) / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+    return GaborBentField{value, gabor_vec2(field.quadrature_gradient.x, field.gradient.x),
+                          gabor_vec2(field.quadrature_gradient.y, field.gradient.y), gabor_vec2(-bent.y, bent.x)};
+}
+
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t and
+// by the rounding.
+GABOR_INLINE gabor_vec3 gabor_impl_mask(float t, float rounding) {
+    float part = t < rounding ? t / rounding : 1.0f; // how far t is into the rounded start
+    float s = gabor_cpp_max(1.0f - part * (t - 0.5f * part * rounding), 0.0f), slope = s * part;
+    return gabor_vec3(1.0f - s * s, 2.0f * slope, -slope * part);
 }
 
 // Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
-//     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
+//     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + open sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
 // ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow. The
 // constant differs between the two sides, but the sides meet where the mask of the finer gullies is 0. If an octave is
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
+// `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
+// For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are vec2(by x, by y).
+// Only the turning of a gully's direction changes its wave vector, so that changes along the direction itself.
 GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
-    GaborTerrain terrain = base;
-    GaborTerrain gully = GaborTerrain{base.ridge, gabor_vec2(0.0f), base.ridge}; // t_i, its slope, and t_i with w = 1
-    gabor_vec2 steer = base.slope;
+    gabor_vec2 steer = base.slope, steer_x = base.curvature.xy(), steer_y = base.curvature.yz();
+    float gully = base.ridge, ridge = base.ridge, sum = 0.0f; // t_i, t_i with w = 1, sum_i depth_i t_i
+    gabor_vec2 gully_slope = base.ridge_slope, sum_slope = gabor_vec2(0.0f);
     float frequency = erosion.frequency, depth = erosion.strength / erosion.frequency;
-    float mask = 1.0f, rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * base.ridge);
+    float mask = 1.0f, open = 1.0f, rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * base.ridge);
+    gabor_vec2 mask_slope = gabor_vec2(0.0f), open_slope = gabor_vec2(0.0f);
+    float rounded = 0.5f * (erosion.ridge_rounding - erosion.crease_rounding), peak = gabor_cpp_clamp(base.ridge, 0.0f, 1.0f);
+    gabor_vec2 rounding_slope = rounded * base.ridge_slope;
     for (int i = 0; i < erosion.octaves; ++i) {
-        float steep = gabor_cpp_max(gabor_cpp_length(steer), 1.0e-9f), full = gabor_impl_mask(steep / gabor_cpp_max(erosion.onset, 1.0e-6f), rounding);
-        mask *= full * full;
-        gabor_vec2 wave = frequency / steep * gabor_vec2(-steer.y, steer.x);
+        float steep = gabor_cpp_max(gabor_cpp_length(steer), 1.0e-9f), per_onset = 1.0f / gabor_cpp_max(erosion.onset, 1.0e-6f);
+        gabor_vec2 down = steer / steep, across = gabor_vec2(-down.y, down.x);
+        gabor_vec3 full = gabor_impl_mask(steep * per_onset, rounding);
+        gabor_vec2 full_slope = full.y * per_onset * gabor_vec2(gabor_cpp_dot(down, steer_x), gabor_cpp_dot(down, steer_y)) + full.z * rounding_slope;
+        mask_slope = full.x * (full.x * mask_slope + 2.0f * mask * full_slope);
+        mask *= full.x * full.x;
+        if (i == 0) {
+            open = gabor_cpp_mix(mask, 1.0f, peak * peak);
+            open_slope = (1.0f - peak * peak) * mask_slope + (1.0f - mask) * 2.0f * peak * base.ridge_slope;
+        }
+        gabor_vec2 wave = frequency * across;
+        gabor_vec2 bend = frequency / steep * gabor_vec2(gabor_cpp_dot(across, steer_x), gabor_cpp_dot(across, steer_y)); // the wave changes by -down * bend
         gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(wave, dx), gabor_cpp_dot(wave, dy));
         // The share of a wave that a Gaussian filter of standard deviation half a pixel keeps; small shares are 0.
-        float kept = gabor_cpp_max(1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)) - 0.02f, 0.0f);
-        gabor_vec2 z = gabor_vec2(0.0f);
+        float share = 1.02f * gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)), kept = gabor_cpp_max(share - 0.02f, 0.0f);
+        gabor_vec2 z = gabor_vec2(0.0f), z_x = gabor_vec2(0.0f), z_y = gabor_vec2(0.0f), kept_slope = gabor_vec2(0.0f);
         if (kept > 0.0f) {
             GaborPlace place = gabor_impl_ground(ground, 0.8f * GABOR_RADIUS * frequency); // 1.25 gullies per radius
-            GaborField field = gabor_field(place, wave, gabor_lobe_seed(seed, i));
-            z = erosion.uniformity * gabor_vec2(field.quadrature, field.noise);
-            z *= kept * gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near `kept`, except where waves cancel
+            GaborBentField field = gabor_impl_bent_field(place, wave, down, gabor_lobe_seed(seed, i));
+            z = erosion.uniformity * field.value;
+            float shrink = gabor_cpp_inversesqrt(1.0f + gabor_cpp_dot(z, z)); // brings the length of z near 1, except where waves cancel
+            z *= shrink;
+            z_x = shrink * erosion.uniformity * (field.along_x - bend.x * field.bent);
+            z_y = shrink * erosion.uniformity * (field.along_y - bend.y * field.bent);
+            kept_slope = 9.8696044f * share * gabor_cpp_dot(steps, gabor_vec2(gabor_cpp_dot(down, dx), gabor_cpp_dot(down, dy))) * bend;
+            z_x = kept * (z_x - gabor_cpp_dot(z, z_x) * z) + kept_slope.x * z;
+            z_y = kept * (z_y - gabor_cpp_dot(z, z_y) * z) + kept_slope.y * z;
+            z *= kept;
         }
-        gully.height = gabor_cpp_mix(gully.height, erosion.gully_weight * z.x, mask);
-        gully.slope = gabor_cpp_mix(gully.slope, -6.2831853f * erosion.gully_weight * z.y * wave, mask);
-        gully.ridge = gabor_cpp_mix(gully.ridge, z.x, mask);
-        terrain.height += depth * gully.height;
-        terrain.slope += depth * gully.slope;
-        float side = (z.y < 0.0f ? -6.2831853f : 6.2831853f) * kept * erosion.branching * erosion.gully_weight;
-        steer -= side * depth * mask * wave;
+        float crest = erosion.gully_weight * z.x;
+        gully_slope = gabor_cpp_mix(gully_slope, erosion.gully_weight * gabor_vec2(z_x.x, z_y.x), mask) + (crest - gully) * mask_slope;
+        gully = gabor_cpp_mix(gully, crest, mask);
+        ridge = gabor_cpp_mix(ridge, z.x, mask);
+        sum += depth * gully;
+        sum_slope += depth * gully_slope;
+        float side = z.y < 0.0f ? -1.0f : 1.0f, turns = 6.2831853f * depth * erosion.branching * erosion.gully_weight * side;
+        float turn = turns * kept * mask;
+        gabor_vec2 turn_slope = turns * (kept * mask_slope + mask * kept_slope);
+        steer -= turn * wave;
+        steer_x += turn * bend.x * down - turn_slope.x * wave;
+        steer_y += turn * bend.y * down - turn_slope.y * wave;
+        float wide = frequency / erosion.frequency;
         rounding = gabor_cpp_mix(erosion.crease_rounding, erosion.ridge_rounding, 0.5f + 0.5f * z.x);
-        mask = mask * erosion.detail / (1.0f + mask * (erosion.detail - 1.0f))
-             * gabor_impl_mask(0.5f - 0.5f * kept + gabor_cpp_abs(z.y), rounding * frequency / erosion.frequency);
+        rounding_slope = rounded * gabor_vec2(z_x.x, z_y.x);
+        gabor_vec3 edge = gabor_impl_mask(0.5f - 0.5f * kept + gabor_cpp_abs(z.y), wide * rounding);
+        gabor_vec2 edge_slope = edge.y * side * gabor_vec2(z_x.y, z_y.y) - 0.5f * edge.y * kept_slope + edge.z * wide * rounding_slope;
+        float reach = 1.0f / (1.0f + mask * (erosion.detail - 1.0f));
+        mask_slope = erosion.detail * reach * (reach * edge.x * mask_slope + mask * edge_slope);
+        mask *= erosion.detail * reach * edge.x;
         frequency *= erosion.lacunarity;
         depth *= erosion.gain;
     }
-    return GaborTerrain{terrain.height, terrain.slope, gully.ridge};
+    return GaborTerrain{base.height + open * sum, base.slope + open * sum_slope + sum * open_slope, ridge, gabor_vec3(0.0f),
+                        gabor_vec2(0.0f)};
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------

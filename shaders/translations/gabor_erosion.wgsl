@@ -1,11 +1,11 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest a438e0b593a1575c.
+// naga 30.0.1 made it from GLSL with the digest e1a5df0780fca7c7.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
 // Paste or include this file after gabor_noise.wgsl.
 //
-//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height and slope
+//     GaborTerrain hills = gabor_terrain(p, 7u);                          // or your own height, slope and curvature
 //     GaborTerrain rocks = gabor_eroded(p, hills, gabor_erosion(), 7u);   // height, slope, ridge
 //
 // In each octave, stripes of noise run down the slope, and the cosine of their phase is the height of the gullies. The
@@ -13,11 +13,13 @@
 //
 // Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
 
-// A height in units of p, its derivatives, and a ridge value from -1 in creases and valleys to 1 on ridges and peaks.
+// A height in units of p, and what erosion needs to know about it. Members that nobody reads cost nothing.
 struct GaborTerrain {
     height: f32,
     slope: vec2<f32>,
     ridge: f32,
+    curvature: vec3<f32>,
+    ridge_slope: vec2<f32>,
 }
 
 struct GaborErosion {
@@ -39,18 +41,19 @@ struct GaborErosion {
 //     Parameters for alpine ridges and valleys on the hills of gabor_terrain.
 
 // GaborTerrain gabor_terrain(vec2f p, u32 seed)
-//     Hills to erode: about four units wide, with mean height 0, rms slope 0.6 and continuous curvature.
+//     Hills to erode: about four units wide, with mean height 0, rms slope 0.64 and continuous curvature.
 
 // GaborTerrain gabor_eroded(vec2f p, GaborTerrain base, GaborErosion erosion, u32 seed)
-//     Adds gullies and ridges to the base at p. Where the base is flat, base.ridge distinguishes valleys, -1, from
-//     peaks, 1. The height is continuous where the base and its slope are, and the result can be eroded again. The
-//     returned slope takes only the phase of the gullies into account, not how they turn and fade: its rms error is
-//     0.63 times the rms slope.
+//     Adds gullies and ridges to the base at p. A base whose ridge is 1 where it is flat gets pointed peaks there; elsewhere
+//     flat ground stays as it is. The height is continuous where the base and its slope are. The returned slope is the
+//     derivative of the height, if the base has its curvature and the derivatives of its ridge; with zeros instead, its
+//     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
+//     draw it as a heightmap first, which has its curvature in nine texels.
 
 // GaborTerrain gabor_terrain_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
 // GaborTerrain gabor_eroded_filtered(vec2f p, vec2f dx, vec2f dy, GaborTerrain base, GaborErosion erosion, u32 seed)
 //     The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
-//     and dFdy(p).
+//     and dFdy(p), and slopes are derivatives for a pixel of that size.
 
 // GaborTerrain gabor_terrain_tiled(vec2f p, vec2f period, u32 seed)
 // GaborTerrain gabor_eroded_tiled(vec2f p, vec2f period, GaborTerrain base, GaborErosion erosion, u32 seed)
@@ -124,21 +127,24 @@ fn gabor_impl_ground(ground: GaborTerrainPlace, nodes: f32) -> GaborPlace {
 
 // Computes the cubic B-splines of the four nodes around a point, and their derivatives. The point is t in [0, 1) node
 // spacings beyond the second node.
-fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>) {
+fn gabor_impl_splines(t: f32, value: ptr<function, vec4<f32>>, slope: ptr<function, vec4<f32>>, curvature: ptr<function, vec4<f32>>) {
     var u_1: f32;
     u_1 = (1f - t);
-    let _e6 = u_1;
     let _e7 = u_1;
-    let _e9 = u_1;
-    let _e16 = u_1;
-    let _e22 = u_1;
-    let _e24 = u_1;
-    (*value) = (vec4<f32>(((_e6 * _e7) * _e9), (4f - (((3f * t) * t) * (1f + _e16))), (4f - (((3f * _e22) * _e24) * (1f + t))), ((t * t) * t)) / vec4(6f));
-    let _e37 = u_1;
-    let _e39 = u_1;
-    let _e46 = u_1;
-    let _e49 = u_1;
-    (*slope) = (0.5f * vec4<f32>((-(_e37) * _e39), (t * ((3f * t) - 4f)), (_e46 * (4f - (3f * _e49))), (t * t)));
+    let _e8 = u_1;
+    let _e10 = u_1;
+    let _e17 = u_1;
+    let _e23 = u_1;
+    let _e25 = u_1;
+    (*value) = (vec4<f32>(((_e7 * _e8) * _e10), (4f - (((3f * t) * t) * (1f + _e17))), (4f - (((3f * _e23) * _e25) * (1f + t))), ((t * t) * t)) / vec4(6f));
+    let _e38 = u_1;
+    let _e40 = u_1;
+    let _e47 = u_1;
+    let _e50 = u_1;
+    (*slope) = (0.5f * vec4<f32>((-(_e38) * _e40), (t * ((3f * t) - 4f)), (_e47 * (4f - (3f * _e50))), (t * t)));
+    let _e57 = u_1;
+    let _e63 = u_1;
+    (*curvature) = vec4<f32>(_e57, ((3f * t) - 2f), ((3f * _e63) - 2f), t);
     return;
 }
 
@@ -171,28 +177,45 @@ struct GaborHills {
     value: vec2<f32>,
     slope_x: vec2<f32>,
     slope_y: vec2<f32>,
+    curvature_xx: vec2<f32>,
+    curvature_xy: vec2<f32>,
+    curvature_yy: vec2<f32>,
 }
 
-// Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises.
-fn gabor_impl_add_hill_row(sum: ptr<function, GaborHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, y: f32, slope_y: f32) {
+// Adds a row of nodes, with amplitudes uniform between -2^31 and 2^31, to two noises. y holds the row's spline and its
+// derivatives.
+fn gabor_impl_add_hill_row(sum: ptr<function, GaborHills>, words: vec4<u32>, x: vec4<f32>, slope_x: vec4<f32>, curvature_x: vec4<f32>, y: vec3<f32>) {
     var a_2: vec4<f32>;
     var b_2: vec4<f32>;
     var row_1: vec2<f32>;
+    var along_x_1: vec2<f32>;
     a_2 = vec4<f32>(vec4<i32>(words));
     b_2 = vec4<f32>(vec4<i32>((words << vec4(16u))));
     let _e15 = a_2;
     let _e17 = b_2;
     row_1 = vec2<f32>(dot(x, _e15), dot(x, _e17));
-    let _e22 = (*sum);
-    let _e24 = row_1;
-    (*sum).value = (_e22.value + (y * _e24));
+    let _e21 = a_2;
+    let _e23 = b_2;
+    along_x_1 = vec2<f32>(dot(slope_x, _e21), dot(slope_x, _e23));
     let _e28 = (*sum);
-    let _e30 = a_2;
-    let _e32 = b_2;
-    (*sum).slope_x = (_e28.slope_x + (y * vec2<f32>(dot(slope_x, _e30), dot(slope_x, _e32))));
-    let _e38 = (*sum);
-    let _e40 = row_1;
-    (*sum).slope_y = (_e38.slope_y + (slope_y * _e40));
+    let _e31 = row_1;
+    (*sum).value = (_e28.value + (y.x * _e31));
+    let _e35 = (*sum);
+    let _e38 = along_x_1;
+    (*sum).slope_x = (_e35.slope_x + (y.x * _e38));
+    let _e42 = (*sum);
+    let _e45 = row_1;
+    (*sum).slope_y = (_e42.slope_y + (y.y * _e45));
+    let _e49 = (*sum);
+    let _e52 = a_2;
+    let _e54 = b_2;
+    (*sum).curvature_xx = (_e49.curvature_xx + (y.x * vec2<f32>(dot(curvature_x, _e52), dot(curvature_x, _e54))));
+    let _e60 = (*sum);
+    let _e63 = along_x_1;
+    (*sum).curvature_xy = (_e60.curvature_xy + (y.y * _e63));
+    let _e67 = (*sum);
+    let _e70 = row_1;
+    (*sum).curvature_yy = (_e67.curvature_yy + (y.z * _e70));
     return;
 }
 
@@ -207,11 +230,13 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     var x_6: vec4<f32>;
     var y_5: vec4<f32>;
     var slope_x_1: vec4<f32>;
-    var slope_y_1: vec4<f32>;
+    var slope_y: vec4<f32>;
+    var curvature_x_1: vec4<f32>;
+    var curvature_y: vec4<f32>;
     var salt_5: u32;
     var columns: vec4<u32>;
     var rows: vec4<u32>;
-    var hills: GaborHills = GaborHills(vec2(0f), vec2(0f), vec2(0f));
+    var hills: GaborHills = GaborHills(vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f), vec2(0f));
     var s_2: vec4<f32>;
     var area: f32;
     var kept: f32;
@@ -220,263 +245,669 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     var wave_5: vec2<f32>;
     var rough: f32;
     var height: f32;
-    var factors: vec2<f32>;
+    var first_2: vec2<f32>;
+    var second_3: vec2<f32>;
+    var along_x_2: vec2<f32>;
+    var along_y_1: vec2<f32>;
     var slope_7: vec2<f32>;
+    var curvature_1: vec3<f32>;
+    var to_ridge: f32;
     let _e5 = gabor_impl_ground(ground, 1f);
     place_4 = _e5;
     let _e7 = place_4;
     zero_1 = floor(_e7.local);
-    let _e15 = place_4;
-    let _e18 = zero_1;
-    gabor_impl_splines((_e15.local.x - _e18.x), (&x_6), (&slope_x_1));
-    let _e25 = place_4;
-    let _e28 = zero_1;
-    gabor_impl_splines((_e25.local.y - _e28.y), (&y_5), (&slope_y_1));
-    let _e35 = gabor_impl_salt(seed);
-    salt_5 = _e35;
-    let _e37 = place_4;
-    let _e40 = zero_1;
-    let _e44 = place_4;
-    let _e47 = salt_5;
-    let _e48 = gabor_impl_four_line_words((_e37.cell.x + i32(_e40.x)), _e44.period.x, _e47);
-    columns = _e48;
+    let _e17 = place_4;
+    let _e20 = zero_1;
+    gabor_impl_splines((_e17.local.x - _e20.x), (&x_6), (&slope_x_1), (&curvature_x_1));
+    let _e29 = place_4;
+    let _e32 = zero_1;
+    gabor_impl_splines((_e29.local.y - _e32.y), (&y_5), (&slope_y), (&curvature_y));
+    let _e41 = gabor_impl_salt(seed);
+    salt_5 = _e41;
+    let _e43 = place_4;
+    let _e46 = zero_1;
     let _e50 = place_4;
-    let _e53 = zero_1;
-    let _e57 = place_4;
-    let _e60 = salt_5;
-    let _e63 = gabor_impl_four_line_words((_e50.cell.y + i32(_e53.y)), _e57.period.y, (_e60 ^ 1540483477u));
-    rows = _e63;
-    let _e74 = columns;
-    let _e75 = rows;
-    let _e78 = x_6;
-    let _e79 = slope_x_1;
-    let _e80 = y_5;
-    let _e82 = slope_y_1;
-    gabor_impl_add_hill_row((&hills), (_e74 * _e75.x), _e78, _e79, _e80.x, _e82.x);
+    let _e53 = salt_5;
+    let _e54 = gabor_impl_four_line_words((_e43.cell.x + i32(_e46.x)), _e50.period.x, _e53);
+    columns = _e54;
+    let _e56 = place_4;
+    let _e59 = zero_1;
+    let _e63 = place_4;
+    let _e66 = salt_5;
+    let _e69 = gabor_impl_four_line_words((_e56.cell.y + i32(_e59.y)), _e63.period.y, (_e66 ^ 1540483477u));
+    rows = _e69;
     let _e86 = columns;
     let _e87 = rows;
     let _e90 = x_6;
     let _e91 = slope_x_1;
-    let _e92 = y_5;
-    let _e94 = slope_y_1;
-    gabor_impl_add_hill_row((&hills), (_e86 * _e87.y), _e90, _e91, _e92.y, _e94.y);
-    let _e98 = columns;
-    let _e99 = rows;
-    let _e102 = x_6;
-    let _e103 = slope_x_1;
-    let _e104 = y_5;
-    let _e106 = slope_y_1;
-    gabor_impl_add_hill_row((&hills), (_e98 * _e99.z), _e102, _e103, _e104.z, _e106.z);
-    let _e110 = columns;
-    let _e111 = rows;
-    let _e114 = x_6;
-    let _e115 = slope_x_1;
-    let _e116 = y_5;
-    let _e118 = slope_y_1;
-    gabor_impl_add_hill_row((&hills), (_e110 * _e111.w), _e114, _e115, _e116.w, _e118.w);
+    let _e92 = curvature_x_1;
+    let _e93 = y_5;
+    let _e95 = slope_y;
+    let _e97 = curvature_y;
+    gabor_impl_add_hill_row((&hills), (_e86 * _e87.x), _e90, _e91, _e92, vec3<f32>(_e93.x, _e95.x, _e97.x));
+    let _e102 = columns;
+    let _e103 = rows;
+    let _e106 = x_6;
+    let _e107 = slope_x_1;
+    let _e108 = curvature_x_1;
+    let _e109 = y_5;
+    let _e111 = slope_y;
+    let _e113 = curvature_y;
+    gabor_impl_add_hill_row((&hills), (_e102 * _e103.y), _e106, _e107, _e108, vec3<f32>(_e109.y, _e111.y, _e113.y));
+    let _e118 = columns;
+    let _e119 = rows;
+    let _e122 = x_6;
+    let _e123 = slope_x_1;
+    let _e124 = curvature_x_1;
+    let _e125 = y_5;
+    let _e127 = slope_y;
+    let _e129 = curvature_y;
+    gabor_impl_add_hill_row((&hills), (_e118 * _e119.z), _e122, _e123, _e124, vec3<f32>(_e125.z, _e127.z, _e129.z));
+    let _e134 = columns;
+    let _e135 = rows;
+    let _e138 = x_6;
+    let _e139 = slope_x_1;
+    let _e140 = curvature_x_1;
+    let _e141 = y_5;
+    let _e143 = slope_y;
+    let _e145 = curvature_y;
+    gabor_impl_add_hill_row((&hills), (_e134 * _e135.w), _e138, _e139, _e140, vec3<f32>(_e141.w, _e143.w, _e145.w));
     s_2 = clamp(vec4<f32>(dx.x, dx.y, dy.x, dy.y), vec4(-1000000000f), vec4(1000000000f));
-    let _e133 = s_2;
-    let _e135 = s_2;
-    let _e138 = s_2;
-    let _e140 = s_2;
-    area = ((_e133.x * _e135.w) - (_e138.y * _e140.z));
-    let _e147 = s_2;
-    let _e148 = s_2;
-    let _e153 = area;
-    let _e155 = area;
-    kept = inverseSqrt(((1f + (0.34768212f * dot(_e147, _e148))) + ((0.12088286f * _e153) * _e155)));
-    let _e161 = kept;
-    unit = (0.000000001682536f * _e161);
-    let _e164 = unit;
-    let _e165 = hills;
-    noise_1 = (_e164 * _e165.value);
-    let _e170 = kept;
-    let _e171 = kept;
-    let _e178 = noise_1;
-    let _e181 = gabor_impl_wave((0.4f * _e178.y));
-    wave_5 = (exp((3.1582735f * ((_e170 * _e171) - 1f))) * _e181);
-    let _e186 = noise_1;
-    rough = (0.3f + (0.12f * _e186.x));
-    let _e191 = noise_1;
-    let _e193 = rough;
-    let _e194 = wave_5;
-    height = (_e191.x + (_e193 * _e194.y));
-    let _e200 = unit;
-    let _e204 = wave_5;
-    let _e209 = rough;
-    let _e211 = wave_5;
-    factors = ((0.33f * _e200) * vec2<f32>((1f + (0.12f * _e204.y)), ((2.5132742f * _e209) * _e211.x)));
-    let _e217 = place_4;
-    let _e219 = factors;
-    let _e220 = hills;
-    let _e223 = factors;
-    let _e224 = hills;
-    slope_7 = (_e217.radius * vec2<f32>(dot(_e219, _e220.slope_x), dot(_e223, _e224.slope_y)));
-    let _e231 = height;
-    let _e233 = slope_7;
-    let _e234 = height;
-    let _e236 = height;
-    let _e237 = height;
-    return GaborTerrain((0.33f * _e231), _e233, (_e234 * inverseSqrt((1f + (_e236 * _e237)))));
+    let _e161 = s_2;
+    let _e163 = s_2;
+    let _e166 = s_2;
+    let _e168 = s_2;
+    area = ((_e161.x * _e163.w) - (_e166.y * _e168.z));
+    let _e175 = s_2;
+    let _e176 = s_2;
+    let _e181 = area;
+    let _e183 = area;
+    kept = inverseSqrt(((1f + (0.34768212f * dot(_e175, _e176))) + ((0.12088286f * _e181) * _e183)));
+    let _e189 = kept;
+    unit = (0.000000001682536f * _e189);
+    let _e192 = unit;
+    let _e193 = hills;
+    noise_1 = (_e192 * _e193.value);
+    let _e198 = kept;
+    let _e199 = kept;
+    let _e206 = noise_1;
+    let _e209 = gabor_impl_wave((0.4f * _e206.y));
+    wave_5 = (exp((3.1582735f * ((_e198 * _e199) - 1f))) * _e209);
+    let _e214 = noise_1;
+    rough = (0.3f + (0.12f * _e214.x));
+    let _e219 = noise_1;
+    let _e221 = rough;
+    let _e222 = wave_5;
+    height = (_e219.x + (_e221 * _e222.y));
+    let _e228 = unit;
+    let _e232 = wave_5;
+    let _e237 = rough;
+    let _e239 = wave_5;
+    first_2 = ((0.33f * _e228) * vec2<f32>((1f + (0.12f * _e232.y)), ((2.5132742f * _e237) * _e239.x)));
+    let _e246 = unit;
+    let _e248 = unit;
+    let _e251 = wave_5;
+    let _e256 = rough;
+    let _e258 = wave_5;
+    second_3 = (((0.33f * _e246) * _e248) * vec2<f32>((0.3015929f * _e251.x), ((-6.316547f * _e256) * _e258.y)));
+    let _e264 = hills;
+    along_x_2 = _e264.slope_x;
+    let _e267 = hills;
+    along_y_1 = _e267.slope_y;
+    let _e270 = place_4;
+    let _e272 = first_2;
+    let _e273 = along_x_2;
+    let _e275 = first_2;
+    let _e276 = along_y_1;
+    slope_7 = (_e270.radius * vec2<f32>(dot(_e272, _e273), dot(_e275, _e276)));
+    let _e281 = first_2;
+    let _e282 = hills;
+    let _e285 = along_x_2;
+    let _e288 = second_3;
+    let _e291 = along_x_2;
+    let _e294 = second_3;
+    let _e296 = along_x_2;
+    let _e302 = first_2;
+    let _e303 = hills;
+    let _e306 = second_3;
+    let _e308 = along_x_2;
+    let _e310 = along_y_1;
+    let _e313 = along_x_2;
+    let _e315 = along_y_1;
+    let _e321 = second_3;
+    let _e323 = along_x_2;
+    let _e326 = along_y_1;
+    let _e330 = first_2;
+    let _e331 = hills;
+    let _e334 = along_y_1;
+    let _e337 = second_3;
+    let _e340 = along_y_1;
+    let _e343 = second_3;
+    let _e345 = along_y_1;
+    curvature_1 = vec3<f32>((dot(_e281, _e282.curvature_xx) + (_e285.y * (((2f * _e288.x) * _e291.x) + (_e294.y * _e296.y)))), ((dot(_e302, _e303.curvature_xy) + (_e306.x * ((_e308.x * _e310.y) + (_e313.y * _e315.x)))) + ((_e321.y * _e323.y) * _e326.y)), (dot(_e330, _e331.curvature_yy) + (_e334.y * (((2f * _e337.x) * _e340.x) + (_e343.y * _e345.y)))));
+    let _e353 = curvature_1;
+    let _e354 = place_4;
+    let _e356 = place_4;
+    let _e359 = (_e354.radius * _e356.radius.x);
+    let _e360 = place_4;
+    let _e363 = place_4;
+    curvature_1 = (_e353 * vec3<f32>(_e359.x, _e359.y, (_e360.radius.y * _e363.radius.y)));
+    let _e372 = height;
+    let _e373 = height;
+    to_ridge = inverseSqrt((1f + (_e372 * _e373)));
+    let _e379 = height;
+    let _e381 = slope_7;
+    let _e382 = height;
+    let _e383 = to_ridge;
+    let _e385 = curvature_1;
+    let _e386 = to_ridge;
+    let _e387 = to_ridge;
+    let _e389 = to_ridge;
+    let _e393 = slope_7;
+    return GaborTerrain((0.33f * _e379), _e381, (_e382 * _e383), _e385, ((((_e386 * _e387) * _e389) / 0.33f) * _e393));
 }
 
-// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded.
-fn gabor_impl_mask(t: f32, rounding: f32) -> f32 {
-    var local_11: f32;
-    var s_3: f32;
-    if (t < rounding) {
-        local_11 = (((0.5f * t) * t) / rounding);
-    } else {
-        local_11 = (t - (0.5f * rounding));
+// The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
+// direction.
+struct GaborBentField {
+    value: vec2<f32>,
+    along_x: vec2<f32>,
+    along_y: vec2<f32>,
+    bent: vec2<f32>,
+}
+
+// Adds row j of nodes to the sums of gabor_impl_sum, and to `places`, weighted by the nodes' places along x and y.
+fn gabor_impl_add_bent_row(sum: ptr<function, vec4<f32>>, along_y: ptr<function, vec2<f32>>, places: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, j: i32) {
+    var before: vec4<f32> = vec4(0f);
+    var row_2: vec4<f32> = vec4(0f);
+    var after: vec4<f32> = vec4(0f);
+    var moved: vec2<f32>;
+    var here: vec4<f32> = vec4(0f);
+    let _e25 = gabor_impl_amplitude((x.word[0] * y.word[j]));
+    gabor_impl_add_products((&before), x.node[0], _e25);
+    let _e37 = gabor_impl_amplitude((x.word[1] * y.word[j]));
+    gabor_impl_add_products((&row_2), x.node[1], _e37);
+    if true {
+        let _e52 = gabor_impl_amplitude((x.word[2] * y.word[j]));
+        gabor_impl_add_products((&after), x.node[2], _e52);
     }
-    let _e12 = local_11;
-    s_3 = (1f - min(_e12, 1f));
-    let _e18 = s_3;
-    let _e19 = s_3;
-    return (1f - (_e18 * _e19));
+    let _e54 = after;
+    let _e56 = before;
+    moved = (_e54.xy - _e56.xy);
+    let _e60 = row_2;
+    let _e61 = before;
+    let _e62 = after;
+    row_2 = (_e60 + (_e61 + _e62));
+    if false {
+        {
+            after = vec4(0f);
+            let _e80 = gabor_impl_amplitude((x.word[3] * y.word[j]));
+            gabor_impl_add_products((&after), x.node[3], _e80);
+            let _e82 = moved;
+            let _e84 = after;
+            moved = (_e82 + (2f * _e84.xy));
+            let _e88 = row_2;
+            let _e89 = after;
+            row_2 = (_e88 + _e89);
+        }
+    }
+    let _e95 = row_2;
+    gabor_impl_add_products((&here), _e95, y.node[j].xy);
+    let _e100 = (*sum);
+    let _e101 = here;
+    (*sum) = (_e100 + _e101);
+    let _e103 = (*along_y);
+    let _e104 = row_2;
+    let _e109 = gabor_impl_product(_e104.xy, y.node[j].zw);
+    (*along_y) = (_e103 + _e109);
+    let _e111 = (*places);
+    let _e112 = moved;
+    let _e116 = gabor_impl_product(_e112, y.node[j].xy);
+    let _e120 = here;
+    let _e122 = (f32((j - 1i)) * _e120.xy);
+    (*places) = (_e111 + vec4<f32>(_e116.x, _e116.y, _e122.x, _e122.y));
+    return;
+}
+
+// gabor_field with the derivative of a wave's phase by its wave vector: 2 pi times the offset from the wave's node.
+fn gabor_impl_bent_field(place: GaborPlace, wave: vec2<f32>, direction: vec2<f32>, seed: u32) -> GaborBentField {
+    var direction_1: vec2<f32>;
+    var salt_6: u32;
+    var x_8: GaborAxis;
+    var y_7: GaborAxis;
+    var sum_7: vec4<f32> = vec4(0f);
+    var places_1: vec4<f32> = vec4(0f);
+    var along_y_3: vec2<f32> = vec2(0f);
+    var turn_6: vec2<f32>;
+    var field_4: GaborField;
+    var value_6: vec2<f32>;
+    var nodes_2: vec2<f32>;
+    var local_11: f32;
+    var bent: vec2<f32>;
+    direction_1 = direction;
+    let _e5 = gabor_impl_salt(seed);
+    salt_6 = _e5;
+    let _e13 = salt_6;
+    let _e17 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, _e13, wave.x, place.radius.x);
+    x_8 = _e17;
+    let _e19 = salt_6;
+    salt_6 = (_e19 ^ 1540483477u);
+    let _e28 = salt_6;
+    let _e32 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, _e28, wave.y, place.radius.y);
+    y_7 = _e32;
+    let _e46 = x_8;
+    let _e47 = y_7;
+    gabor_impl_add_bent_row((&sum_7), (&along_y_3), (&places_1), _e46, _e47, 0i);
+    let _e55 = x_8;
+    let _e56 = y_7;
+    gabor_impl_add_bent_row((&sum_7), (&along_y_3), (&places_1), _e55, _e56, 1i);
+    if true {
+        let _e67 = x_8;
+        let _e68 = y_7;
+        gabor_impl_add_bent_row((&sum_7), (&along_y_3), (&places_1), _e67, _e68, 2i);
+    }
+    if false {
+        let _e79 = x_8;
+        let _e80 = y_7;
+        gabor_impl_add_bent_row((&sum_7), (&along_y_3), (&places_1), _e79, _e80, 3i);
+    }
+    let _e85 = x_8;
+    let _e87 = x_8;
+    let _e90 = y_7;
+    let _e92 = y_7;
+    let _e96 = gabor_impl_wave(((_e85.offset * _e87.turns) + (_e90.offset * _e92.turns)));
+    turn_6 = _e96;
+    let _e98 = sum_7;
+    let _e99 = along_y_3;
+    let _e105 = turn_6;
+    let _e113 = gabor_impl_field(_e98, vec4<f32>(_e99.x, _e99.y, 0f, 0f), _e105, wave, (place.radius / vec2(1.5f)));
+    field_4 = _e113;
+    let _e115 = field_4;
+    let _e117 = field_4;
+    value_6 = vec2<f32>(_e115.quadrature, _e117.noise);
+    let _e121 = direction_1;
+    direction_1 = (_e121 * (vec2(6.2831855f) / place.radius));
+    let _e127 = direction_1;
+    let _e129 = places_1;
+    let _e132 = direction_1;
+    let _e134 = places_1;
+    nodes_2 = ((_e127.x * _e129.xy) + (_e132.y * _e134.zw));
+    let _e139 = direction_1;
+    let _e140 = x_8;
+    let _e142 = y_7;
+    let _e146 = value_6;
+    let _e148 = nodes_2;
+    let _e149 = turn_6;
+    let _e150 = gabor_impl_product(_e148, _e149);
+    if false {
+        local_11 = 1f;
+    } else {
+        local_11 = 1.125f;
+    }
+    let _e161 = local_11;
+    bent = ((dot(_e139, vec2<f32>(_e140.offset, _e142.offset)) * _e146) - (_e150 / vec2((1459955300000000000000000000f * _e161))));
+    let _e167 = value_6;
+    let _e168 = field_4;
+    let _e171 = field_4;
+    let _e175 = field_4;
+    let _e178 = field_4;
+    let _e182 = bent;
+    let _e185 = bent;
+    return GaborBentField(_e167, vec2<f32>(_e168.quadrature_gradient.x, _e171.gradient.x), vec2<f32>(_e175.quadrature_gradient.y, _e178.gradient.y), vec2<f32>(-(_e182.y), _e185.x));
+}
+
+// A mask that rises from 0 and reaches 1 at t = 1, or a little later if its start is rounded; and its derivatives by t and
+// by the rounding.
+fn gabor_impl_mask(t: f32, rounding: f32) -> vec3<f32> {
+    var local_12: f32;
+    var part: f32;
+    var s_3: f32;
+    var slope_8: f32;
+    if (t < rounding) {
+        local_12 = (t / rounding);
+    } else {
+        local_12 = 1f;
+    }
+    let _e6 = local_12;
+    part = _e6;
+    let _e9 = part;
+    let _e11 = part;
+    s_3 = max((1f - (_e9 * (t - ((0.5f * _e11) * rounding)))), 0f);
+    let _e20 = s_3;
+    let _e21 = part;
+    slope_8 = (_e20 * _e21);
+    let _e25 = s_3;
+    let _e26 = s_3;
+    let _e30 = slope_8;
+    let _e32 = slope_8;
+    let _e34 = part;
+    return vec3<f32>((1f - (_e25 * _e26)), (2f * _e30), (-(_e32) * _e34));
 }
 
 // Where the mask m of an octave is below 1, its gullies, of weight w, fade into those of the previous octave:
-//     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + sum_i depth_i t_i.
+//     t_i = (1 - m_i) t_(i-1) + m_i w cos(phase_i),   height = base + open sum_i depth_i t_i.
 // m_i is 0 where the slope that its gullies follow is 0, and m_(i+1) is 0 where sin(phase_i) is 0: finer gullies end on
 // ridges and in creases. To turn finer gullies, each side of a gully adds a constant to the slope that they follow. The
 // constant differs between the two sides, but the sides meet where the mask of the finer gullies is 0. If an octave is
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
+// `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
+// For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are vec2f(by x, by y).
+// Only the turning of a gully's direction changes its wave vector, so that changes along the direction itself.
 fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    var terrain: GaborTerrain;
-    var gully: GaborTerrain;
     var steer: vec2<f32>;
+    var steer_x: vec2<f32>;
+    var steer_y: vec2<f32>;
+    var gully: f32;
+    var ridge: f32;
+    var sum_8: f32 = 0f;
+    var gully_slope: vec2<f32>;
+    var sum_slope: vec2<f32> = vec2(0f);
     var frequency_6: f32;
     var depth: f32;
     var mask: f32 = 1f;
+    var open: f32 = 1f;
     var rounding_1: f32;
+    var mask_slope: vec2<f32> = vec2(0f);
+    var open_slope: vec2<f32> = vec2(0f);
+    var rounded_1: f32;
+    var peak: f32;
+    var rounding_slope: vec2<f32>;
     var i: i32 = 0i;
     var steep: f32;
-    var full: f32;
-    var wave_6: vec2<f32>;
+    var per_onset: f32;
+    var down: vec2<f32>;
+    var across: vec2<f32>;
+    var full: vec3<f32>;
+    var full_slope: vec2<f32>;
+    var wave_7: vec2<f32>;
+    var bend: vec2<f32>;
     var steps: vec2<f32>;
+    var share: f32;
     var kept_1: f32;
     var z_1: vec2<f32>;
-    var place_5: GaborPlace;
-    var field_4: GaborField;
-    var local_12: f32;
+    var z_x: vec2<f32>;
+    var z_y: vec2<f32>;
+    var kept_slope: vec2<f32>;
+    var place_6: GaborPlace;
+    var field_5: GaborBentField;
+    var shrink: f32;
+    var crest: f32;
+    var local_13: f32;
     var side_1: f32;
-    terrain = base;
-    gully = GaborTerrain(base.ridge, vec2(0f), base.ridge);
+    var turns: f32;
+    var turn_7: f32;
+    var turn_slope: vec2<f32>;
+    var wide: f32;
+    var edge: vec3<f32>;
+    var edge_slope: vec2<f32>;
+    var reach_1: f32;
     steer = base.slope;
+    steer_x = base.curvature.xy;
+    steer_y = base.curvature.yz;
+    gully = base.ridge;
+    ridge = base.ridge;
+    gully_slope = base.ridge_slope;
     frequency_6 = erosion.frequency;
     depth = (erosion.strength / erosion.frequency);
     rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * base.ridge)));
+    rounded_1 = (0.5f * (erosion.ridge_rounding - erosion.crease_rounding));
+    peak = clamp(base.ridge, 0f, 1f);
+    let _e61 = rounded_1;
+    rounding_slope = (_e61 * base.ridge_slope);
     loop {
-        let _e34 = i;
-        if !((_e34 < erosion.octaves)) {
+        let _e67 = i;
+        if !((_e67 < erosion.octaves)) {
             break;
         }
         {
-            let _e41 = steer;
-            steep = max(length(_e41), 0.000000001f);
-            let _e46 = steep;
-            let _e51 = rounding_1;
-            let _e52 = gabor_impl_mask((_e46 / max(erosion.onset, 0.000001f)), _e51);
-            full = _e52;
-            let _e54 = mask;
-            let _e55 = full;
-            let _e56 = full;
-            mask = (_e54 * (_e55 * _e56));
-            let _e59 = frequency_6;
-            let _e60 = steep;
-            let _e62 = steer;
-            let _e65 = steer;
-            wave_6 = ((_e59 / _e60) * vec2<f32>(-(_e62.y), _e65.x));
-            let _e70 = wave_6;
-            let _e72 = wave_6;
-            steps = vec2<f32>(dot(_e70, dx), dot(_e72, dy));
-            let _e79 = steps;
-            let _e80 = steps;
-            kept_1 = max(((1.02f * exp((-4.934802f * dot(_e79, _e80)))) - 0.02f), 0f);
-            z_1 = vec2(0f);
-            let _e93 = kept_1;
-            if (_e93 > 0f) {
+            let _e74 = steer;
+            steep = max(length(_e74), 0.000000001f);
+            per_onset = (1f / max(erosion.onset, 0.000001f));
+            let _e85 = steer;
+            let _e86 = steep;
+            down = (_e85 / vec2(_e86));
+            let _e90 = down;
+            let _e93 = down;
+            across = vec2<f32>(-(_e90.y), _e93.x);
+            let _e97 = steep;
+            let _e98 = per_onset;
+            let _e100 = rounding_1;
+            let _e101 = gabor_impl_mask((_e97 * _e98), _e100);
+            full = _e101;
+            let _e103 = full;
+            let _e105 = per_onset;
+            let _e107 = down;
+            let _e108 = steer_x;
+            let _e110 = down;
+            let _e111 = steer_y;
+            let _e115 = full;
+            let _e117 = rounding_slope;
+            full_slope = (((_e103.y * _e105) * vec2<f32>(dot(_e107, _e108), dot(_e110, _e111))) + (_e115.z * _e117));
+            let _e121 = full;
+            let _e123 = full;
+            let _e125 = mask_slope;
+            let _e128 = mask;
+            let _e130 = full_slope;
+            mask_slope = (_e121.x * ((_e123.x * _e125) + ((2f * _e128) * _e130)));
+            let _e134 = mask;
+            let _e135 = full;
+            let _e137 = full;
+            mask = (_e134 * (_e135.x * _e137.x));
+            let _e141 = i;
+            if (_e141 == 0i) {
                 {
-                    let _e102 = frequency_6;
-                    let _e104 = gabor_impl_ground(ground, (1.2f * _e102));
-                    place_5 = _e104;
-                    let _e106 = place_5;
-                    let _e107 = wave_6;
-                    let _e108 = i;
-                    let _e109 = gabor_lobe_seed(seed, _e108);
-                    let _e110 = gabor_field(_e106, _e107, _e109);
-                    field_4 = _e110;
-                    let _e113 = field_4;
-                    let _e115 = field_4;
-                    z_1 = (erosion.uniformity * vec2<f32>(_e113.quadrature, _e115.noise));
-                    let _e119 = z_1;
-                    let _e120 = kept_1;
-                    let _e122 = z_1;
-                    let _e123 = z_1;
-                    z_1 = (_e119 * (_e120 * inverseSqrt((1f + dot(_e122, _e123)))));
+                    let _e144 = mask;
+                    let _e146 = peak;
+                    let _e147 = peak;
+                    open = mix(_e144, 1f, (_e146 * _e147));
+                    let _e151 = peak;
+                    let _e152 = peak;
+                    let _e155 = mask_slope;
+                    let _e158 = mask;
+                    let _e162 = peak;
+                    open_slope = (((1f - (_e151 * _e152)) * _e155) + ((((1f - _e158) * 2f) * _e162) * base.ridge_slope));
                 }
             }
-            let _e130 = gully;
-            let _e133 = z_1;
-            let _e136 = mask;
-            gully.height = mix(_e130.height, (erosion.gully_weight * _e133.x), _e136);
-            let _e139 = gully;
-            let _e145 = z_1;
-            let _e148 = wave_6;
-            let _e150 = mask;
-            gully.slope = mix(_e139.slope, (((-6.2831855f * erosion.gully_weight) * _e145.y) * _e148), vec2(_e150));
-            let _e154 = gully;
-            let _e156 = z_1;
-            let _e158 = mask;
-            gully.ridge = mix(_e154.ridge, _e156.x, _e158);
-            let _e161 = terrain;
-            let _e163 = depth;
-            let _e164 = gully;
-            terrain.height = (_e161.height + (_e163 * _e164.height));
-            let _e169 = terrain;
-            let _e171 = depth;
-            let _e172 = gully;
-            terrain.slope = (_e169.slope + (_e171 * _e172.slope));
-            let _e176 = z_1;
-            if (_e176.y < 0f) {
-                local_12 = -6.2831855f;
-            } else {
-                local_12 = 6.2831855f;
+            let _e167 = frequency_6;
+            let _e168 = across;
+            wave_7 = (_e167 * _e168);
+            let _e171 = frequency_6;
+            let _e172 = steep;
+            let _e174 = across;
+            let _e175 = steer_x;
+            let _e177 = across;
+            let _e178 = steer_y;
+            bend = ((_e171 / _e172) * vec2<f32>(dot(_e174, _e175), dot(_e177, _e178)));
+            let _e183 = wave_7;
+            let _e185 = wave_7;
+            steps = vec2<f32>(dot(_e183, dx), dot(_e185, dy));
+            let _e192 = steps;
+            let _e193 = steps;
+            share = (1.02f * exp((-4.934802f * dot(_e192, _e193))));
+            let _e199 = share;
+            kept_1 = max((_e199 - 0.02f), 0f);
+            z_1 = vec2(0f);
+            z_x = vec2(0f);
+            z_y = vec2(0f);
+            kept_slope = vec2(0f);
+            let _e217 = kept_1;
+            if (_e217 > 0f) {
+                {
+                    let _e226 = frequency_6;
+                    let _e228 = gabor_impl_ground(ground, (1.2f * _e226));
+                    place_6 = _e228;
+                    let _e230 = place_6;
+                    let _e231 = wave_7;
+                    let _e232 = down;
+                    let _e233 = i;
+                    let _e234 = gabor_lobe_seed(seed, _e233);
+                    let _e235 = gabor_impl_bent_field(_e230, _e231, _e232, _e234);
+                    field_5 = _e235;
+                    let _e238 = field_5;
+                    z_1 = (erosion.uniformity * _e238.value);
+                    let _e242 = z_1;
+                    let _e243 = z_1;
+                    shrink = inverseSqrt((1f + dot(_e242, _e243)));
+                    let _e248 = z_1;
+                    let _e249 = shrink;
+                    z_1 = (_e248 * _e249);
+                    let _e251 = shrink;
+                    let _e254 = field_5;
+                    let _e256 = bend;
+                    let _e258 = field_5;
+                    z_x = ((_e251 * erosion.uniformity) * (_e254.along_x - (_e256.x * _e258.bent)));
+                    let _e263 = shrink;
+                    let _e266 = field_5;
+                    let _e268 = bend;
+                    let _e270 = field_5;
+                    z_y = ((_e263 * erosion.uniformity) * (_e266.along_y - (_e268.y * _e270.bent)));
+                    let _e276 = share;
+                    let _e278 = steps;
+                    let _e279 = down;
+                    let _e281 = down;
+                    let _e286 = bend;
+                    kept_slope = (((9.869604f * _e276) * dot(_e278, vec2<f32>(dot(_e279, dx), dot(_e281, dy)))) * _e286);
+                    let _e288 = kept_1;
+                    let _e289 = z_x;
+                    let _e290 = z_1;
+                    let _e291 = z_x;
+                    let _e293 = z_1;
+                    let _e297 = kept_slope;
+                    let _e299 = z_1;
+                    z_x = ((_e288 * (_e289 - (dot(_e290, _e291) * _e293))) + (_e297.x * _e299));
+                    let _e302 = kept_1;
+                    let _e303 = z_y;
+                    let _e304 = z_1;
+                    let _e305 = z_y;
+                    let _e307 = z_1;
+                    let _e311 = kept_slope;
+                    let _e313 = z_1;
+                    z_y = ((_e302 * (_e303 - (dot(_e304, _e305) * _e307))) + (_e311.y * _e313));
+                    let _e316 = z_1;
+                    let _e317 = kept_1;
+                    z_1 = (_e316 * _e317);
+                }
             }
-            let _e184 = local_12;
-            let _e185 = kept_1;
-            side_1 = (((_e184 * _e185) * erosion.branching) * erosion.gully_weight);
-            let _e192 = steer;
-            let _e193 = side_1;
-            let _e194 = depth;
-            let _e196 = mask;
-            let _e198 = wave_6;
-            steer = (_e192 - (((_e193 * _e194) * _e196) * _e198));
-            let _e205 = z_1;
-            rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * _e205.x)));
-            let _e210 = mask;
-            let _e214 = mask;
-            let _e223 = kept_1;
-            let _e226 = z_1;
-            let _e230 = rounding_1;
-            let _e231 = frequency_6;
-            let _e235 = gabor_impl_mask(((0.5f - (0.5f * _e223)) + abs(_e226.y)), ((_e230 * _e231) / erosion.frequency));
-            mask = (((_e210 * erosion.detail) / (1f + (_e214 * (erosion.detail - 1f)))) * _e235);
-            let _e237 = frequency_6;
-            frequency_6 = (_e237 * erosion.lacunarity);
-            let _e240 = depth;
-            depth = (_e240 * erosion.gain);
+            let _e320 = z_1;
+            crest = (erosion.gully_weight * _e320.x);
+            let _e324 = gully_slope;
+            let _e326 = z_x;
+            let _e328 = z_y;
+            let _e332 = mask;
+            let _e335 = crest;
+            let _e336 = gully;
+            let _e338 = mask_slope;
+            gully_slope = (mix(_e324, (erosion.gully_weight * vec2<f32>(_e326.x, _e328.x)), vec2(_e332)) + ((_e335 - _e336) * _e338));
+            let _e341 = gully;
+            let _e342 = crest;
+            let _e343 = mask;
+            gully = mix(_e341, _e342, _e343);
+            let _e345 = ridge;
+            let _e346 = z_1;
+            let _e348 = mask;
+            ridge = mix(_e345, _e346.x, _e348);
+            let _e350 = sum_8;
+            let _e351 = depth;
+            let _e352 = gully;
+            sum_8 = (_e350 + (_e351 * _e352));
+            let _e355 = sum_slope;
+            let _e356 = depth;
+            let _e357 = gully_slope;
+            sum_slope = (_e355 + (_e356 * _e357));
+            let _e360 = z_1;
+            if (_e360.y < 0f) {
+                local_13 = -1f;
+            } else {
+                local_13 = 1f;
+            }
+            let _e368 = local_13;
+            side_1 = _e368;
+            let _e371 = depth;
+            let _e377 = side_1;
+            turns = ((((6.2831855f * _e371) * erosion.branching) * erosion.gully_weight) * _e377);
+            let _e380 = turns;
+            let _e381 = kept_1;
+            let _e383 = mask;
+            turn_7 = ((_e380 * _e381) * _e383);
+            let _e386 = turns;
+            let _e387 = kept_1;
+            let _e388 = mask_slope;
+            let _e390 = mask;
+            let _e391 = kept_slope;
+            turn_slope = (_e386 * ((_e387 * _e388) + (_e390 * _e391)));
+            let _e396 = steer;
+            let _e397 = turn_7;
+            let _e398 = wave_7;
+            steer = (_e396 - (_e397 * _e398));
+            let _e401 = steer_x;
+            let _e402 = turn_7;
+            let _e403 = bend;
+            let _e406 = down;
+            let _e408 = turn_slope;
+            let _e410 = wave_7;
+            steer_x = (_e401 + (((_e402 * _e403.x) * _e406) - (_e408.x * _e410)));
+            let _e414 = steer_y;
+            let _e415 = turn_7;
+            let _e416 = bend;
+            let _e419 = down;
+            let _e421 = turn_slope;
+            let _e423 = wave_7;
+            steer_y = (_e414 + (((_e415 * _e416.y) * _e419) - (_e421.y * _e423)));
+            let _e427 = frequency_6;
+            wide = (_e427 / erosion.frequency);
+            let _e435 = z_1;
+            rounding_1 = mix(erosion.crease_rounding, erosion.ridge_rounding, (0.5f + (0.5f * _e435.x)));
+            let _e440 = rounded_1;
+            let _e441 = z_x;
+            let _e443 = z_y;
+            rounding_slope = (_e440 * vec2<f32>(_e441.x, _e443.x));
+            let _e449 = kept_1;
+            let _e452 = z_1;
+            let _e456 = wide;
+            let _e457 = rounding_1;
+            let _e459 = gabor_impl_mask(((0.5f - (0.5f * _e449)) + abs(_e452.y)), (_e456 * _e457));
+            edge = _e459;
+            let _e461 = edge;
+            let _e463 = side_1;
+            let _e465 = z_x;
+            let _e467 = z_y;
+            let _e472 = edge;
+            let _e475 = kept_slope;
+            let _e478 = edge;
+            let _e480 = wide;
+            let _e482 = rounding_slope;
+            edge_slope = ((((_e461.y * _e463) * vec2<f32>(_e465.y, _e467.y)) - ((0.5f * _e472.y) * _e475)) + ((_e478.z * _e480) * _e482));
+            let _e488 = mask;
+            reach_1 = (1f / (1f + (_e488 * (erosion.detail - 1f))));
+            let _e497 = reach_1;
+            let _e499 = reach_1;
+            let _e500 = edge;
+            let _e503 = mask_slope;
+            let _e505 = mask;
+            let _e506 = edge_slope;
+            mask_slope = ((erosion.detail * _e497) * (((_e499 * _e500.x) * _e503) + (_e505 * _e506)));
+            let _e510 = mask;
+            let _e512 = reach_1;
+            let _e514 = edge;
+            mask = (_e510 * ((erosion.detail * _e512) * _e514.x));
+            let _e518 = frequency_6;
+            frequency_6 = (_e518 * erosion.lacunarity);
+            let _e521 = depth;
+            depth = (_e521 * erosion.gain);
         }
         continuing {
-            let _e38 = i;
-            i = (_e38 + 1i);
+            let _e71 = i;
+            i = (_e71 + 1i);
         }
     }
-    let _e243 = terrain;
-    let _e245 = terrain;
-    let _e247 = gully;
-    return GaborTerrain(_e243.height, _e245.slope, _e247.ridge);
+    let _e525 = open;
+    let _e526 = sum_8;
+    let _e530 = open;
+    let _e531 = sum_slope;
+    let _e534 = sum_8;
+    let _e535 = open_slope;
+    let _e538 = ridge;
+    return GaborTerrain((base.height + (_e525 * _e526)), ((base.slope + (_e530 * _e531)) + (_e534 * _e535)), _e538, vec3(0f), vec2(0f));
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------

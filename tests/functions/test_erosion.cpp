@@ -48,7 +48,13 @@ struct Terrains {
     using GaborTerrain = typename Functions::GaborTerrain;
     Functions n;
 
-    static Terrain wide(const GaborTerrain& t) { return {t.height, {t.slope.x, t.slope.y}, t.ridge}; }
+    static Terrain wide(const GaborTerrain& t) {
+        return {t.height,
+                {t.slope.x, t.slope.y},
+                t.ridge,
+                {t.curvature.x, t.curvature.y, t.curvature.z},
+                {t.ridge_slope.x, t.ridge_slope.y}};
+    }
     static auto erosion(const Sample& s) {
         return std::bit_cast<typename Functions::GaborErosion>(s.erosion);
     }
@@ -59,10 +65,13 @@ struct Terrains {
     GaborTerrain base(const Sample& s) {
         if (!s.base)
             return n.gabor_terrain_at(ground(s), s.dx, s.dy, s.seed);
-        const auto& [height, slope, ridge] = *s.base;
-        return {static_cast<float>(height),
-                {static_cast<float>(slope[0]), static_cast<float>(slope[1])},
-                static_cast<float>(ridge)};
+        const auto at = [](double value) { return static_cast<float>(value); };
+        const auto& [height, slope, ridge, curvature, ridge_slope, crease] = *s.base;
+        return {at(height),
+                {at(slope[0]), at(slope[1])},
+                at(ridge),
+                {at(curvature[0]), at(curvature[1]), at(curvature[2])},
+                {at(ridge_slope[0]), at(ridge_slope[1])}};
     }
     Terrain hills(const Sample& s) { return wide(n.gabor_terrain_at(ground(s), s.dx, s.dy, s.seed)); }
     Terrain eroded(const Sample& s) {
@@ -87,8 +96,11 @@ Sample drawn(Random& random) {
         }
     }
     if (random.word() % 2)
-        s.base = {
-            random.uniform(-1, 1), {random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(-1, 1)};
+        s.base = {random.uniform(-1, 1),
+                  {random.uniform(-1, 1), random.uniform(-1, 1)},
+                  random.uniform(-1, 1),
+                  {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)},
+                  {random.uniform(-2, 2), random.uniform(-2, 2)}};
     s.seed = random.word();
     s.erosion = {static_cast<int>(random.word() % 7),
                  std::exp2(random.uniform(-2, 4)),
@@ -239,26 +251,13 @@ double cells(auto terrains, double cell) {
     return (means.maximum() - means.minimum()) / means.mean();
 }
 
-// The RMS difference between the slope and finite differences of the height, divided by the RMS of the finite
-// differences.
-double slope_error(auto terrains) {
-    constexpr float step = 1.0f / 2048;
-    double error = 0, power = 0;
-    for (const Sample& s : anywhere(1 << 15, 9)) {
-        const double slope =
-            1024 * (terrains.eroded(s.beside(step, 0)).height - terrains.eroded(s.beside(-step, 0)).height);
-        error += std::pow(terrains.eroded(s).slope[0] - slope, 2);
-        power += slope * slope;
-    }
-    return std::sqrt(error / power);
-}
-
 template <typename Functions>
 void compare(Terrains<Functions> terrains) {
     constexpr int taps = Functions::taps;
     auto& n = terrains.n;
     Random random(taps);
     test::Differences of;
+    statistics::Moments error, slope;
     for (int i = 0; i < 1 << 15; ++i) {
         const Sample s = drawn(random);
         const noise::Vector<2> dx{s.dx.x, s.dx.y}, dy{s.dy.x, s.dy.y};
@@ -271,9 +270,16 @@ void compare(Terrains<Functions> terrains) {
         const double finest = s.erosion.frequency * std::pow(s.erosion.lacunarity, s.erosion.octaves - 1);
         of["gabor_eroded_at"].see(found.height, eroded.height, 5e-6, s);
         of["  its ridge"].see(found.ridge, eroded.ridge, 2e-4, s);
+        for (std::size_t k = 0; k < 3; ++k)
+            of["  its curvature"].see(hills.curvature[k], wanted.curvature[k], 1e-5, s);
         for (std::size_t axis = 0; axis < 2; ++axis) {
             of["gabor_terrain_at"].see(hills.slope[axis], wanted.slope[axis], 2e-6, s);
-            of["  its slope"].see(found.slope[axis], eroded.slope[axis], 1.5e-5 + 2e-6 * finest, s);
+            of["  its ridge's slope"].see(hills.ridge_slope[axis], wanted.ridge_slope[axis], 5e-6, s);
+            if (eroded.crease > 1e-3)
+                continue;
+            of["  its slope"].see(found.slope[axis], eroded.slope[axis], 1e-4 + 4e-6 * finest, s);
+            error.add(found.slope[axis] - eroded.slope[axis]);
+            slope.add(eroded.slope[axis]);
         }
         if (s.column == 0 && s.row == 0 && !s.base && (s.period.x > 0) == (s.period.y > 0)) {
             const bool tiled = s.period.x > 0, filtered = s.dx.x != 0 || s.dy.x != 0 || s.dx.y != 0;
@@ -297,8 +303,14 @@ void compare(Terrains<Functions> terrains) {
                     found.height, 1e-5, s);
         }
     }
+    const double rms = std::sqrt(slope.variance()), worst = std::max(error.maximum(), -error.minimum());
+    fmt::print("slope: rms error {:.5f} of the rms slope {:.3f}, at worst {:.5f}, at {} of {} places\n",
+               std::sqrt(error.variance()) / rms, rms, worst / rms, slope.count() / 2, 1 << 15);
+    CHECK(slope.count() > 65000);
+    CHECK(std::sqrt(error.variance()) < 0.001 * rms);
+    CHECK(worst < 0.01 * rms);
     fmt::print("{} taps; largest differences in units of the tolerance\n", taps);
-    test::check(of, 7);
+    test::check(of, 9);
 }
 
 template <typename Functions>
@@ -314,7 +326,6 @@ void check_properties(Terrains<Functions> terrains) {
     at_most("spikes", spikes(terrains), 9);
     at_most("axes", std::abs(axes(terrains)), 0.015);
     at_most("cells", cells(terrains, 2 / (0.8 * taps * 1.5)), 0.05);
-    at_most("slope error", slope_error(terrains), 0.64);
 }
 
 template <typename Functions>

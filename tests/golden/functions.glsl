@@ -205,7 +205,7 @@ float kept(GaborField3d f) {
 
 #if defined GOLDEN_EROSION
 float kept(GaborTerrain t) {
-    return t.height + 0.2f * kept(t.slope) + 0.5f * t.ridge;
+    return t.height + 0.2f * kept(t.slope) + 0.5f * t.ridge + 0.01f * kept(t.curvature) + 0.05f * kept(t.ridge_slope);
 }
 #endif
 
@@ -360,6 +360,8 @@ void see_all(int i) {
     slope.height = s.time;
     slope.slope = i % 16 == 6 ? vec2(0.0f, 0.0f) : vec2(s.direction.x, s.direction.y);
     slope.ridge = s.direction.z;
+    slope.curvature = vec3(drawn(i, 45, -2.0f, 2.0f), drawn(i, 46, -2.0f, 2.0f), drawn(i, 47, -2.0f, 2.0f));
+    slope.ridge_slope = vec2(drawn(i, 48, -2.0f, 2.0f), drawn(i, 49, -2.0f, 2.0f));
     GaborTerrainPlace ground;
     ground.cell = ivec2(s.cell.x / 4, s.cell.y / 4);
     ground.local = s.local;

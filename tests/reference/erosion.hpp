@@ -13,6 +13,9 @@ struct Terrain {
     double height = 0;
     Vector<2> slope{};
     double ridge = 0;
+    std::array<double, 3> curvature{}; // xx, xy, yy
+    Vector<2> ridge_slope{};
+    double crease = 0; // how much the slope of eroded terrain jumps beside the point
 };
 struct Erosion {
     int octaves = 5;
@@ -35,7 +38,8 @@ struct Ground {
 };
 
 /// The hills and the erosion of shaders/gabor_erosion.glsl in double precision, written from the equations
-/// and not from the shader.
+/// and not from the shader. The slope of eroded terrain is a difference of its heights, on a base that
+/// continues with its slope and curvature.
 Terrain terrain(const Ground& ground, Vector<2> dx, Vector<2> dy, std::uint32_t seed);
 Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const Terrain& base,
                const Erosion& erosion, std::uint32_t seed);

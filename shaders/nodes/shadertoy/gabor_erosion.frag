@@ -77,10 +77,8 @@ vec3 colour(vec3 at, vec3 normal, float ridge) {
 }
 
 vec3 lit(vec3 at, float pixel) {
-    float w = max(pixel, 0.0008);
     GaborTerrain here = ground(at.xz, pixel);
-    float x = ground(at.xz + vec2(w, 0.0), pixel).height, z = ground(at.xz + vec2(0.0, w), pixel).height;
-    vec3 normal = normalize(vec3(here.height - x, w, here.height - z));
+    vec3 normal = normalize(vec3(-here.slope.x, 1.0, -here.slope.y));
     float open = 0.65 + 0.35 * here.ridge; // creases see less of the sky
     vec3 light = 2.3 * vec3(1.0, 0.80, 0.58) * max(dot(normal, sun), 0.0) * sunlight(at + 0.004 * normal)
                + open * mix(vec3(0.10, 0.08, 0.06), vec3(0.17, 0.25, 0.40), 0.5 + 0.5 * normal.y);

@@ -18,10 +18,8 @@ material.onBeforeCompile = shader => {
             }`)
         .replace("#include <beginnormal_vertex>", `
             GaborTerrain here = ground(position.xz);
-            vec2 slope = vec2(ground(position.xz + vec2(spacing, 0.0)).height,
-                              ground(position.xz + vec2(0.0, spacing)).height) - here.height;
-            vec3 objectNormal = normalize(vec3(-slope.x, spacing, -slope.y));
-            height_slope_ridge = vec3(here.height, length(slope) / spacing, here.ridge);`)
+            vec3 objectNormal = normalize(vec3(-here.slope.x, 1.0, -here.slope.y));
+            height_slope_ridge = vec3(here.height, length(here.slope), here.ridge);`)
         .replace("#include <begin_vertex>", "vec3 transformed = vec3(position.x, here.height, position.z);");
     shader.fragmentShader = shader.fragmentShader
         .replace("#include <common>", "#include <common>\nvarying vec3 height_slope_ridge;")

@@ -22,14 +22,13 @@ fn ground(p: vec2f) -> GaborTerrain {
     let square = index / 6;
     let p = spacing * vec2f(vec2u(square % side, square / side) + corners[index % 6]) - 4.0;
     let here = ground(p);
-    let slope = vec2f(ground(p + vec2f(spacing, 0.0)).height, ground(p + vec2f(0.0, spacing)).height) - here.height;
     // The camera is at (0, 2.6, 6) and looks 24 degrees down, with a vertical field of view of 40 degrees.
     let d = vec3f(p.x, here.height, p.y) - vec3f(0.0, 2.6, 6.0);
     let view = vec3f(d.x, 0.914 * d.y - 0.407 * d.z, -0.407 * d.y - 0.914 * d.z);
     let far = 50.0;
     let near = 0.1;
     let position = vec4f(2.747 * view.xy * vec2f(720.0 / 1280.0, 1.0), (view.z - near) * far / (far - near), view.z);
-    return Corner(position, normalize(vec3f(-slope.x, spacing, -slope.y)), here.height, here.ridge);
+    return Corner(position, normalize(vec3f(-here.slope.x, 1.0, -here.slope.y)), here.height, here.ridge);
 }
 
 @fragment fn shade(corner: Corner) -> @location(0) vec4f {
