@@ -66,7 +66,8 @@ TEST_CASE("repeated renders on one device, and on a new device each, leak nothin
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load.exr";
     // Keeps the driver loaded: SwiftShader leaks a descriptor whenever it is unloaded.
     const vulkan::Device device;
-    // In MiB: the memory that allocators keep in reserve varies by less than 4. Mesa 25 keeps 1.6 for each device.
+    // In MiB: the memory that allocators keep in reserve varies by less than 4. Mesa 25 keeps 1.6 for each
+    // device.
     const int devices = renders() / 5;
     check_growth("renders", renders(), 4, [&](int i) { render_file(device, path, i); });
     check_growth("devices", devices, 4 + 2 * devices, [&](int i) { render_file(vulkan::Device(), path, i); });
