@@ -21,7 +21,7 @@ from textures import colour_noise, write_png  # noqa: E402
 
 # gabor fit writes the last one
 FILES = ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_direction", "gabor_noise_3d", "gabor_filter_3d", "gabor_erosion",
-         "gabor_materials", "sea"]
+         "gabor_materials", "gabor_ocean", "sea"]
 GODOT = pathlib.Path(os.environ.get("GODOT_ROOT", ROOT / "build" / "godot"))
 DIRECT3D = pathlib.Path(os.environ.get("GABOR_DIRECT3D", ROOT / "build" / "direct3d"))
 DXC = pathlib.Path(os.environ.get("GABOR_DXC", ROOT / "build" / "dxc" / "libdxcompiler.so"))
@@ -51,9 +51,11 @@ CALLS = {  # each call, and its column in the matrix of docs/engine-results.md
     "8.0 * gabor_wood_at(p, vec2(5.0, 7.5), gabor_wood_default(), 7u).colour.y": "materials",
     "2.0 * gabor_terrain(p, 7u).slope.x + 2.0 * gabor_terrain_tiled(p, vec2(5.0, 7.5), 7u).height": "erosion",
     "20.0 * gabor_eroded_filtered(p, vec2(0.02, 0.01), vec2(0.0, 0.03), gabor_terrain(p, 7u), gabor_erosion(), 7u).height": "erosion",
+    "3.0 * gabor_water(4.0 * p, 100.3, gabor_ocean(8.0), 7u).height": "ocean",
+    "8.0 * gabor_water_filtered(4.0 * p, vec2(0.2, 0.1), vec2(0.0, 0.3), 100.3, gabor_ocean(8.0), 7u).fold": "ocean",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",
 }
-NEEDED = {"solid": 6, "surface": 6, "erosion": 7, "materials": 8, "fitted": 9}  # the number of FILES that a call needs; others need 4
+NEEDED = {"solid": 6, "surface": 6, "erosion": 7, "materials": 8, "ocean": 9, "fitted": 10}  # the number of FILES that a call needs; others need 4
 MACROS = "#define GABOR_LOBES 6\n#define GABOR_DIRECTION(p) (0.3f * (p))\n"
 SIX = """
 GaborLobes six()
@@ -217,7 +219,7 @@ class Translations(unittest.TestCase):
                 drawn = translated(call)
                 difference = np.abs(drawn - wanted[:len(drawn)])
                 print(f"{call}: largest difference {difference.max():.2g} at value {difference.argmax()}")
-                self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height|sea", call) else 1))
+                self.assertLess(difference.max(), 1e-5 * max(1, wanted.std()) * (100 if re.search("colour|height|sea|water", call) else 1))
                 errors[CALLS[call]] = max(errors.get(CALLS[call], 0), float(difference.max() / max(1, wanted.std())))
         if folder := os.environ.get("GABOR_MATRIX"):  # for tools/test-engines, which writes docs/engine-results.md
             name = self._testMethodName.removeprefix("test_")

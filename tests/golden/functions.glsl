@@ -203,6 +203,12 @@ float kept(GaborField3d f) {
 }
 #endif
 
+#if defined GOLDEN_OCEAN
+float kept(GaborWater w) {
+    return w.height + 5.0f * kept(w.slope) + 0.5f * kept(w.shift) + 0.3f * w.fold + 5.0f * kept(w.lost);
+}
+#endif
+
 #if defined GOLDEN_EROSION
 float kept(GaborTerrain t) {
     return t.height + 0.2f * kept(t.slope) + 0.5f * t.ridge + 0.01f * kept(t.curvature) + 0.05f * kept(t.ridge_slope);
@@ -239,7 +245,7 @@ void see_all(int i) {
     place.period = ivec2(7, 12);
     place.moment = s.time;
     SEE(kept(gabor_field(place, gabor_kernel(s.frequency, s.orientation), s.seed)))
-#elif !defined GOLDEN_EROSION && !defined GOLDEN_MATERIALS
+#elif !defined GOLDEN_EROSION && !defined GOLDEN_MATERIALS && !defined GOLDEN_OCEAN
     GaborPlace place = gabor_place(s.cell, s.local);
     place.radius *= 0.9f;
     place.period = ivec2(7, 12);
@@ -376,6 +382,19 @@ void see_all(int i) {
     SEE(kept(gabor_eroded_tiled(s.p, vec2(4.0f, 7.5f) + s.period, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_filtered(s.p, s.dx, s.dy, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
+#endif
+#if defined GOLDEN_OCEAN
+    GaborOcean sea = i % 2 == 0 ? gabor_ocean(12.0f) : gabor_ocean_of(6.0f, 2.2f, 3.0e4f);
+    int second = i % 4 == 0 ? 10000000 + i : i; // four months
+    vec2 none = vec2(0.0f, 0.0f), dx = vec2(drawn(i, 45, -3.0f, 3.0f), drawn(i, 46, -3.0f, 3.0f));
+    vec2 at = vec2(drawn(i, 47, -900.0f, 900.0f), drawn(i, 48, -900.0f, 900.0f));
+    float fraction = drawn(i, 49, 0.0f, 1.0f);
+    SEE(kept(gabor_water_at(s.cell, s.local, second, fraction, none, none, sea, s.seed)))
+    SEE(kept(gabor_water_at(s.cell, s.local, second, fraction, dx, vec2(-dx.y, dx.x), sea, s.seed)))
+    SEE(kept(gabor_water(at, 60.0f * fraction, sea, s.seed)))
+    SEE(kept(gabor_water_filtered(at, dx, vec2(dx.y, dx.x), 60.0f * fraction, sea, s.seed)))
+    SEE(gabor_water_height(at, 60.0f * fraction, sea, s.seed))
+    SEE(sea.tail.x + sea.tail.y + sea.band[3].amplitude)
 #endif
 #if defined GOLDEN_MATERIALS
     vec2 p = i % 4 == 3 ? 0.01f * s.p : s.p; // no farther than 200 units

@@ -280,7 +280,7 @@ class Node(Package):
 
 
 class Bevy(Node):
-    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion",
+    MODULES = {name: f"gabor_{name}" for name in ("noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion", "ocean",
                                                   "direction")}
     DEFINED = re.compile(r"^(?:fn|struct|const) (\w+)", re.MULTILINE)
 
@@ -400,7 +400,8 @@ class Unity(Node):
 
 
 PLAIN = {  # nodes that need no more than Node checks: the texts that their files include
-    "shadertoy": {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": ["gabor_noise.glsl", "gabor_erosion.glsl"]},
+    "shadertoy": {"gabor_noise.frag": ["gabor_noise.glsl"], "gabor_erosion.frag": ["gabor_noise.glsl", "gabor_erosion.glsl"],
+                  "gabor_ocean.frag": ["gabor_noise.glsl", "gabor_ocean.glsl"]},
     "slang": {"gabor_noise.slang": ["translations/gabor_noise.hlsl"]},
     "three": {},
     "unreal": {"gabor_noise.ush": ["translations/gabor_noise.hlsl"]},

@@ -14,6 +14,7 @@
 #include "passes/golden_lattice_3.h"
 #include "passes/golden_lattice_4.h"
 #include "passes/golden_noise_3d.h"
+#include "passes/golden_ocean.h"
 #include "passes/golden_sparse_one.h"
 #include "passes/golden_sparse_own.h"
 #include "passes/golden_sparse_paper.h"
@@ -47,7 +48,7 @@ const Set others[]{{"sparse_pure", golden_sparse_pure_spirv}, {"sparse_paper", g
                    {"sparse_own", golden_sparse_own_spirv},   {"lattice_2", golden_lattice_2_spirv},
                    {"lattice_4", golden_lattice_4_spirv},     {"spectrum", golden_spectrum_spirv},
                    {"direction", golden_direction_spirv},     {"noise_3d", golden_noise_3d_spirv},
-                   {"erosion", golden_erosion_spirv}};
+                   {"erosion", golden_erosion_spirv},         {"ocean", golden_ocean_spirv}};
 
 // The first 64 points have golden values, the next 4096 have arbitrary arguments.
 constexpr std::size_t compared = 64 * 65, groups = 65 + 256, points = 64 * groups;

@@ -25,6 +25,7 @@ FILES = {
     "gabor_noise_3d": ["gabor_noise", "gabor_filter", "gabor_noise_3d", "gabor_filter_3d"],
     "gabor_materials": ["gabor_noise", "gabor_spectrum", "gabor_filter", "gabor_materials"],
     "gabor_erosion": ["gabor_noise", "gabor_erosion"],
+    "gabor_ocean": ["gabor_noise", "gabor_ocean"],
     "gabor_direction": ["gabor_noise", "gabor_direction"],
 }
 DROP_INS = sorted({*sum(FILES.values(), [])})
@@ -57,6 +58,7 @@ BAD_MACROS = {
     "gabor_noise_3d": [("GABOR_TAPS", "4", "gabor_filter . glsl needs GABOR_TAPS 3")],
     "gabor_materials": [("GABOR_TAPS", "4", "gabor_filter . glsl needs GABOR_TAPS 3")],
     "gabor_direction": [("GABOR_TAPS", "4", "gabor_direction . glsl needs GABOR_TAPS 3")],
+    "gabor_ocean": [("GABOR_TAPS", "2", "gabor_ocean . glsl needs GABOR_TAPS 3")],
     "gabor_erosion": [("GABOR_TAPS", "5", "GABOR_TAPS must be 2 *, 3 or 4")],
 }
 
@@ -153,7 +155,7 @@ class Dialects(unittest.TestCase):
     def test_bundles_compile(self):
         subprocess.run([sys.executable, "-B", SHADERS.parent / "tools" / "package", "bundles", "--stage", self.folder], check=True)
         bundles = sorted(self.folder.glob("gabor_bundle_*.glsl"))
-        self.assertEqual(len(bundles), 18)
+        self.assertEqual(len(bundles), 20)
         for bundle in bundles:
             for version in ("450", "300 es"):
                 with self.subTest(bundle.name, version=version):
@@ -259,10 +261,11 @@ class Names(unittest.TestCase):
         self.assertNotRegex(self.code, r"\b[iu]?(sampler|texture|image)\w*\b")
 
     def test_it_has_no_constant_arrays_and_no_initializer_lists(self):
-        # Drivers copy constant arrays at each access, and 300 es has no initializer lists. Apart from lobes, the only arrays
+        # Drivers copy constant arrays at each access, and 300 es has no initializer lists. Apart from lobes and bands, the only arrays
         # are those of nodes, four along an axis or nine in the plane. Only constants and bounded loop counters index them.
         self.assertEqual(set(re.findall(r"\w+ \w+\[\w+\]", self.code)),
-                         {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]", "vec2 wave[9]"})
+                         {"GaborLobe lobe[GABOR_LOBES]", "uint word[4]", "vec4 node[4]", "vec2 wave[9]",
+                          "GaborOceanBand band[GABOR_OCEAN_BANDS]"})
         self.assertNotRegex(self.code, r"const[^;()]*\[")
         self.assertNotRegex(self.code, r"=\s*\{")
 

@@ -160,7 +160,7 @@ _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "g
 
 def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl", "godot", "cpp"] = "glsl") -> str:
     """Return the text of a drop-in: name is "noise", "spectrum", "filter", "noise_3d", "filter_3d", "materials", "erosion",
-    "direction" or "sparse".
+    "ocean", "direction" or "sparse".
 
     Paste all but "sparse" after "noise", "materials" after "spectrum" and "filter" too, and "filter_3d" after
     "filter" and "noise_3d".

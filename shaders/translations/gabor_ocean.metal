@@ -1,0 +1,265 @@
+// Generated from gabor_ocean.glsl by tools/translate, for the Metal shading language: change that file, not this one.
+//
+// gabor_ocean.metal: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
+//
+// Paste or include this file after gabor_noise.metal.
+//
+//     GaborOcean sea = gabor_ocean(12.0);                            // a wind of 12 m/s; once per draw, or as a uniform
+//     GaborWater w = gabor_water(p, 60.5, sea, 7u);                  // p in metres, after 60.5 seconds
+//     float2 place = p + w.shift;                                      // of the water, at the height w.height
+//
+// I want water under a pixel: gabor_water_filtered. A boat's height: gabor_water_height. A world of any size, or months of
+// time: gabor_water_at. Another direction or fetch: gabor_ocean_of.
+//
+// Copyright (c) 2026 The gabor-noise authors. SPDX-License-Identifier: MIT
+
+#include <metal_stdlib>
+
+using namespace metal;
+
+#ifndef GABOR_NOISE_METAL
+#error Include gabor_noise.metal before gabor_ocean.metal
+#endif
+#ifndef GABOR_OCEAN_METAL
+#define GABOR_OCEAN_METAL
+#if GABOR_TAPS != 3
+#error gabor_ocean.metal needs GABOR_TAPS 3
+#endif
+
+#define GABOR_OCEAN_BANDS 9 // octaves of wavelength, from above the longest waves: to 3 m at 12 m/s
+
+// Waves from one wavelength to half of it. Frequencies are in units of 1 / 65536 Hz.
+struct GaborOceanBand {
+    float amplitude; // rms height in metres
+    int exponent;    // the spacing of nodes is 2^exponent metres
+    int low;         // the lowest frequency, 1 / sqrt(2) of the highest
+    int quarter;     // a quarter of the range of frequencies
+    int3 share;     // of 1024 waves, those in the lowest quarter, in the lowest two and in the lowest three
+    int4 lean;      // 1024 times how much likelier low frequencies are than high ones, in each quarter
+    int2 spread;    // sin(d / 2) of an angle d from the wind is a u + b u^3, u uniform in [-1, 1], here times 32768
+    int2 drift;     // 32768 times the group velocity in nodes per second
+};
+
+struct GaborOcean {
+    float wind;      // speed in metres per second, 10 m up
+    float direction; // where the waves go: radians from +x towards +y
+    float fetch;     // metres of open water upwind
+    float2 tail;       // variance of the slopes of waves shorter than all bands, along the wind and across it
+    GaborOceanBand band[GABOR_OCEAN_BANDS];
+};
+
+// GaborOcean gabor_ocean(float wind)
+// GaborOcean gabor_ocean_of(float wind, float direction, float fetch)
+//     A sea for a wind of 2 to 30 m/s; gabor_ocean takes the direction 0 and a fetch of 200 km. Deep water with the JONSWAP
+//     spectrum [HBB73] and the directions of [HDE80]. Compute it once, on the CPU if the CPU also asks for heights: the
+//     integers may round differently on another device. To change a member, call this again.
+
+// The water above the point p + shift, which is where it is when the point's water is at p on average.
+struct GaborWater {
+    float height;  // metres, of mean 0 and normally distributed
+    float2 slope;    // derivatives of the height by p
+    float2 shift;    // horizontal displacement in metres, towards crests: 0 for round waves
+    float fold;    // determinant of the derivative of p + shift: foam where it falls below 0.4
+    float3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
+};
+
+// GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint seed)
+//     p in metres, within 10^5 of the origin; seconds within 10^4 of 0.
+
+// GaborWater gabor_water_filtered(float2 p, float2 dx, float2 dy, float seconds, GaborOcean ocean, uint seed)
+//     The same without waves that are too fine for a pixel, whose slopes are in `lost`, as are those of waves shorter than
+//     all bands: with them, the slopes have the variance that Cox and Munk measured [CM54]. dx and dy are dFdx(p), dFdy(p).
+
+// float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed)
+//     The height of the water above the fixed point p, where a boat floats: six evaluations.
+
+// GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed)
+//     At the position cell + local in metres, second + fraction in seconds: exact for years and anywhere. dx and dy of
+//     float2(0.0) do not filter.
+
+// [HBB73] Hasselmann and others, "Measurements of wind-wave growth and swell decay during the Joint North Sea Wave Project",
+// 1973. [HDE80] Hasselmann, Dunckel, Ewing, "Directional wave spectra observed during JONSWAP 1973", 1980.
+// [CM54] Cox, Munk, "Measurement of the roughness of the sea surface from photographs of the sun's glitter", 1954.
+
+// ====================================================================================================================
+// Private implementation
+// ====================================================================================================================
+//
+// Each band is a lattice noise whose nodes have wave vectors of their own, drawn from the band's part of the spectrum. A
+// node's frequency F is an integer, and so is the cosine of its angle to the wind: its phase is exact after any time, and
+// the same on every device. Its wave number follows from F by the dispersion relation of deep water, (2 pi f)^2 = g |2 pi k|.
+// The lattice drifts with the band's group velocity V, so that groups travel as they should; seen from there, phases turn
+// by F - k.V. With V = g / (4 pi f0) along the wind, k.V = F^2 / (2 F0) cos d.
+
+inline float gabor_impl_spectrum(float f, float peak, float scale) { // JONSWAP, in m^2 / Hz
+    float below = peak / f, apart = (f / peak - 1.0) / (f < peak ? 0.07 : 0.09);
+    below *= below;
+    return scale / (f * f * f * f * f) * exp(-1.25 * below * below + 1.1939225 * exp(-0.5 * apart * apart)); // ln 3.3
+}
+
+inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
+    float gravity = 9.81, tick = 1.52587890625e-5;
+    GaborOcean ocean;
+    ocean.wind = clamp(wind, 2.0, 30.0);
+    ocean.direction = direction;
+    ocean.fetch = clamp(fetch, 1.0e3, 1.0e6);
+    float2 heading = gabor_impl_wave(0.15915494 * direction);
+    float reach = gravity * ocean.fetch / (ocean.wind * ocean.wind);
+    float peak = 3.5 * gravity / ocean.wind * pow(reach, -0.33);
+    float scale = 0.076 * pow(reach, -0.22) * gravity * gravity / 1558.5455; // (2 pi)^4
+    int power = int(floor(log2(0.62 * peak / tick)));
+    ocean.tail = float2(0.00316, 0.00192) * ocean.wind + float2(0.0, 0.003);
+    for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
+        float low = exp2(float(power) + 0.5 * float(i)), width = 0.10355339 * low; // (sqrt(2) - 1) / 4
+        float sum = 0.0, slopes = 0.0, variance = 0.0, first = gabor_impl_spectrum(tick * low, peak, scale);
+        float4 sums = float4(0.0), leans = float4(0.0);
+        for (int j = 0; j < 4; ++j) { // Simpson's rule
+            float f = tick * (low + float(j) * width), step = tick * width;
+            float middle = gabor_impl_spectrum(f + 0.5 * step, peak, scale), last = gabor_impl_spectrum(f + step, peak, scale);
+            float part = step / 6.0 * (first + 4.0 * middle + last), k = (f + 0.5 * step) * (f + 0.5 * step);
+            sum += part;
+            // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
+            float above = (f + 0.5 * step) / peak;
+            variance += part * 0.5 / (9.77 * pow(above, above < 1.0 ? 4.06 : -2.34) + 1.0);
+            slopes += part * k * k;
+            sums = float4(sums.yzw, sum);
+            leans = float4(leans.yzw, (first - last) / (first + last));
+            first = last;
+        }
+        variance /= sum;
+        float end = min(2.2 * sqrt(variance), 1.0); // the largest sin(d / 2)
+        float a = (sqrt(max(end * end * (0.0130612 - 0.0435374) + 0.3047619 * variance, 0.0)) - 0.1142857 * end) / 0.1523810;
+        float b = end - a;
+        float fourth = a * a * a * (0.2 * a + 0.57142857 * b) // the mean of sin(d / 2)^4
+                     + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b);
+        float along = 1.0 - 4.0 * variance + 4.0 * fourth; // the mean of cos^2 d
+        ocean.tail -= slopes * 16.195056 * float2(along, 1.0 - along); // (4 pi^2 / g)^2
+        float spacing = float(34 - 2 * power - i), speed = gravity / (12.566371 * tick * low * 1.1892071);
+        GaborOceanBand band;
+        band.amplitude = sqrt(sum);
+        band.exponent = 34 - 2 * power - i;
+        band.low = int(low + 0.5);
+        band.quarter = int(width + 0.5);
+        band.share = int3(1024.0 / sum * sums.xyz + 0.5);
+        band.lean = int4(floor(1024.0 * leans + 0.5));
+        band.spread = int2(floor(32767.0 * float2(a, b) + 0.5));
+        band.drift = int2(floor(32768.0 * speed * exp2(-spacing) * heading + 0.5));
+        ocean.band[i] = band;
+    }
+    ocean.tail = max(ocean.tail, 0.0);
+    return ocean;
+}
+
+inline GaborOcean gabor_ocean(float wind) {
+    return gabor_ocean_of(wind, 0.0, 2.0e5);
+}
+
+// Adds a node's wave. `from` is the offset from the node in metres, and a window is (value, derivative).
+inline void gabor_impl_add_water(thread GaborWater& sum, thread float3& squeeze, uint word, float2 from, float2 window_x, float2 window_y,
+                         GaborOceanBand band, float2 heading, int second, float fraction, float2 dx, float2 dy) {
+    uint bits = (word ^ (word >> 15u)) * 0xd35a2d97u;
+    bits ^= bits >> 15u;
+    int draw = int(bits >> 22u), u = 16 * int(bits & 4095u) - 32760;
+    int at = (draw < band.share.x ? 0 : 1) + (draw < band.share.y ? 0 : 1) + (draw < band.share.z ? 0 : 1);
+    int within = int((bits >> 12u) & 1023u); // of the quarter
+    int lean = at == 0 ? band.lean.x : at == 1 ? band.lean.y : at == 2 ? band.lean.z : band.lean.w;
+    within -= (lean * ((within * (1023 - within)) >> 4)) >> 16;
+    within += at << 10;
+    int frequency = band.low + ((band.quarter * within) >> 10), ratio = 13777 + ((1427 * within) >> 10); // F / F0 in 2^-14
+    int half_sine = (u * (band.spread.x + ((band.spread.y * ((u * u) >> 15)) >> 15))) >> 15;
+    int cosine = 32768 - ((half_sine * half_sine) >> 14);
+    int ahead = (((((frequency >> 2) * ratio) >> 13) >> 3) * cosine) >> 12; // k.V, without overflow for any sea
+    int turning = frequency - ahead;
+    float f = 1.52587890625e-5 * float(frequency), s = float(half_sine) / 32768.0;
+    float2 across = float2(float(cosine) / 32768.0, 2.0 * s * sqrt(max(1.0 - s * s, 0.0)));
+    float2 unit = float2(across.x * heading.x - across.y * heading.y, across.x * heading.y + across.y * heading.x);
+    float2 k = 0.6383 * f * f * unit; // 2 pi / g, less 0.3 % for the slopes that the windows add
+    float turns = float((turning * second) & 0xffff) + float(turning) * fraction;
+    float2 z = gabor_impl_product(gabor_impl_amplitude(word), gabor_impl_wave(dot(k, from) - 1.52587890625e-5 * turns));
+    float2 steps = float2(dot(k, dx), dot(k, dy));
+    float kept = exp(-4.9348022 * dot(steps, steps)), window = window_x.x * window_y.x;
+    z *= kept;
+    float2 wave = window * z, around = 6.2831853 * k;
+    sum.height += wave.y;
+    sum.slope += wave.x * around + z.y * float2(window_x.y * window_y.x, window_x.x * window_y.y);
+    sum.shift += wave.x * unit;
+    squeeze += wave.y * float3(around * unit, around.x * unit.y);
+    sum.lost += band.amplitude * band.amplitude * window * window * (1.0 - kept * kept) * float3(around * around, around.x * around.y);
+}
+
+// Splits 2^-exponent (cell + local) - drift (second + fraction) into a whole number and a rest, exactly.
+inline void gabor_impl_float_by(int cell, float local, int exponent, int drift, int second, float fraction, thread int& whole, thread float& rest) {
+    int high = (second >> 16) * drift, low = (second & 0xffff) * drift;
+    whole = -2 * high - (low >> 15);
+    rest = -float(low & 32767) / 32768.0 - float(drift) / 32768.0 * fraction;
+    int up = max(exponent, 0), down = max(-exponent, 0);
+    whole += (cell >> up) << down;
+    rest += (float(cell & ((1 << up) - 1)) + local) * exp2(-float(exponent));
+}
+
+inline GaborWater gabor_water_at(int2 cell, float2 local, int second, float fraction, float2 dx, float2 dy, GaborOcean ocean, uint seed) {
+    float2 heading = gabor_impl_wave(0.15915494 * ocean.direction);
+    GaborWater water = GaborWater{0.0, float2(0.0), float2(0.0), 0.0, float3(0.0)};
+    float3 squeezed = float3(0.0);
+    for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
+        GaborOceanBand band = ocean.band[i];
+        uint salt = gabor_impl_salt(gabor_lobe_seed(seed, i));
+        int whole_x, whole_y;
+        float rest_x, rest_y;
+        gabor_impl_float_by(cell.x, local.x, band.exponent, band.drift.x, second, fraction, whole_x, rest_x);
+        gabor_impl_float_by(cell.y, local.y, band.exponent, band.drift.y, second, fraction, whole_y, rest_y);
+        float2 zero = floor(float2(rest_x, rest_y) + 0.5), offset = clamp(float2(rest_x, rest_y) - zero, -0.5, 0.5);
+        int2 node = int2(whole_x, whole_y) + int2(zero);
+        float4 x, y, slope_x, slope_y;
+        gabor_impl_windows(offset.x, x, slope_x);
+        gabor_impl_windows(offset.y, y, slope_y);
+        float spacing = exp2(float(band.exponent));
+        slope_x /= GABOR_RADIUS * spacing;
+        slope_y /= GABOR_RADIUS * spacing;
+        GaborWater sum = GaborWater{0.0, float2(0.0), float2(0.0), 0.0, float3(0.0)};
+        float3 squeeze = float3(0.0);
+        for (int j = 0; j < 3; ++j) {
+            uint row = gabor_impl_line_word(node.y + j - 1, salt ^ GABOR_IMPL_ROWS);
+            float2 window = j == 0 ? float2(y.x, slope_y.x) : j == 1 ? float2(y.y, slope_y.y) : float2(y.z, slope_y.z);
+            float2 from = spacing * (offset + float2(1.0, 1.0 - float(j)));
+            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x - 1, salt), from, float2(x.x, slope_x.x), window,
+                                band, heading, second, fraction, dx, dy);
+            from.x -= spacing;
+            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x, salt), from, float2(x.y, slope_x.y), window,
+                                band, heading, second, fraction, dx, dy);
+            from.x -= spacing;
+            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x + 1, salt), from, float2(x.z, slope_x.z), window,
+                                band, heading, second, fraction, dx, dy);
+        }
+        float scale = band.amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
+        water.height += scale * sum.height;
+        water.slope += scale * sum.slope;
+        water.shift += scale * sum.shift;
+        squeezed += scale * squeeze;
+        water.lost += sum.lost / (GABOR_IMPL_ENERGY * GABOR_IMPL_ENERGY);
+    }
+    water.fold = (1.0 - squeezed.x) * (1.0 - squeezed.y) - squeezed.z * squeezed.z;
+    float3 along = float3(heading * heading, heading.x * heading.y), across = float3(along.yx, -along.z);
+    water.lost += ocean.tail.x * along + ocean.tail.y * across;
+    return water;
+}
+
+// ---- Definitions of the public functions ---------------------------------------------------------------------------
+
+inline GaborWater gabor_water_filtered(float2 p, float2 dx, float2 dy, float seconds, GaborOcean ocean, uint seed) {
+    float2 cell = floor(p);
+    float second = floor(seconds);
+    return gabor_water_at(int2(cell), p - cell, int(second), seconds - second, dx, dy, ocean, seed);
+}
+
+inline GaborWater gabor_water(float2 p, float seconds, GaborOcean ocean, uint seed) {
+    return gabor_water_filtered(p, float2(0.0), float2(0.0), seconds, ocean, seed);
+}
+
+inline float gabor_water_height(float2 p, float seconds, GaborOcean ocean, uint seed) {
+    float2 at = p;
+    for (int i = 0; i < 5; ++i) at = p - gabor_water(at, seconds, ocean, seed).shift;
+    return gabor_water(at, seconds, ocean, seed).height;
+}
+
+#endif // GABOR_OCEAN_METAL

@@ -1,0 +1,248 @@
+// Compares the sea with the JONSWAP spectrum and linear wave theory, in double precision and from the
+// equations.
+
+#include "compare.hpp"
+#include "statistics/moments.hpp"
+
+#include "gabor_noise.hpp"
+
+#include "gabor_ocean.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using gabor::statistics::Moments;
+using gabor::test::Random;
+
+namespace {
+
+constexpr double pi = std::numbers::pi, gravity = 9.81;
+
+// The spectrum of Hasselmann and others (1973) with the spread of Hasselmann, Dunckel and Ewing (1980), as a
+// sum of many plane waves.
+struct Wave {
+    double frequency, x, y, power; // turns per second, cycles per metre, variance of the height
+};
+std::vector<Wave> waves(double wind, double direction, double fetch, double low, double high, int rings,
+                        int spokes) {
+    const double reach = gravity * fetch / (wind * wind);
+    const double peak = 3.5 * gravity / wind * std::pow(reach, -0.33), alpha = 0.076 * std::pow(reach, -0.22);
+    std::vector<Wave> all;
+    for (int i = 0; i < rings; ++i) {
+        const double f = low * std::pow(high / low, (i + 0.5) / rings),
+                     width = f * std::log(high / low) / rings;
+        const double sigma = f < peak ? 0.07 : 0.09;
+        const double power = alpha * gravity * gravity * std::pow(2 * pi, -4) * std::pow(f, -5) *
+                             std::exp(-1.25 * std::pow(peak / f, 4)) *
+                             std::pow(3.3, std::exp(-std::pow(f / peak - 1, 2) / (2 * sigma * sigma))) *
+                             width;
+        const double s = 9.77 * std::pow(f / peak, f < peak ? 4.06 : -2.34);
+        double sum = 0;
+        const std::size_t first = all.size();
+        for (int j = 0; j < spokes; ++j) {
+            const double angle = 2 * pi * (j + 0.5) / spokes - pi, k = 2 * pi * f * f / gravity;
+            const double spread = std::pow(std::abs(std::cos(angle / 2)), 2 * s);
+            sum += spread;
+            all.push_back({f, k * std::cos(angle + direction), k * std::sin(angle + direction), spread});
+        }
+        for (std::size_t j = first; j < all.size(); ++j)
+            all[j].power *= power / sum;
+    }
+    return all;
+}
+
+// The frequencies of a sea's bands in Hz.
+double lowest(const GaborOcean& sea) {
+    return sea.band[0].low / 65536.0;
+}
+double highest(const GaborOcean& sea) {
+    return lowest(sea) * std::pow(2, GABOR_OCEAN_BANDS / 2.0);
+}
+
+struct Place {
+    gabor_ivec2 cell;
+    gabor_vec2 local;
+    int second;
+    float fraction;
+    std::uint32_t seed;
+
+    GaborWater water(const GaborOcean& sea, double x = 0, double y = 0, double time = 0,
+                     float pixel = 0) const {
+        const double at = fraction + time, whole = std::floor(at);
+        return gabor_water_at(cell, local + gabor_vec2(static_cast<float>(x), static_cast<float>(y)),
+                              second + static_cast<int>(whole), static_cast<float>(at - whole), {pixel, 0},
+                              {0, pixel}, sea, seed);
+    }
+};
+Place anywhere(Random& random) {
+    return {{static_cast<int>(random.word() % 200000) - 100000,
+             static_cast<int>(random.word() % 200000) - 100000},
+            random.uniform<gabor_vec2>(0, 1),
+            static_cast<int>(random.word() % 10000000),
+            random.uniform(0, 1),
+            random.word()};
+}
+
+const GaborOcean seas[]{gabor_ocean(12), gabor_ocean_of(3, 0.8f, 3e3f), gabor_ocean_of(22, -2.5f, 8e5f)};
+
+} // namespace
+
+TEST_CASE("heights and slopes of the sea have the spectrum's variance and are normal", "[ocean][law]") {
+    for (const GaborOcean& sea : seas) {
+        double height = 0, slopes = 0;
+        for (const Wave& wave :
+             waves(sea.wind, sea.direction, sea.fetch, lowest(sea), highest(sea), 20000, 1)) {
+            height += wave.power;
+            slopes += wave.power * std::pow(2 * pi, 2) * (wave.x * wave.x + wave.y * wave.y);
+        }
+        Random random(1);
+        Moments heights, slope_x, slope_y;
+        for (int i = 0; i < 1 << 18; ++i) {
+            const GaborWater water = anywhere(random).water(sea);
+            heights.add(water.height);
+            slope_x.add(water.slope.x);
+            slope_y.add(water.slope.y);
+        }
+        const double error = std::sqrt(2.0 / (1 << 18)); // of a variance, relative
+        const double tall = heights.variance() / height,
+                     steep = (slope_x.variance() + slope_y.variance()) / slopes;
+        fmt::print("wind {}: variance of heights {:.4f}, of slopes {:.4f} (+- {:.4f}), kurtosis {:+.3f} and "
+                   "{:+.3f}\n",
+                   sea.wind, tall, steep, 2 * error, heights.excess_kurtosis(), slope_x.excess_kurtosis());
+        CHECK(std::abs(tall - 1) < 0.005 + 2 * error);
+        CHECK(std::abs(steep - 1) < 0.005 + 2 * error);
+        CHECK(std::abs(heights.mean()) < 4 * std::sqrt(height / (1 << 18)));
+        CHECK(std::abs(heights.excess_kurtosis()) < 0.05);
+    }
+}
+
+// With the sign of the drift's phase flipped, the correlation along the wind errs by up to 0.5.
+TEST_CASE("the sea's waves travel as the dispersion relation says", "[ocean][law]") {
+    const GaborOcean sea = gabor_ocean_of(12, 0.8f, 2e5f);
+    const std::vector<Wave> theory =
+        waves(sea.wind, sea.direction, sea.fetch, lowest(sea), highest(sea), 400, 90);
+    double power = 0;
+    for (const Wave& wave : theory)
+        power += wave.power;
+    const double along_x = std::cos(0.8), along_y = std::sin(0.8);
+    double worst = 0, worst_apart = 0;
+    for (const auto& [distance, across, time] : std::to_array<std::array<double, 3>>({{0, 0, 2},
+                                                                                      {0, 0, 5},
+                                                                                      {0, 0, 10},
+                                                                                      {0, 0, 20},
+                                                                                      {0, 0, 60},
+                                                                                      {20, 0, 0},
+                                                                                      {50, 0, 0},
+                                                                                      {0, 30, 0},
+                                                                                      {25, 0, 2},
+                                                                                      {60, 0, 5},
+                                                                                      {-40, 0, 4},
+                                                                                      {126, 0, 10},
+                                                                                      {63, 0, 10},
+                                                                                      {252, 0, 20},
+                                                                                      {126, 40, 20},
+                                                                                      {200, 0, 30}})) {
+        const double x = distance * along_x - across * along_y, y = distance * along_y + across * along_x;
+        double expected = 0;
+        for (const Wave& wave : theory)
+            expected +=
+                wave.power / power * std::cos(2 * pi * (wave.x * x + wave.y * y - wave.frequency * time));
+        Random random(2);
+        double product = 0, here_power = 0, there_power = 0;
+        for (int i = 0; i < 1 << 14; ++i) {
+            const Place place = anywhere(random);
+            const double here = place.water(sea).height, there = place.water(sea, x, y, time).height;
+            product += here * there;
+            here_power += here * here;
+            there_power += there * there;
+        }
+        const double found = product / std::sqrt(here_power * there_power);
+        fmt::print(
+            "{:4} m along and {:2} m across the wind, {:2} s later: correlation {:+.3f}, expected {:+.3f}\n",
+            distance, across, time, found, expected);
+        double& of = distance == 0 && across == 0 ? worst : worst_apart;
+        of = std::max(of, std::abs(found - expected));
+    }
+    const double chance = 2 / std::sqrt(1 << 14);
+    CHECK(worst < 0.03 + chance);
+    CHECK(worst_apart < 0.1 + chance); // bands widen the peak of the spectrum
+}
+
+TEST_CASE("slopes, shifts and folds of the sea are derivatives of its heights and shifts", "[ocean]") {
+    Random random(3);
+    gabor::test::Largest slope, fold;
+    for (const GaborOcean& sea : seas)
+        for (int i = 0; i < 2000; ++i) {
+            const Place place = anywhere(random);
+            const double step = 1 / 1024.0, half = 0.5 / step;
+            const GaborWater here = place.water(sea), right = place.water(sea, step),
+                             left = place.water(sea, -step), up = place.water(sea, 0, step),
+                             down = place.water(sea, 0, -step);
+            const auto where = [&] { return fmt::format("wind {}, point {}", sea.wind, i); };
+            slope.see(here.slope.x, half * (right.height - left.height), 5e-3, where);
+            slope.see(here.slope.y, half * (up.height - down.height), 5e-3, where);
+            const gabor_vec2 along_x = static_cast<float>(half) * (right.shift - left.shift),
+                             along_y = static_cast<float>(half) * (up.shift - down.shift);
+            fold.see(here.fold, (1 + along_x.x) * (1 + along_y.y) - along_x.y * along_y.x, 0.06, where);
+        }
+    slope.check("slope");
+    fold.check("fold");
+}
+
+TEST_CASE("the sea's filter keeps or loses all variance of the slopes, and the rest is Cox and Munk's",
+          "[ocean]") {
+    for (const GaborOcean& sea : seas)
+        for (const float pixel : {0.05f, 0.5f, 5.0f, 50.0f, 1000.0f}) {
+            Random random(4);
+            gabor_vec3 plain{0, 0, 0}, kept{0, 0, 0}, lost{0, 0, 0};
+            constexpr int count = 1 << 15;
+            for (int i = 0; i < count; ++i) {
+                const Place place = anywhere(random);
+                const GaborWater sharp = place.water(sea), soft = place.water(sea, 0, 0, 0, pixel);
+                const auto squares = [](gabor_vec2 s) { return gabor_vec3(s.x * s.x, s.y * s.y, s.x * s.y); };
+                plain += squares(sharp.slope) / static_cast<float>(count);
+                kept += squares(soft.slope) / static_cast<float>(count);
+                lost += (soft.lost - sharp.lost) / static_cast<float>(count);
+            }
+            const double total = plain.x + plain.y, found = kept.x + kept.y + lost.x + lost.y;
+            fmt::print("wind {}, pixel {} m: kept {:.5f}, lost {:.5f}, of {:.5f}: {:.3f}\n", sea.wind, pixel,
+                       kept.x + kept.y, lost.x + lost.y, total, found / total);
+            CHECK(std::abs(found / total - 1) < 0.02);
+            if (pixel == 1000 && sea.tail.x > 0 && sea.tail.y > 0) {
+                const double all = total + sea.tail.x + sea.tail.y;
+                CHECK(std::abs(all / (0.003 + 0.00508 * sea.wind) - 1) < 0.02);
+            }
+        }
+}
+
+TEST_CASE("a boat floats on the water above its place", "[ocean]") {
+    Random random(5);
+    double worst = 0, square = 0;
+    int seen = 0;
+    for (const GaborOcean& sea : seas)
+        for (int i = 0; i < 1000; ++i) {
+            const gabor_vec2 p = random.uniform<gabor_vec2>(-500, 500);
+            const float time = random.uniform(0, 500);
+            const std::uint32_t seed = random.word();
+            gabor_vec2 at = p;
+            GaborWater water = gabor_water(at, time, sea, seed);
+            for (int step = 0; step < 200; ++step) { // small steps converge wherever the water does not fold
+                at = at + 0.3f * (p - at - water.shift);
+                water = gabor_water(at, time, sea, seed);
+            }
+            const gabor_vec2 apart = p - at - water.shift;
+            if (water.fold < 0.3f || std::hypot(apart.x, apart.y) > 1e-3f)
+                continue;
+            const double error = std::abs(gabor_water_height(p, time, sea, seed) - water.height);
+            worst = std::max(worst, error);
+            square += error * error;
+            ++seen;
+        }
+    fmt::print("{} places: rms error {:.4f} m, at worst {:.4f} m\n", seen, std::sqrt(square / seen), worst);
+    CHECK(seen > 2500);
+    CHECK(worst < 0.01);
+}
