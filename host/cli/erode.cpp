@@ -8,6 +8,7 @@
 #include "vulkan/device.hpp"
 
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,8 @@ namespace {
 using render::has_extension;
 
 constexpr int most_side = 16384;
-constexpr double preset_hill = 4; // the width of the hills that presets are designed for
+constexpr double typical_slope = 0.2; // rms, of mountains at the scale of large gullies
+constexpr render::Elevation typical_elevation{0, 1000};
 
 std::vector<std::string_view> terrain_presets() {
     std::vector<std::string_view> names = render::preset_names();
@@ -37,7 +39,9 @@ struct ErodeOptions {
     std::optional<std::string> size;
     std::optional<std::string> region;
     std::optional<std::string> elevation;
-    std::string extent = fmt::format("{}", 2 * preset_hill);
+    std::optional<std::string> extent;
+    std::optional<std::string> gully_width;
+    std::optional<std::string> nodata;
     std::string preset = "alps";
     ParameterOptions parameters; // the seed and the erosion; these override those of the preset
     bool tileable = false;
@@ -48,57 +52,103 @@ struct ErodeOptions {
 render::Request defaults_of(const std::string& preset) {
     render::Request request = render::preset(preset);
     request.seed = 0;
+    // Twice the rms slope of a map: less would dam its valleys.
+    render::parameter("onset").place.put(request, 2 * render::preset_slope);
+    // Maps show more hills than the views that presets are made for.
+    const render::Parameter& frequency = render::parameter("gully_frequency");
+    frequency.place.put(request, 3 * std::get<double>(*frequency.get(request)));
     return request;
 }
 
-// Returns a terrain with the map's extent and its erosion.
-render::Request request_of(const ErodeOptions& options) {
+double positive(const char* option, const std::string& text, const char* accepted) {
+    const double value = parse_numbers<double, 1>(option, text, ',', accepted)[0];
+    if (!(value > 0 && std::isfinite(value)))
+        refuse(option, text, accepted);
+    return value;
+}
+
+// Returns a terrain with the map's erosion. `extent` is the map's width, if known.
+render::Request request_of(const ErodeOptions& options, std::optional<double> extent) {
     const std::vector<std::string_view> names = terrain_presets();
     if (std::ranges::find(names, options.preset) == names.end())
         refuse("--preset", options.preset, fmt::format("{}", fmt::join(names, ", ")));
     render::Request request = defaults_of(options.preset);
-    const render::Parameter& extent = render::parameter("extent");
-    render::set(request,
-                {{&extent, with_prefix("--extent ", [&] { return render::read(extent, options.extent); })}});
-    const double width = std::get<render::Terrain>(request.view).extent;
-    if (width == 0)
-        refuse("--extent", options.extent, "the width of the map, above 0");
-    const render::Parameter& frequency = render::parameter("gully_frequency");
-    frequency.place.put(request, std::get<double>(*frequency.get(request)) * 2 * preset_hill / width);
+    if (options.gully_width) {
+        if (!extent)
+            throw RequestError("--gully-width needs the width of the map: give --extent");
+        const double width =
+            positive("--gully-width", *options.gully_width, "a width above 0, in the unit of --extent");
+        const double frequency = *extent / render::preset_side / width;
+        const render::Parameter& parameter = render::parameter("gully_frequency");
+        if (!(frequency >= parameter.range.low && frequency <= parameter.range.high))
+            refuse("--gully-width", *options.gully_width, "a width that suits the map");
+        parameter.place.put(request, frequency);
+    }
     render::set(request, given_values(options.parameters), render::option_name);
     return request;
 }
 
 // Returns a function that opens the map.
 auto reader_of(const ErodeOptions& options) {
-    const bool raw = has_extension(options.map, ".r16");
+    const bool floats = has_extension(options.map, ".r32");
+    const bool raw = floats || has_extension(options.map, ".r16") || has_extension(options.map, ".raw");
     if (raw != options.size.has_value())
-        throw RequestError(raw ? "a .r16 file has no header: give its WIDTHxHEIGHT with --size"
-                               : "--size is for .r16 files: other files store their size");
+        throw RequestError(raw ? "a .r16, .raw or .r32 file has no header: give its WIDTHxHEIGHT with --size"
+                               : "--size is for .r16, .raw and .r32 files: other files store their size");
     const auto size = raw ? parse_size(*options.size, most_side) : std::array{0, 0};
-    return [path = options.map, raw, size] {
-        return raw ? image::open_raw16(path, size[0], size[1]) : image::open_picture(path, "height");
+    return [path = options.map, raw, floats, size] {
+        return raw ? image::open_raw(path, size[0], size[1], floats) : image::open_picture(path, "height");
     };
 }
 
-// Returns the map, whose heights are floats or stand for heights in the range `elevation`.
-render::HeightMap map_of(const ErodeOptions& options, double extent, const render::Elevation& elevation) {
-    const auto open = reader_of(options);
-    const image::PictureReader::Format format = open()->format();
-    if (format.channels != 1)
-        throw RequestError(
-            fmt::format("'{}' is in colour: a heightmap has one channel", options.map.string()));
+// A map, its width in the unit of its heights, and what erosion needs to know about it.
+struct Map : render::HeightMap {
+    double extent = 0;
+    render::Elevation elevation{}; // heights that 0 and 1 stand for in integer files
+    std::array<int, 2> corner{};   // of the data window
+    render::SmoothedMap smoothed;
+};
+
+// Opens and smooths the map. Prints what it has to guess.
+Map map_of(const ErodeOptions& options, std::optional<double> extent, double gully_frequency) {
+    Map map;
+    map.open = reader_of(options);
+    const image::PictureReader::Format format = map.open()->format();
+    const std::string name = options.map.string();
     if (std::max(format.width, format.height) > most_side)
-        throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} per side are supported",
-                                       options.map.string(), format.width, format.height, most_side));
-    const bool floats = has_extension(options.map, ".exr");
-    return {.open = open,
-            .width = format.width,
-            .height = format.height,
-            .pixel = extent / format.width,
-            .scale = floats ? 1 : elevation.high - elevation.low,
-            .offset = floats ? 0 : elevation.low,
-            .tileable = options.tileable};
+        throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} per side are supported", name,
+                                       format.width, format.height, most_side));
+    map.width = format.width;
+    map.height = format.height;
+    map.channels = format.channels;
+    map.tileable = options.tileable;
+    map.corner = {format.left, format.top};
+    if (options.nodata)
+        map.missing = parse_numbers<float, 1>("--nodata", *options.nodata, ',', "a number")[0];
+    if (format.bits < 32) {
+        map.elevation = options.elevation ? parse_elevation(*options.elevation)
+                        : extent          ? render::Elevation{0, *extent / 8}
+                                          : typical_elevation;
+        map.scale = map.elevation.high - map.elevation.low;
+        map.offset = map.elevation.low;
+        if (map.missing) // --nodata is the value in the file
+            map.missing = *map.missing / static_cast<float>(format.bits == 8 ? 255 : 65535);
+    } else if (options.elevation) {
+        throw RequestError("--elevation is for maps of integers: this one has heights");
+    }
+    const double gully = map.width / render::preset_side / gully_frequency; // pixels
+    map.smoothed = render::smoothed(map, std::max(gully / 7, 1.0));
+    if (format.bits == 8)
+        fmt::print(stderr, "gabor: warning: '{}' has 8 bits per height: its steps show as terraces\n", name);
+    map.extent = extent               ? *extent
+                 : map.smoothed.slope ? map.smoothed.slope * map.width / typical_slope
+                                      : map.width;
+    if (!extent || (format.bits < 32 && !options.elevation))
+        fmt::print("{}: heights from {:.6g} to {:.6g}{}, {:.4g} wide{}\n", name, map.smoothed.range[0],
+                   map.smoothed.range[1],
+                   format.bits < 32 && !options.elevation ? " (a guess: give --elevation)" : "", map.extent,
+                   extent ? "" : " (a guess from typical slopes: give --extent)");
+    return map;
 }
 
 void check_output(const ErodeOptions& options) {
@@ -107,53 +157,71 @@ void check_output(const ErodeOptions& options) {
     if (std::filesystem::equivalent(options.map, options.output, ignored))
         throw RequestError(
             fmt::format("-o '{}' is the map itself; give another file", options.output.string()));
-    if (has_extension(options.map, ".exr") && !has_extension(options.output, ".exr") && !options.elevation)
-        throw RequestError("an EXR has no range of heights: use --elevation LOW,HIGH to set the heights that "
-                           "become 0 and 65535 in 16 bits");
+}
+
+// What the output's header says about it, so that pieces of different maps are not joined.
+std::string header_of(const ErodeOptions& options, const Map& map, const render::Request& request) {
+    nlohmann::ordered_json json{{"eroded", options.map.filename().string()},
+                                {"width", map.width},
+                                {"height", map.height},
+                                {"heights", map.smoothed.range},
+                                {"slope", map.smoothed.slope},
+                                {"extent", map.extent},
+                                {"tileable", map.tileable}};
+    for (const render::Parameter& p : render::parameters())
+        if (p.name == "seed" || p.group == render::Parameter::Group::erosion)
+            json[std::string(p.name)] = render::to_text(*p.get(request));
+    return json.dump();
 }
 
 // Erodes a region, and writes all channels to an EXR or heights in `range` to a PNG or .r16.
-void write(const ErodeOptions& options, const vulkan::Device& device, const render::HeightMap& map,
+void write(const ErodeOptions& options, const vulkan::Device& device, const Map& map,
            const render::Request& request, const image::Rect& region, const render::Elevation& range) {
     constexpr const auto& channels = render::erosion_channels;
     std::optional<image::ExrWriter> exr;
     std::optional<render::HeightWriter> heights;
+    const auto [left, top] = map.corner;
     if (has_extension(options.output, ".exr"))
-        exr.emplace(options.output, image::ExrHeader{.picture = {0, 0, map.width, map.height},
-                                                     .window = region,
-                                                     .channels = {channels.begin(), channels.end()}});
+        exr.emplace(options.output,
+                    image::ExrHeader{
+                        .picture = {left, top, map.width, map.height},
+                        .window = {left + region.x, top + region.y, region.width, region.height},
+                        .channels = {channels.begin(), channels.end()},
+                        .parameters = header_of(options, map, request),
+                    });
     else
-        heights.emplace(options.output, region, range, map.pixel);
+        heights.emplace(options.output, region, range, map.extent / map.width);
     {
         Progress progress("eroding", region.pixels());
-        render::erode(device, map, request, region, [&](std::span<const float> rows) {
-            if (exr)
-                exr->write_rows(rows);
-            else
-                heights->write_rows(rows, channels.size(), 0);
-            progress.advance(rows.size() / channels.size());
-        });
+        render::erode(device, map, map.smoothed, map.extent, request, region,
+                      [&](std::span<const float> rows) {
+                          if (exr)
+                              exr->write_rows(rows);
+                          else
+                              heights->write_rows(rows, channels.size(), 0);
+                          progress.advance(rows.size() / channels.size());
+                      });
     }
     exr ? exr->commit() : heights->commit();
 }
 
 void erode(const ErodeOptions& options) {
-    const render::Request request = request_of(options);
+    std::optional<double> extent;
+    if (options.extent)
+        extent = positive("--extent", *options.extent, "the width of the map, above 0");
+    const render::Request request = request_of(options, extent);
     check_output(options);
-    const double extent = std::get<render::Terrain>(request.view).extent;
-    const render::Elevation elevation =
-        options.elevation ? parse_elevation(*options.elevation) : render::Elevation{0, extent / 8};
-    const render::HeightMap map = map_of(options, extent, elevation);
+    const Map map =
+        map_of(options, extent, std::get<double>(*render::parameter("gully_frequency").get(request)));
     const image::Rect region =
         options.region ? parse_region(*options.region) : image::Rect{0, 0, map.width, map.height};
     check_within(region, map.width, map.height, "--region", "map");
-    // Erosion changes a height by at most `reach`.
-    const double reach =
-        render::erosion_reach(request) * std::get<double>(*render::parameter("gully_weight").get(request));
+    const double reach = render::erosion_reach(map.smoothed, map.width, map.extent, request);
 
     note_interrupts();
     const vulkan::Device device(options.device);
-    write(options, device, map, request, region, {elevation.low - reach, elevation.high + reach});
+    write(options, device, map, request, region,
+          {map.smoothed.range[0] - reach, map.smoothed.range[1] + reach});
     fmt::print("{}: {} x {} pixels, on {}\n", options.output.string(), region.width, region.height,
                device.info().name);
 }
@@ -163,7 +231,8 @@ void erode(const ErodeOptions& options) {
 void add_erode_command(CLI::App& app) {
     auto options = std::make_shared<ErodeOptions>();
     CLI::App* command = app.add_subcommand("erode", "Add gullies and ridges to a heightmap");
-    add_option(*command, "MAP", options->map, "FILE", "EXR with heights, 16-bit PNG, or .r16 with --size")
+    add_option(*command, "MAP", options->map, "FILE",
+               "EXR with heights, 16-bit PNG; or .r16, .raw or .r32 with --size")
         ->required();
     begin_group(*command, "Output");
     add_option(*command, "-o,--output", options->output, "FILE",
@@ -174,12 +243,16 @@ void add_erode_command(CLI::App& app) {
                "Write only this part of the eroded map [all of it]");
     add_device_option(*command, options->device);
     begin_group(*command, "Map");
-    add_option(*command, "--size", options->size, "WIDTHxHEIGHT", "Size of a .r16 file");
+    add_option(*command, "--size", options->size, "WIDTHxHEIGHT", "Size of a .r16, .raw or .r32 file");
     add_option(*command, "--extent", options->extent, "NUMBER",
-               fmt::format("Width of the map, in the same unit as its heights [{}]", options->extent));
-    add_elevation_option(*command, options->elevation, "0 and an eighth of --extent");
+               "Width of the map, in the same unit as its heights; without it, a guess from its slopes, "
+               "which is printed");
+    add_elevation_option(*command, options->elevation, "0 and an eighth of --extent, or 0,1000");
+    add_option(*command, "--nodata", options->nodata, "NUMBER", "Value of pixels that have no height");
     command->add_flag("--tileable", options->tileable, "The map tiles without seams, and so does the output");
     begin_group(*command, "Erosion");
+    add_option(*command, "--gully-width", options->gully_width, "NUMBER",
+               "Width of the widest gullies, in the unit of --extent, in place of --gully-frequency");
     add_option(*command, "--preset", options->preset, "NAME",
                fmt::format("Shape of the gullies, with the defaults of all options below: {} [{}]",
                            fmt::join(terrain_presets(), ", "), options->preset));

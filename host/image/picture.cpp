@@ -30,7 +30,8 @@ class ExrPicture : public PictureReader {
             names = {"R", "G", "B"};
         const Rect& window = file.header().window;
         set_format({window.width, window.height, static_cast<int>(names.size()),
-                    file.has_channel("A") && names.front() != "A", file.header().colour_space != "sRGB"});
+                    file.has_channel("A") && names.front() != "A", file.header().colour_space != "sRGB", 32,
+                    window.x, window.y});
         if (format().alpha)
             names.push_back("A");
         reader_.emplace(path, names);

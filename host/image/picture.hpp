@@ -19,6 +19,9 @@ class PictureReader {
         int channels = 0;    ///< 1, or 3 for red, green, blue
         bool alpha = false;  ///< whether the file also has alpha
         bool linear = false; ///< linear light instead of sRGB; true for an EXR unless it says otherwise
+        int bits = 8;        ///< per value in the file; 32 for floats
+        int left = 0;        ///< of an EXR's data window
+        int top = 0;
     };
 
     virtual ~PictureReader() = default;
@@ -72,8 +75,10 @@ std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File 
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file);
 /// Returns null if the file is not a TGA.
 std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File file);
-/// Opens a .r16 file: 16-bit heights, low byte first, row by row from the top, without a header. The reader
-/// returns values from 0 to 1. Throws RequestError unless the file has exactly width x height heights.
-std::unique_ptr<PictureReader> open_raw16(const std::filesystem::path& path, int width, int height);
+/// Opens a file of heights without a header, row by row from the top, low byte first: floats, or 16-bit
+/// integers, which the reader returns as values from 0 to 1. Throws RequestError unless the file has exactly
+/// width x height heights.
+std::unique_ptr<PictureReader> open_raw(const std::filesystem::path& path, int width, int height,
+                                        bool floats);
 
 } // namespace gabor::image

@@ -74,6 +74,7 @@ class PngPicture : public PictureReader {
             format.alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
                            png_get_valid(png, info, PNG_INFO_tRNS) != 0;
             interlaced_ = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
+            format.bits = png_get_bit_depth(png, info);
             png_set_expand_16(png);
             png_set_interlace_handling(png);
             png_read_update_info(png, info);

@@ -43,9 +43,9 @@ void check_paint_size(const std::string& path, int width, int height) {
 
 Paint load_directions(const std::string& path) {
     const std::unique_ptr<image::PictureReader> file = image::open_picture(path);
-    const auto [width, height, channels, alpha, linear] = file->format();
+    const int width = file->format().width, height = file->format().height;
     check_paint_size(path, width, height);
-    if (channels != 3)
+    if (file->format().channels != 3)
         throw RequestError(fmt::format("paint '{}' is grey: expected a picture whose red and green encode "
                                        "directions, or an EXR with channels frequency and orientation",
                                        path));

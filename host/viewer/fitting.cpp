@@ -21,7 +21,8 @@ static_assert(Fitter::most_lobes == fit::most_lobes);
 
 Photograph read_photograph(const std::string& path, const fit::Advance& advance) {
     const std::unique_ptr<image::PictureReader> reader = image::open_picture(path);
-    const auto& [width, height, channels, alpha, linear] = reader->format();
+    const int width = reader->format().width, height = reader->format().height,
+              channels = reader->format().channels;
     const int square = (std::max(width, height) + largest_shown - 1) / largest_shown;
     Photograph photograph{.path = path,
                           .grid = {std::max(width / square, 1), std::max(height / square, 1)},

@@ -1,8 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-// Erodes a heightmap. Slopes come from the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps. The weights
-// are binomial, (1, 4, 6, 4, 1) / 16, across the direction of a slope, and (-1, -2, 0, 2, 1) / 8 along it.
+// Erodes a heightmap. Gullies follow the map smoothed to their scale, a cubic B-spline; what erosion adds to the smoothed map is
+// added to the map.
 
 #include "passes/channels.h"
 #include "passes/erode_interface.h"
@@ -15,42 +15,74 @@ const int channels = erosion_added + 1;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Eroded { float eroded[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Erosion { GaborErosion erosion; };
-layout(std430, set = 0, binding = 2) readonly buffer Map { float map[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Smooth { float smoothed[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Map { float map[]; };
 
-// The map's height at a pixel; rows count from the first row of the band.
-float height_at(int column, int row) {
-    column = tileable != 0 ? (column + map_width) % map_width : clamp(column, 0, map_width - 1);
-    return map[(row + erode_halo) * map_width + column];
+// The smoothed map at a pixel, in units of p.
+GaborTerrain smooth_at(vec2 place) {
+    vec2 at = place * nodes;
+    ivec2 first = ivec2(at);
+    vec2 t = at - vec2(first);
+    vec4 x, y, slope_x, slope_y, curvature_x, curvature_y;
+    gabor_impl_splines(t.x, x, slope_x, curvature_x);
+    gabor_impl_splines(t.y, y, slope_y, curvature_y);
+    float height = 0.0;
+    vec2 slope = vec2(0.0);
+    vec3 curvature = vec3(0.0);
+    for (int j = 0; j < 4; ++j) {
+        int row = (first.y + j) * table_width + first.x;
+        vec4 four = vec4(smoothed[row], smoothed[row + 1], smoothed[row + 2], smoothed[row + 3]);
+        vec3 along = vec3(dot(x, four), dot(slope_x, four), dot(curvature_x, four));
+        height += y[j] * along.x;
+        slope += vec2(y[j] * along.y, slope_y[j] * along.x);
+        curvature += vec3(y[j] * along.z, slope_y[j] * along.y, curvature_y[j] * along.x);
+    }
+    vec2 to_p = nodes / pixel;
+    float scale = steepness / unit;
+    return GaborTerrain(scale * height, scale * to_p * slope, 0.0,
+                        scale * curvature * vec3(to_p.x * to_p.x, to_p.x * to_p.y, to_p.y * to_p.y), vec2(0.0));
 }
 
-vec2 slope_at(int column, int row) {
+// The map's height at a pixel, or `here` where it has none; rows count from the first row of the band.
+float height_at(int column, int row, float here) {
+    column = tileable != 0 ? (column + map_width) % map_width : clamp(column, 0, map_width - 1);
+    float height = map[(row + erode_halo) * map_width + column];
+    return height < missing_height ? height : here;
+}
+
+// Sobel's weights, 1, 2, 1 across the direction of a slope.
+vec2 slope_at(int column, int row, float here) {
     vec2 slope = vec2(0.0);
-    for (int j = -2; j <= 2; ++j) {
-        for (int i = -2; i <= 2; ++i) {
-            float height = height_at(column + i, row + j);
-            float across_x = i == 0 ? 6.0 : abs(i) == 1 ? 4.0 : 1.0;
-            float across_y = j == 0 ? 6.0 : abs(j) == 1 ? 4.0 : 1.0;
-            float along_x = float(sign(i) * (3 - abs(i)));
-            float along_y = float(sign(j) * (3 - abs(j)));
-            slope += height * vec2(along_x * across_y, across_x * along_y);
-        }
+    for (int i = -1; i <= 1; ++i) {
+        float weight = i == 0 ? 0.25 : 0.125;
+        slope.x += weight * (height_at(column + 1, row + i, here) - height_at(column - 1, row + i, here));
+        slope.y += weight * (height_at(column + i, row + 1, here) - height_at(column + i, row - 1, here));
     }
-    return slope / (128.0 * pixel);
+    return slope / (pixel * unit);
 }
 
 void main() {
+    GaborErosion table = erosion; // loaded before any branch, because lavapipe would otherwise load it for each invocation
     ivec2 here = ivec2(gl_GlobalInvocationID.xy);
     if (here.x >= width || here.y >= height)
         return;
     int column = first_column + here.x;
-    vec2 p = (vec2(column, first_row + here.y) + 0.5) * pixel;
-    GaborTerrainPlace ground = GaborTerrainPlace(ivec2(0), p, period);
-    GaborTerrain base = GaborTerrain(height_at(column, here.y), slope_at(column, here.y), 0.0, vec3(0.0), vec2(0.0));
-    GaborTerrain terrain = gabor_eroded_at(ground, vec2(pixel, 0.0), vec2(0.0, pixel), base, erosion, seed);
+    float before_erosion = map[(here.y + erode_halo) * map_width + column];
+    vec2 place = vec2(column, first_row + here.y) + 0.5;
+    GaborTerrain base = smooth_at(place);
+    GaborTerrain terrain = gabor_eroded_at(GaborTerrainPlace(ivec2(0), pixel * place, period), vec2(pixel, 0.0),
+                                           vec2(0.0, pixel), base, table, seed);
+    float added = (terrain.height - base.height) * unit / steepness;
+    vec2 slope = slope_at(column, here.y, before_erosion) + (terrain.slope - base.slope) / steepness;
+    if (!(before_erosion < missing_height)) { // neither eroded nor sloped
+        before_erosion = missing;
+        added = terrain.ridge = 0.0;
+        slope = vec2(0.0);
+    }
     int at = channels * (before + here.y * width + here.x);
-    eroded[at + erosion_height] = terrain.height;
-    eroded[at + erosion_slope] = terrain.slope.x;
-    eroded[at + erosion_slope + 1] = terrain.slope.y;
+    eroded[at + erosion_height] = before_erosion + added;
+    eroded[at + erosion_slope] = slope.x;
+    eroded[at + erosion_slope + 1] = slope.y;
     eroded[at + erosion_ridge] = terrain.ridge;
-    eroded[at + erosion_added] = terrain.height - base.height;
+    eroded[at + erosion_added] = added;
 }

@@ -5,9 +5,10 @@ import json
 import unittest
 
 import numpy as np
+import PIL.Image
 from exr import Exr, write_exr
 from png import read_deep_png
-from program import ProgramTest
+from program import ProgramTest, gabor
 
 SIDE = 96
 
@@ -26,7 +27,8 @@ class Erode(ProgramTest):
         write_exr(self.folder / "map.exr", {"Y": self.map})
 
     def eroded(self, *options, map="map.exr"):
-        self.succeed("erode", map, "-o", "out.exr", *options)
+        wide = [] if any("gully" in option for option in options) else ["--gully-frequency=1"]  # the map is small
+        self.succeed("erode", map, "-o", "out.exr", *wide, *options)
         return Exr(self.folder / "out.exr").channels
 
     def test_gullies_are_added_and_reported(self):
@@ -38,14 +40,14 @@ class Erode(ProgramTest):
         self.assertGreater(out["ridge"].std(), 0.2)
 
     def test_without_octaves_the_map_stays_and_slopes_are_smoothed_differences(self):
-        """The weights are 1, 4, 6, 4, 1 across the slope and -1, -2, 0, 2, 1 along it, divided by 128."""
+        """The weights are 1, 2, 1 across the slope and -1, 0, 1 along it, divided by 8."""
         rough = np.random.default_rng(1).random((SIDE, SIDE), "f4")
         write_exr(self.folder / "rough.exr", {"Y": rough})
-        across, along, pixel = np.array([1, 4, 6, 4, 1]), np.array([-1, -2, 0, 2, 1]), 8 / SIDE
+        across, along, pixel = np.array([1, 2, 1]), np.array([-1, 0, 1]), 8 / SIDE
         for options, mode in ([], "edge"), (["--tileable"], "wrap"):
             out = self.eroded("--octaves=0", "--extent=8", *options, map="rough.exr")
             np.testing.assert_array_equal(out["height"], rough)
-            around = np.lib.stride_tricks.sliding_window_view(np.pad(rough, 2, mode=mode), (5, 5)) / (128 * pixel)
+            around = np.lib.stride_tricks.sliding_window_view(np.pad(rough, 1, mode=mode), (3, 3)) / (8 * pixel)
             np.testing.assert_allclose(out["slope.x"], np.einsum("yxji,j,i->yx", around, across, along), atol=1e-5)
             np.testing.assert_allclose(out["slope.y"], np.einsum("yxji,j,i->yx", around, along, across), atol=1e-5)
 
@@ -62,8 +64,8 @@ class Erode(ProgramTest):
         def edges(values):
             return np.abs(values[0] - values[-1]).mean() + np.abs(values[:, 0] - values[:, -1]).mean()
         inner = lambda values: np.abs(np.diff(values, axis=0)).mean() + np.abs(np.diff(values, axis=1)).mean()
-        tile, patch = self.eroded("--seed=3", "--tileable")["height"], self.eroded("--seed=3")["height"]
-        # With seeds 1 to 12, edges / inner is 0.90 to 1.05 for tiles (mean 0.97) and 1.26 to 1.90 for patches (mean 1.55).
+        tile, patch = self.eroded("--seed=3", "--tileable")["erosion"], self.eroded("--seed=3")["erosion"]
+        # With seeds 1 to 12, edges / inner is 0.65 to 0.99 for tiles (mean 0.83) and 0.96 to 2.08 for patches (mean 1.36).
         self.assertLess(edges(tile), 1.15 * inner(tile))
         self.assertGreater(edges(patch), 1.3 * inner(patch))
 
@@ -84,7 +86,7 @@ class Erode(ProgramTest):
         for name in ("out.png", "out.r16"):
             ranges = set()
             for region in ([], ["--region=10,20,30,40"]):
-                self.succeed("erode", "map.r16", "--size=96x96", "--elevation=-1,2", "-o", name, *region)
+                self.succeed("erode", "map.r16", "--size=96x96", "--elevation=-1,2", "--gully-frequency=1", "-o", name, *region)
                 scale = json.loads((self.folder / f"{name}.json").read_text())
                 low, high = scale["elevation"]
                 ranges.add((low, high))
@@ -93,9 +95,74 @@ class Erode(ProgramTest):
                 wanted = from_raw["height"][20:60, 10:40] if region else from_raw["height"]
                 np.testing.assert_allclose(low + (high - low) * found / 65535, wanted, atol=0.51 * (high - low) / 65535 + 1e-6)
             self.assertEqual(len(ranges), 1)
-            self.assertLess(low, -1)
+            self.assertLess(low, from_raw["height"].min())
+            self.assertGreater(high, from_raw["height"].max())
         again = self.eroded("--elevation=-1,2", map="out.png") # the program reads what it writes
         self.assertEqual(again["height"].shape, (40, 30))
+
+    def test_erosion_is_in_proportion_to_the_map(self):
+        """A map that is higher, wider or both erodes in proportion, and --gully-width has the unit of --extent."""
+        seen = self.eroded("--extent=8")["erosion"]
+        write_exr(self.folder / "high.exr", {"Y": 300 * self.map})
+        high = self.eroded("--extent=900", map="high.exr")
+        np.testing.assert_allclose(high["erosion"], 300 * seen, atol=300 * 2e-5)
+        np.testing.assert_array_equal(self.eroded("--extent=8", "--gully-width=1")["erosion"], seen)
+
+    def test_slopes_are_those_of_the_heights(self):
+        rows, columns = 512, 768
+        write_exr(self.folder / "large.exr", {"Y": hills(columns, rows)})
+        out = self.eroded("--extent=8", map="large.exr")
+        for name, axis in ("slope.x", 1), ("slope.y", 0):
+            found = np.gradient(out["height"].astype(float), 8 / columns, axis=axis)
+            error = (out[name] - found)[4:-4, 4:-4]
+            self.assertLess(error.std(), 0.1 * found.std(), name)  # of gullies as fine as pixels; 0.6 without their slope
+
+    def test_pixels_without_a_height_stay_and_do_not_steer(self):
+        holes = self.map.copy()
+        holes[40:50, 30:60] = -9999
+        write_exr(self.folder / "holes.exr", {"Y": holes})
+        out = self.eroded("--nodata=-9999", map="holes.exr")
+        missing = holes == -9999
+        self.assertTrue((out["height"][missing] == -9999).all())
+        for name in ("slope.x", "slope.y", "ridge", "erosion"):
+            self.assertEqual(np.abs(out[name][missing]).max(), 0)
+        whole = self.eroded()
+        far = np.ones_like(missing)
+        far[16:74, 6:84] = False
+        self.assertLess(np.abs(out["erosion"] - whole["erosion"])[far].max(), 0.1 * np.abs(whole["erosion"]).max())
+        self.assertLess(np.abs(out["slope.x"])[~missing].max(), 2 * np.abs(whole["slope.x"]).max())
+
+    def test_the_content_decides_the_format(self):
+        levels = np.round(65535 * self.map).astype("<u2")
+        (self.folder / "map.raw").write_bytes(levels.tobytes())
+        (self.folder / "map.r16").write_bytes(levels.tobytes())
+        (self.folder / "map.r32").write_bytes(self.map.astype("<f4").tobytes())
+        raw, integers = (self.eroded("--size=96x96", map=f"map.{kind}") for kind in ("raw", "r16"))
+        floats, exr = self.eroded("--size=96x96", map="map.r32"), self.eroded()
+        np.testing.assert_array_equal(raw["height"], integers["height"])
+        np.testing.assert_array_equal(floats["height"], exr["height"])
+        (self.folder / "named.png").write_bytes((self.folder / "map.exr").read_bytes())
+        np.testing.assert_array_equal(self.eroded(map="named.png")["height"], exr["height"])
+        grey = np.round(255 * self.map).astype("u1")
+        PIL.Image.fromarray(np.dstack([grey] * 3)).save(self.folder / "rgb.png")
+        PIL.Image.fromarray(grey).save(self.folder / "grey.png")
+        seen = []
+        for name in "rgb.png", "grey.png":
+            result = gabor("erode", name, "-o", "out.exr", cwd=self.folder)
+            self.assertEqual((result.returncode, result.stderr), (0, f"gabor: warning: '{name}' has 8 bits per height: its steps show as terraces\n"))
+            seen.append(Exr(self.folder / "out.exr").channels["height"])
+        np.testing.assert_array_equal(*seen)
+
+    def test_pieces_of_different_maps_are_not_joined(self):
+        write_exr(self.folder / "other.exr", {"Y": 0.9 * self.map})
+        self.succeed("erode", "map.exr", "-o", "left.exr", "--region=0,0,48,96")
+        self.succeed("erode", "map.exr", "-o", "right.exr", "--region=48,0,48,96")
+        self.succeed("join", "left.exr", "right.exr", "-o", "joined.exr")
+        self.succeed("erode", "map.exr", "-o", "whole.exr")
+        np.testing.assert_array_equal(Exr(self.folder / "joined.exr").channels["height"], Exr(self.folder / "whole.exr").channels["height"])
+        for options in (["map.exr", "--seed=2"], ["other.exr"], ["map.exr", "--strength=0.1"]):
+            self.succeed("erode", *options, "-o", "right.exr", "--region=48,0,48,96")
+            self.assert_refused(("right.exr",), "join", "left.exr", "right.exr", "-o", "bad.exr")
 
     def test_presets_and_options_change_the_shape(self):
         seen = [self.eroded()["height"]] # alps is the default preset
@@ -104,7 +171,7 @@ class Erode(ProgramTest):
         seen += [self.eroded(option)["height"] for option in
                  ("--octaves=2", "--gully-frequency=3", "--strength=0.05", "--lacunarity=2.5", "--gain=0.3", "--onset=2",
                   "--detail=5", "--uniformity=1", "--ridge-rounding=1", "--crease-rounding=1", "--gully-weight=1",
-                  "--branching=0", "--seed=3", "--extent=5")]
+                  "--branching=0", "--seed=3")]
         for i, one in enumerate(seen):
             for other in seen[:i]:
                 self.assertGreater(np.abs(one - other).max(), 1e-3)
@@ -112,21 +179,31 @@ class Erode(ProgramTest):
     def test_wrong_requests(self):
         (self.folder / "map.r16").write_bytes(b"\0" * 10)
         write_exr(self.folder / "nan.exr", {"Y": np.full((4, 4), np.nan, "f4")})
+        write_exr(self.folder / "flat.exr", {"Y": np.ones((4, 4), "f4")})
+        pit, colour = np.ones((4, 4), "f4"), np.full((4, 4, 3), 9, "u1")
+        pit[1, 2], colour[1, 2, 0] = -9999, 8
+        write_exr(self.folder / "pit.exr", {"Y": pit})
+        PIL.Image.fromarray(colour).save(self.folder / "colour.png")
         for words, options in {
             ("-o 'out.tif'", ".exr, .png or .r16"): ("map.exr", "-o", "out.tif"),
             ("'none.exr'",): ("none.exr", "-o", "out.exr"),
             ("the map itself",): ("map.exr", "-o", "map.exr"),
             ("--size", "WIDTHxHEIGHT"): ("map.r16", "-o", "out.exr"),
             ("10 bytes", "take 18432"): ("map.r16", "--size=96x96", "-o", "out.exr"),
-            ("--size is for .r16",): ("map.exr", "--size=96x96", "-o", "out.exr"),
-            ("--elevation",): ("map.exr", "-o", "out.png"),
-            ("LOW,HIGH",): ("map.exr", "--elevation=2,1", "-o", "out.png"),
-            ("--region", "96 x 96"): ("map.exr", "--region=90,0,10,10", "-o", "out.exr"),
+            ("--size is for",): ("map.exr", "--size=96x96", "-o", "out.exr"),
+            ("--elevation", "integers"): ("map.exr", "--elevation=0,1", "-o", "out.png"),
+            ("--gully-width", "--extent"): ("map.exr", "--gully-width=2", "-o", "out.png"),
+            ("--gully-width '0'", "above 0"): ("map.exr", "--extent=5", "--gully-width=0", "-o", "out.png"),
+            ("pixel (2, 1)", "-9999", "--nodata"): ("pit.exr", "-o", "out.exr"),
+            ("every pixel",): ("flat.exr", "--nodata=1", "-o", "out.exr"),
+            ("in colour", "pixel (2, 1)"): ("colour.png", "-o", "out.exr"),
+            ("LOW,HIGH",): ("colour.png", "--elevation=2,1", "-o", "out.png"),
+            ("--region", "96 x 96"): ("map.exr", "--extent=8", "--region=90,0,10,10", "-o", "out.exr"),
             ("--preset 'dunes'", "alps, badlands, canyon, hills"): ("map.exr", "--preset=dunes", "-o", "out.exr"),
             ("--octaves '2.5'", "whole number"): ("map.exr", "--octaves=2.5", "-o", "out.exr"),
             ("--gain '3'", "from 0 to 2"): ("map.exr", "--gain=3", "-o", "out.exr"),
             ("--extent",): ("map.exr", "--extent=0", "-o", "out.exr"),
-            ("row 0", "finite"): ("nan.exr", "-o", "out.exr"),
+            ("pixel (0, 0)", "nan"): ("nan.exr", "-o", "out.exr"),
         }.items():
             self.assert_refused(words, "erode", *options)
 

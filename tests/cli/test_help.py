@@ -35,7 +35,7 @@ class Help(ProgramTest):
                               "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent",
                               "--maps", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
-                             "--seed", "--tileable", "--device"),
+                             "--gully-width", "--nodata", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),
                    "stats": ("FILE", "--channel", "--json"), "devices": (), "recipes": ("--json",), "materials": ("MATERIAL",)}
@@ -71,8 +71,8 @@ class Help(ProgramTest):
         which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom"), ["--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
                  **dict.fromkeys(("--light-azimuth", "--light-elevation", "--environment"), ["--material=sand"]),
                  "--extent": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
-        meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent": "0,1"}
-        for command, number in ("render", 26), ("erode", 18):
+        meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent, or 0,1000": "0,1000"}
+        for command, number in ("render", 26), ("erode", 17):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
             for option, value, view in found:

@@ -115,8 +115,7 @@ NOISE = """
 """
 EROSION = """
     float height, ridge;
-    vector slope(0);
-    osl::gabor_erosion(vector(p.x, p.y, 0), 1, 7, 5, 1.5f, 0.12f, 2, 0.5f, 0.5f, 1.5f, 2, 0.1f, 0.1f, 0.5f, 1, height, slope, ridge);
+    osl::gabor_erosion(vector(0.5f * p.x, 0.5f * p.y, 0), 2, 7, 5, 1.5f, 0.12f, 2, 0.5f, 0.5f, 1.5f, 2, 0.1f, 0.1f, 0.5f, 1, height, ridge);
     const GaborTerrain expected = gabor_eroded(p, gabor_terrain(p, 7), gabor_erosion(), 7);
 """
 
@@ -160,11 +159,11 @@ class ByHand(unittest.TestCase):
         self.assertTrue(((0 <= phase) & (phase <= 1)).all())
 
     def test_erosion_in_open_shading_language(self):
-        outputs = "height ridge slope.x slope.y expected.height expected.ridge expected.slope.x expected.slope.y".split()
+        outputs = "2.0f*height ridge expected.height expected.ridge".split()
         made, expected = np.split(self.osl("gabor_erosion.osl", ["gabor_noise", "gabor_erosion"], EROSION, outputs), 2)
         error = np.abs(made - expected).max(axis=(1, 2))
-        print(f"largest differences of height, ridge and slopes: {error}")
-        self.assertTrue((error < [1e-5, 1e-3, 1e-3, 1e-3]).all())
+        print(f"largest differences of height and ridge: {error}")
+        self.assertTrue((error < [1e-5, 1e-3]).all())
 
     def test_nodes_of_three(self):
         if not shutil.which("node"):

@@ -57,8 +57,8 @@ TEST_CASE("profiles of stripes are averaged over the width that the stripes' len
         const auto turns_from = [&](double edge) { return std::abs(std::remainder(phase - edge, 1)); };
         for (std::size_t c = 0; c < 5; ++c) {
             // At the jumps of the sawtooth and the pulse, only the range is certain.
-            const bool jump =
-                unit && (((c == 2 || c == 3) && turns_from(0) < 0.002) || (c == 3 && turns_from(duty) < 0.002));
+            const bool jump = unit && (((c == 2 || c == 3) && turns_from(0) < 0.002) ||
+                                       (c == 3 && turns_from(duty) < 0.002));
             of[unit ? "stripes of a noise" : "shorter stripes"].see(found[c], jump ? 0.5 : expected[c],
                                                                     jump   ? 0.501
                                                                     : unit ? 0.003

@@ -31,7 +31,8 @@ inline bool is_in_range(const std::string& call, int point, float value) {
     const auto has = [&](const char* word) { return call.find(word) != std::string::npos; };
     const int kind = std::abs(point) % 5;                       // as in functions.glsl
     const bool is_sine = has("noise_complex(s.p, s.frequency"); // a sine's quadrature grows at low frequency
-    if (kind == 2 && (has("place") || has("ground") || has("tile") || has("block"))) // no promise for tiny periods
+    if (kind == 2 &&
+        (has("place") || has("ground") || has("tile") || has("block"))) // no promise for tiny periods
         return true;
     const bool unlimited = has("field") || has("gradient") || has("3d(") || has("node_position") ||
                            has("gabor_er") || has("gabor_terrain") || (kind == 0 && is_sine);

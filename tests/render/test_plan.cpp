@@ -230,20 +230,25 @@ TEST_CASE("a coarse view filters its waves for its larger pixels") {
           Approx(std::exp(-2 * std::pow(std::numbers::pi * 4 / 32, 2) * 15 / 4)).epsilon(1e-5));
 }
 
-TEST_CASE("an erosion reads its map with a margin around each band, and uses the map's pixel size") {
-    const HeightMap map{.open = {}, .width = 300, .height = 200, .pixel = 0.25, .tileable = true};
+TEST_CASE("an erosion reads its map with a margin around each band, and scales the map to what presets are "
+          "made for") {
+    const HeightMap map{.open = {}, .width = 300, .height = 200, .tileable = true};
+    const SmoothedMap smoothed{.intervals = {60, 40}, .heights = std::vector<float>(63 * 43), .slope = 0.1};
     const Request request =
         request_of({{"view", "terrain"}, {"octaves", "3"}, {"branching", "0.5"}, {"seed", "7"}});
-    const Plan made = erosion_plan(map, request, {10, 20, 30, 40});
+    const Plan made = erosion_plan(map, smoothed, 600, request, {10, 20, 30, 40});
     CHECK(made.channels.size() == 5);
     CHECK(made.width == 30);
     CHECK(made.height == 40);
     CHECK(made.source.width == 300);
-    CHECK(made.source.halo == 2);
+    CHECK(made.source.halo == 1);
     const auto push = values_of<passes::ErodePush>(made.steps.front().push).front();
     CHECK(std::array{push.first_column, push.first_row, push.width, push.height} ==
           std::array{10, 20, 30, 40});
-    CHECK(std::array{push.period.x, push.period.y, push.pixel} == std::array{75.0f, 50.0f, 0.25f});
+    CHECK(push.pixel == 8 / 300.0f);
+    CHECK(std::array{push.period.x, push.period.y, push.unit} == std::array{8.0f, 16 / 3.0f, 75.0f});
+    CHECK(std::array{push.nodes.x, push.nodes.y} == std::array{0.2f, 0.2f});
+    CHECK(push.steepness == Approx(0.637 / 0.05)); // heights of 0.1 per pixel of 2 units
     CHECK(std::array{push.map_width, push.tileable, static_cast<int>(push.seed)} == std::array{300, 1, 7});
     CHECK(values_of<std::int32_t>(made.tables.front()).front() == 3);
     CHECK(values_of<float>(made.tables.front()).back() == 0.5f);
