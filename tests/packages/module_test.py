@@ -42,8 +42,8 @@ CASES = [
     (gn.volume, dict(shape=(2, 3, 4), scale=4.0), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
     (gn.terrain, POINTS, dict(seed=[1, 2, 3], pixel=[(0.0, 0.0), (1.0, 0.1), (0.1, 2.0)])),
     (gn.terrain, POINTS | dict(base=(0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3)), dict(seed=[1, 2, 3])),
-    (gn.terrain, POINTS, dict(base=[(0.1, 0.5, -0.3, 0.2), (0.3, 0.1, -0.3, 0.2), (0.1, 0.5, -0.3, 0.9)])),
-    (gn.erode, dict(heights=np.sin(np.arange(48.0)).reshape(6, 8), scale=8.0), dict(seed=[1, 2, 3])),
+    (gn.terrain, POINTS, dict(base=[(0.1, 0.05, -0.03, 0.2), (0.3, 0.1, -0.03, 0.2), (0.1, 0.05, -0.03, 0.9)])),
+    (gn.erode, dict(heights=np.sin(np.arange(48.0)).reshape(6, 8), extent=8.0, frequency=0.2), dict(seed=[1, 2, 3])),
 ]
 EROSION = dict(octaves=[1, 2, 7], frequency=[0.5, 1.0, 3.0], strength=[0.0, 0.1, 0.4], lacunarity=[1.5, 2.0, 3.0], gain=[0.2, 0.5, 0.8],
                onset=[0.1, 0.5, 2.0], detail=[0.3, 1.5, 6.0], uniformity=[0.5, 2.0, 7.0], ridge_rounding=[0.0, 0.4, 2.0],
@@ -83,7 +83,7 @@ class Arrays(unittest.TestCase):
                     self.check(function, fixed, name, values, name in VECTORS)
 
     def test_each_parameter_of_erosion(self):
-        documented = set(inspect.signature(gn.terrain).parameters) - {"x", "y", "base", "pixel", "seed", "period", "threads", "dtype"}
+        documented = set(inspect.signature(gn.terrain).parameters) - {"x", "y", "base", "pixel", "seed", "period", "workers", "dtype"}
         self.assertEqual(documented, set(EROSION))
         for name, values in EROSION.items():
             with self.subTest(name):
@@ -99,7 +99,7 @@ class Arrays(unittest.TestCase):
             if not parameter or name not in MATERIALS:
                 continue
             tested += 1
-            values = np.linspace(float(low), float(high), 5)[1:4] if low else np.eye(3)
+            values = np.linspace(float(low), float(high), 7)[2:5] if low else np.eye(3)
             with self.subTest(name, parameter=parameter):
                 self.check(gn.material, dict(name=name, x=x, y=y, pixel=0.02, seed=3), parameter, values, not low)
         self.assertGreater(tested, 70)
@@ -112,7 +112,7 @@ class Arrays(unittest.TestCase):
                 together = gn.noise_lobes(**POINTS, seed=5, lobes=lobes(np.reshape(values, (3, 1, 1) if index == 2 else (3, 1))
                                                                          if index != 2 else np.repeat(values, 2).reshape(3, 1, 2)))
                 apart = np.array([gn.noise_lobes(**POINTS, seed=5, lobes=lobes(value)) for value in values])
-                np.testing.assert_allclose(together, apart, rtol=0, atol=2e-5)
+                np.testing.assert_allclose(together, apart, rtol=0, atol=1e-4)  # positions of varying lobes are floats
                 self.assertGreater(np.abs(apart[0] - apart[1]).max(), 1e-2)
 
 
@@ -140,11 +140,11 @@ class Pictures(unittest.TestCase):
 
 
 class Calls(unittest.TestCase):
-    def test_threads_and_types(self):
-        one = gn.image((300, 300), seed=4, threads=1)
+    def test_workers_and_types(self):
+        one = gn.image((300, 300), seed=4, workers=1)
         self.assertEqual(one.dtype, np.float32)
         for more in (2, 3, 64, None):
-            np.testing.assert_array_equal(gn.image((300, 300), seed=4, threads=more), one)
+            np.testing.assert_array_equal(gn.image((300, 300), seed=4, workers=more), one)
         double = gn.image((300, 300), seed=4, dtype=np.float64)
         self.assertEqual(double.dtype, np.float64)
         np.testing.assert_array_equal(double.astype(np.float32), one)
@@ -158,7 +158,7 @@ class Calls(unittest.TestCase):
 
         def work():
             started.set()
-            gn.image((1500, 1500), threads=1)
+            gn.image((1500, 1500), workers=1)
         thread = threading.Thread(target=work)
         thread.start()
         started.wait()
@@ -188,7 +188,7 @@ class Calls(unittest.TestCase):
                 (lambda: gn.image((4, 4), period=-1), "period is -1"),
                 (lambda: gn.image((4, 4), period=(1, 2, 3)), "period is (1, 2, 3)"),
                 (lambda: gn.image((4, 4), time=np.inf), "time is inf"),
-                (lambda: gn.image((4, 4), threads=0), "threads is 0: expected an integer, 1 or more, or None for all cores"),
+                (lambda: gn.image((4, 4), workers=0), "workers is 0: expected an integer, 1 or more, or None for all cores"),
                 (lambda: gn.image((4, 4), dtype="int32"), "dtype is 'int32': expected float32 or float64"),
                 (lambda: gn.image((4, 4), dtype="real"), "dtype is 'real': expected float32 or float64"),
                 (lambda: gn.image((4, 4), isotropic=True, lobes=[(1,)]), "at most one of them"),
@@ -200,7 +200,7 @@ class Calls(unittest.TestCase):
                 (lambda: gn.noise(1j, 0), "x is 1j"),
                 (lambda: gn.noise([0, 1], [0, 1, 2]), "x (2,), y (3,)"),
                 (lambda: gn.noise_spread(0, 0, orientation_spread=2), "orientation_spread is 2: expected a number from 0 to 1.570797"),
-                (lambda: gn.noise_filtered(0, 0, (1, 2, 3)), "pixel is (1, 2, 3): expected one number, or 2 along the last axis"),
+                (lambda: gn.noise_filtered(0, 0, (1, 2, 3)), "pixel is (1, 2, 3): expected one number, or 2 numbers along the last axis"),
                 (lambda: gn.noise_3d(0, 0, 0, direction=(0, 0, 0)), "direction is (0, 0, 0)"),
                 (lambda: gn.noise_3d(0, 0, 0, direction=1), "direction is 1: expected 3 numbers along the last axis"),
                 (lambda: gn.terrain(0, 0, [1, 2, 3]), "base is [1, 2, 3]: expected 4 values"),
@@ -230,30 +230,34 @@ class Calls(unittest.TestCase):
 
 
 class Erosion(unittest.TestCase):
-    def test_slopes_of_a_heightmap(self):
-        y, x = (np.mgrid[0:40, 0:60] + 0.5) / 10
-        base = gn.erode(0.3 * x**2 - 0.2 * x * y + 0.1 * y, 10, octaves=0, dtype=np.float64)[2:-2, 2:-2]
-        x, y = x[2:-2, 2:-2], y[2:-2, 2:-2]
-        np.testing.assert_allclose(base[..., 1], 0.6 * x - 0.2 * y, rtol=0, atol=1e-5)
-        np.testing.assert_allclose(base[..., 2], -0.2 * x + 0.1, rtol=0, atol=1e-5)
+    HILLS = gn.terrain(*gn.grid((240, 240), 30), octaves=0, dtype=np.float64)[..., 0]
 
     def test_returned_slopes_are_those_of_the_result(self):
-        x, y = gn.grid((160, 160), 40)
-        hills = gn.terrain(x, y, octaves=0, dtype=np.float64)[..., 0]
-        result = gn.erode(hills, 40, octaves=3, dtype=np.float64)
-        self.assertGreater((result[..., 0] - hills).std(), 0.01)
+        result = gn.erode(self.HILLS, 8, octaves=2, frequency=0.5, dtype=np.float64)
+        self.assertGreater((result[..., 0] - self.HILLS).std(), 0.01)
         for channel, axis in ((1, 1), (2, 0)):
-            numeric = np.gradient(result[..., 0], 1 / 40, axis=axis)
+            numeric = np.gradient(result[..., 0], 1 / 30, axis=axis)
             error = (result[..., channel] - numeric)[4:-4, 4:-4].std() / numeric.std()
-            self.assertLess(error, 0.15, f"channel {channel}")  # without the curvature: about 0.45
+            self.assertLess(error, 0.2, f"channel {channel}")  # 0.11 to 0.15; without the curvature: about 0.45
+
+    def test_is_in_proportion_to_slopes_and_width(self):
+        result = gn.erode(self.HILLS, 8, seed=5, dtype=np.float64)
+        for width, height in ((8, 3.0), (25000.0, 1.0), (25000.0, 900.0)):
+            other = gn.erode(height * self.HILLS, width, seed=5, dtype=np.float64)
+            np.testing.assert_allclose(other[..., 0], height * result[..., 0], rtol=0, atol=2e-5 * height)
+            np.testing.assert_allclose(other[..., 1:3] * (width / 8), height * result[..., 1:3], rtol=0, atol=1e-3 * height)
+
+    def test_without_octaves_the_map_stays(self):
+        for tileable in (False, True):
+            self.assertLess(np.abs(gn.erode(self.HILLS, 8, octaves=0, tileable=tileable)[..., 0] - self.HILLS).max(), 1e-6)
+        np.testing.assert_array_equal(gn.erode(np.full((9, 9), 7.0), 8)[..., 0], 7)
 
     def test_a_tile_has_no_seam(self):
         x, y = gn.grid((80, 160), 20)
-        tile = gn.erode(np.sin(np.pi / 2 * x) + np.cos(np.pi * y), 20, tileable=True)[..., 0]
+        tile = gn.erode(np.sin(np.pi / 2 * x) + np.cos(np.pi * y), 8, tileable=True)[..., 0]
         for axis in (0, 1):
             inside = np.abs(np.diff(tile, axis=axis)).max()
-            seam = np.abs(tile.take(0, axis) - tile.take(-1, axis)).max()
-            self.assertLess(seam, inside)
+            self.assertLess(np.abs(tile.take(0, axis) - tile.take(-1, axis)).max(), inside)
 
 
 class Documentation(unittest.TestCase):

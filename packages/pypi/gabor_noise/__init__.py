@@ -14,7 +14,7 @@ positions are; those of materials get coarser far from the origin.
 All functions take these keywords:
     seed     an integer of 32 bits; different seeds give independent noises
     period   units after which the pattern repeats exactly, one number or one for each axis; 0 or None for no repetition
-    threads  the number of cores to use, without holding the GIL; None for all
+    workers  the number of cores to use, without holding the GIL; None for all
     dtype    of the result: float32, in which values are computed, or float64
 They raise ValueError for a value out of its range and for shapes that do not broadcast, and TypeError for an unknown keyword.
 """
@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ._arguments import MEMBERS, count, evaluate, members, number, numbers, refuse, vector
+from ._heightmap import smoothed, sobel
 
 __all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_complex", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
            "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "source"]
@@ -54,7 +55,7 @@ def grid(shape: Sequence[int], scale: float = 32.0) -> tuple[NDArray[np.float64]
 def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
           isotropic: bool = False, frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = 0.0,
           lobes: Sequence[Lobe] | None = None, seed: ArrayLike = 0, period: ArrayLike | None = None,
-          time: ArrayLike | None = None, threads: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+          time: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a picture of noise, with one value per pixel: mean 0, variance 1.
 
     shape: (height, width) in pixels.
@@ -76,7 +77,7 @@ def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4
 
 
 def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-           seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, threads: int | None = None,
+           seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise in 3D, with one value per voxel: mean 0, variance 1.
 
@@ -85,7 +86,7 @@ def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 
     The other arguments are those of `noise_3d`.
     """
     x, y, z = _axes(shape, scale, 3)
-    return noise_3d(x, y, z, frequency=frequency, direction=direction, seed=seed, period=period, time=time, threads=threads,
+    return noise_3d(x, y, z, frequency=frequency, direction=direction, seed=seed, period=period, time=time, workers=workers,
                     dtype=dtype)
 
 
@@ -99,7 +100,7 @@ def _axes(shape: Sequence[int], scale: float, dimensions: int) -> tuple[NDArray[
 # ---- Noise ---------------------------------------------------------------------------------------------------------
 
 def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-          period: ArrayLike | None = None, time: ArrayLike | None = None, threads: int | None = None,
+          period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
           dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return Gabor noise at (x, y): mean 0, variance 1 at every point.
 
@@ -112,14 +113,14 @@ def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation
 
 
 def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-                   period: ArrayLike | None = None, time: ArrayLike | None = None, threads: int | None = None,
+                   period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
                    dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `noise`."""
     return evaluate("gradient", locals())
 
 
 def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
-                  period: ArrayLike | None = None, time: ArrayLike | None = None, threads: int | None = None,
+                  period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
                   dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (quadrature, noise) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
     ahead; arctan2(noise, quadrature) is the phase of stripes of even contrast. Arguments are those of `noise`."""
@@ -127,7 +128,7 @@ def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, ori
 
 
 def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: ArrayLike = 0,
-                    period: ArrayLike | None = None, time: ArrayLike | None = None, threads: int | None = None,
+                    period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
                     dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of waves in all directions, at the same cost for every frequency: about that of four calls of `noise`.
     Arguments are those of `noise`."""
@@ -136,7 +137,7 @@ def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, s
 
 def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
                  frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: ArrayLike = 0,
-                 period: ArrayLike | None = None, time: ArrayLike | None = None, threads: int | None = None,
+                 period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise of a range of waves, a sum of up to 1024 noises: at frequency 2, all directions cost as much as 10 calls of
     `noise`.
@@ -158,7 +159,7 @@ class Lobe(NamedTuple):
 
 
 def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: ArrayLike = 0, period: ArrayLike | None = None,
-                time: ArrayLike | None = None, threads: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+                time: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return a sum of independent noises: mean 0, variance 1. Its spectrum has a lobe around each wave vector, with a standard
     deviation of 1/sqrt(12) / radius cycles per unit.
 
@@ -191,7 +192,7 @@ def _inputs(lobes: Sequence[Lobe]) -> list[NDArray[np.float64]]:
 
 def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
                    seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None,
-                   threads: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+                   workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
 
     pixel: the pixel's sides in kernel radii, one number or a pair along the last axis.
@@ -201,7 +202,7 @@ def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: A
 
 
 def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
-             seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, threads: int | None = None,
+             seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
              dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return noise at (x, y, z): mean 0, variance 1 at every point.
 
@@ -217,7 +218,7 @@ def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike =
 
 
 def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: ArrayLike = 2.0, seed: ArrayLike = 0,
-            period: ArrayLike | None = None, time: ArrayLike | None = None, threads: int | None = None,
+            period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
             dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return stripes of even contrast along a map of wave vectors: (cosine, sine, intensity) along a last axis of 3.
 
@@ -231,7 +232,7 @@ def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *,
 # ---- Terrain -------------------------------------------------------------------------------------------------------
 
 def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel: ArrayLike = 0.0, seed: ArrayLike = 0,
-            period: ArrayLike | None = None, threads: int | None = None, dtype: DTypeLike = np.float32,
+            period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
             **erosion: ArrayLike) -> NDArray[Any]:
     """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in the unit of x and y;
     ridge ranges from -1 in valleys to 1 on ridges.
@@ -251,38 +252,42 @@ def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel:
     return evaluate("eroded", locals(), members("eroded", erosion, "terrain()"), 4.0)
 
 
-def erode(heights: ArrayLike, scale: float, *, tileable: bool = False, seed: ArrayLike = 0, threads: int | None = None,
+def erode(heights: ArrayLike, extent: float, *, tileable: bool = False, seed: ArrayLike = 0, workers: int | None = None,
           dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
-    """Return a heightmap with gullies and ridges: (height, d/dx, d/dy, ridge) along a last axis of 4, as in `terrain`.
+    """Return a heightmap with gullies and ridges, in proportion to its slopes and width: (height, d/dx, d/dy, ridge) along a last
+    axis of 4, as `gabor erode` does. Gullies follow the map smoothed to their scale.
 
-    heights: an array of at least 5 x 5 heights.
-    scale: pixels per unit of the heights. The default gullies are for hills about four units wide.
+    heights: an array of at least 3 x 3 heights.
+    extent: the map's width, in the unit of its heights.
     tileable: the map tiles without seams, and so does the result.
-    erosion:
+    erosion: for any map, these parameters mean what they mean for one that is 8 units wide with an rms slope of 0.637, that of the
+        hills of `terrain`. So there are 8 * frequency gullies across the map.
     """
     here = numbers("heights", heights)
-    if here.ndim != 2 or min(here.shape) < 5:
-        raise refuse("heights", here, "an array of at least 5 x 5 heights")
-    x, y = grid(here.shape, scale)
-    pixel = 1 / float(scale)
-    # Slopes are those of the map smoothed over 5 x 5 pixels, which hides the steps of 16-bit maps.
-    smooth, along, twice = (1, 4, 6, 4, 1), (-2, -4, 0, 4, 2), (4, 0, -8, 0, 4)
-
-    def derivative(over_x: Sequence[int], over_y: Sequence[int], order: int) -> NDArray[np.float64]:
-        wide = np.pad(here, 2, "wrap" if tileable else "edge")
-        rows = sum(weight * wide[k:k + here.shape[0]] for k, weight in enumerate(over_y))
-        return sum(weight * rows[:, k:k + here.shape[1]] for k, weight in enumerate(over_x)) / (256 * pixel**order)
-
-    base = np.stack([here, derivative(along, smooth, 1), derivative(smooth, along, 1), np.zeros_like(here),
-                     derivative(twice, smooth, 2), derivative(along, along, 2), derivative(smooth, twice, 2)], -1)
-    period = (here.shape[1] * pixel, here.shape[0] * pixel) if tileable else None
-    return terrain(x, y, base, pixel=pixel, seed=seed, period=period, threads=threads, dtype=dtype, **erosion)
+    if here.ndim != 2 or min(here.shape) < 3:
+        raise refuse("heights", here, "an array of at least 3 x 3 heights")
+    members("terrain", erosion, "erode()")
+    frequency = number("frequency", erosion.get("frequency", MEMBERS["terrain"]["frequency"].default))
+    pixel, unit = 8 / here.shape[1], number("extent", extent) / 8
+    surface, slope = smoothed(here, max(here.shape[1] / 8 / frequency / 7, 1.0), tileable)
+    steepness = 0.637 / (slope / (pixel * unit)) if slope > 0 else 1.0
+    scaled = [each * (steepness / unit / pixel**order) for each, order in zip(surface, (0, 1, 1, 2, 2, 2))]
+    x, y = grid(here.shape, 1 / pixel)
+    base = np.stack([*scaled[:3], np.zeros_like(here), *scaled[3:]], -1)
+    period = (8, pixel * here.shape[0]) if tileable else None
+    terrain_there = terrain(x, y, base, pixel=pixel, seed=seed, period=period, workers=workers, dtype=np.float64, **erosion)
+    result = np.empty(terrain_there.shape, float)
+    result[..., 0] = here + (terrain_there[..., 0] - scaled[0]) * (unit / steepness)
+    for channel, own in zip((1, 2), sobel(here, tileable)):
+        result[..., channel] = own / (pixel * unit) + (terrain_there[..., channel] - scaled[channel]) / steepness
+    result[..., 3] = terrain_there[..., 3]
+    return result.astype(dtype, copy=False)
 
 
 # ---- Materials -----------------------------------------------------------------------------------------------------
 
 def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel: ArrayLike = 0.0, seed: ArrayLike = 0,
-             period: ArrayLike | None = None, threads: int | None = None, dtype: DTypeLike = np.float32,
+             period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
              **parameters: ArrayLike) -> dict[str, NDArray[Any]]:
     """Return a material, as a dict of arrays: colour (red, green and blue along a last axis of 3; linear, 0 to 1), height, slope
     (d/dx, d/dy along a last axis of 2), roughness, metalness, and lost, the covariance of the slopes that the filter removed (xx,

@@ -27,6 +27,7 @@ _RANGES: dict[str, tuple[float, float]] = {
     "pixel": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),
+    "extent": (1e-9, 1e9),
     "radius": (1e-9, 1e9),
     "power": (0, math.inf),
     "base": (-math.inf, math.inf),
@@ -76,12 +77,10 @@ def numbers(name: str, value: ArrayLike, low: float | None = None, high: float |
     """Return finite numbers within their range."""
     if low is None or high is None:
         low, high = _RANGES[name]
-    if value is None:
-        value = "None"  # NumPy would make it NaN
     span = ("a finite number" if math.isinf(low) else f"a number, {low:g} or more" if math.isinf(high)
             else f"a number from {low:.7g} to {high:.7g}")
     try:
-        array = np.asarray(value, np.float64)
+        array = np.asarray("" if value is None else value, np.float64)  # of None, NumPy would make a NaN
     except (TypeError, ValueError):
         raise refuse(name, value, f"{span}, or an array of such numbers") from None
     lowest, highest = max(low, -1.7e308), min(high, 1.7e308)
@@ -154,7 +153,7 @@ def members(kernel: str, given: Mapping[str, ArrayLike], function: str) -> list[
         if member.kind != "colour":
             values.append(array)
         elif array.ndim > 0 and array.shape[-1] == 3:
-            values += np.moveaxis(array, -1, 0)
+            values += list(np.moveaxis(array, -1, 0))
         else:
             raise refuse(name, given[name], "a linear colour: 3 numbers along its last axis")
     return values
@@ -178,7 +177,7 @@ def evaluate(kernel: str, given: Mapping[str, Any], more: Sequence[NDArray[np.fl
         elif name == "seed":
             found = [seeds(name, value)]
         elif name == "time":
-            found = [numbers(name, 0.0 if value is None else value) % 1.0]
+            found = [numbers(name, 0.0 if value is None else value)]
         else:
             found = [numbers(name, value)] if length == 1 else vector(name, value, length)
         arrays += found
@@ -195,14 +194,14 @@ def evaluate(kernel: str, given: Mapping[str, Any], more: Sequence[NDArray[np.fl
         dtype = np.dtype(object)
     if dtype not in (np.float32, np.float64):
         raise refuse("dtype", given["dtype"], "float32 or float64")
-    cores = threads(given["threads"])
+    cores = workers(given["workers"])
     out = np.empty((channels, *shape), dtype)
     if out.size > 0:
         _native.evaluate(kernel, [np.broadcast_to(array, shape) for array in arrays], out, cores)
     return out[0] if channels == 1 else np.moveaxis(out, 0, -1)
 
 
-def threads(value: int | None) -> int:
+def workers(value: int | None) -> int:
     if value is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return count("threads", value, ", or None for all cores")
+    return count("workers", value, ", or None for all cores")

@@ -36,10 +36,12 @@ struct Kernel {
     std::string inputs; // names, with a space between them, in the order of Block::in
     std::size_t channels;
     void (*fill)(const Block&);
-    std::vector<float> defaults; // of the members of the last argument's struct, which follow the other inputs
+    std::vector<float>
+        defaults; // of the members of the last argument's struct, which follow the other inputs
 };
 
-// A coordinate as its cell and the offset in it, so that a float offset is precise at any distance from the origin.
+// A coordinate as its cell and the offset in it, so that a float offset is precise at any distance from the
+// origin.
 struct Split {
     int cell;
     float local;

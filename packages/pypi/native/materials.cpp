@@ -15,13 +15,13 @@ namespace {
 template <typename Members>
 using Material = GaborMaterial (*)(gabor_vec2 p, gabor_vec2 period, Members members, std::uint32_t seed);
 template <typename Members>
-using Filtered = GaborMaterial (*)(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, Members members,
-                                   std::uint32_t seed);
+using Filtered = GaborMaterial (*)(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period,
+                                   Members members, std::uint32_t seed);
 
 void put(const Block& block, std::size_t i, const GaborMaterial& material) {
-    const float values[] = {material.colour.x,  material.colour.y, material.colour.z,  material.height,
-                            material.slope.x,   material.slope.y,  material.roughness, material.metalness,
-                            material.lost.x,    material.lost.y,   material.lost.z};
+    const float values[] = {material.colour.x, material.colour.y, material.colour.z,  material.height,
+                            material.slope.x,  material.slope.y,  material.roughness, material.metalness,
+                            material.lost.x,   material.lost.y,   material.lost.z};
     for (std::size_t c = 0; c < sizeof values / sizeof *values; ++c)
         block.put(c, i, values[c]);
 }
@@ -50,7 +50,8 @@ template <typename Members, Material<Members> material, Filtered<Members> filter
 Kernel kernel(const char* name, const Members& defaults) {
     std::vector<float> values(sizeof defaults / sizeof(float));
     std::memcpy(values.data(), &defaults, sizeof defaults);
-    return {name, "x y period.x period.y pixel.x pixel.y seed ", 11, fill<Members, material, filtered>, values};
+    return {name, "x y period.x period.y pixel.x pixel.y seed ", 11, fill<Members, material, filtered>,
+            values};
 }
 
 #define GABOR_KERNEL(name, Members)                                                                          \

@@ -40,11 +40,11 @@ using Array = nb::ndarray<const double, nb::device::cpu>;
 
 // The values of an argument in any range of the output's points.
 class Reader {
-public:
+  public:
     explicit Reader(const Array& array) : data_(array.data()) {
         for (std::size_t k = 0; k < array.ndim(); ++k)
             axes_.push_back({array.shape(k), array.stride(k)});
-        constant_ = std::all_of(axes_.begin(), axes_.end(), 
+        constant_ = std::all_of(axes_.begin(), axes_.end(),
                                 [](const Axis& axis) { return axis.stride == 0 || axis.size == 1; });
     }
 
@@ -65,7 +65,7 @@ public:
         }
     }
 
-private:
+  private:
     struct Axis {
         std::size_t size;
         std::int64_t stride;
@@ -99,7 +99,8 @@ void evaluate(const std::string& name, const std::vector<Array>& inputs,
             for (std::size_t k = 0; k < readers.size(); ++k)
                 if (double* copy = &copies[k * Block::size]; !readers[k].constant()) {
                     readers[k].read(begin, count, copy);
-                    in[k].constant = std::all_of(copy, copy + count, [=](double value) { return value == *copy; });
+                    in[k].constant =
+                        std::all_of(copy, copy + count, [=](double value) { return value == *copy; });
                 }
             kernel.fill({count, in, results.data()});
             for (std::size_t c = 0; c < kernel.channels; ++c)

@@ -13,6 +13,11 @@
 
 namespace {
 
+// A noise has period 1 in time.
+float moment(const Input& time, std::size_t i) {
+    return static_cast<float>(time.exact(i) - std::floor(time.exact(i)));
+}
+
 const char* const place_inputs = "x y period.x period.y time seed ";
 
 GaborPlace place_of(const Block& block, std::size_t i) {
@@ -21,7 +26,7 @@ GaborPlace place_of(const Block& block, std::size_t i) {
     const Split across(in[0].exact(i), place.radius.x), down(in[1].exact(i), place.radius.y);
     place.cell = {across.cell, down.cell};
     place.local = {across.local, down.local};
-    place.moment = in[4][i];
+    place.moment = moment(in[4], i);
     return place;
 }
 
@@ -31,14 +36,26 @@ struct Waves {
     std::size_t count;
     Input x, y;
     gabor_vec2 period;
-    float time;
+    float moment;
     std::uint32_t seed;
     Input wave_x, wave_y;
 };
 
-// Choices that hold for all points are template parameters, so that the loop has no branches.
-template <bool tiled, bool animated, bool one_wave, typename Store>
-void fill_waves(const Waves& waves, const Store& store) {
+template <std::size_t channels>
+void put(float* out, const GaborField& field) {
+    out[0] = channels == 2 ? field.quadrature : field.noise;
+    if (channels == 2)
+        out[Block::size] = field.noise;
+    if (channels == 3) {
+        out[Block::size] = field.gradient.x;
+        out[2 * Block::size] = field.gradient.y;
+    }
+}
+
+// Choices that hold for all points are template parameters, so that the loop has no branches. There are 1 to
+// 3 channels: (noise), (quadrature, noise) or (noise and its gradient).
+template <std::size_t channels, bool tiled, bool animated, bool one_wave>
+void fill_waves(const Waves& waves, float* out) {
     const GaborPlace origin = gabor_place_tiled({0.0f, 0.0f}, waves.period);
     int cell_x[Block::size], cell_y[Block::size];
     float local_x[Block::size], local_y[Block::size];
@@ -50,50 +67,56 @@ void fill_waves(const Waves& waves, const Store& store) {
         local_y[i] = down.local;
     }
     const gabor_vec2 first{waves.wave_x[0], waves.wave_y[0]};
-    const float time = animated ? waves.time : 0.0f;
-    if (animated && time == 0.0f)
-        return; // never: it tells compilers that the time is not 0, so that they vectorize the loop
+    const float moment = animated ? waves.moment : 0.0f;
+    if (animated && moment == 0.0f)
+        return; // never: it tells compilers that the moment is not 0, so that they vectorize the loop
     for (std::size_t i = 0; i < waves.count; ++i) {
         GaborPlace place = tiled ? origin : gabor_place({0, 0}, {0.0f, 0.0f});
         place.cell = {cell_x[i], cell_y[i]};
         place.local = {local_x[i], local_y[i]};
-        place.moment = time;
+        place.moment = moment;
         const gabor_vec2 wave = one_wave ? first : gabor_vec2(waves.wave_x[i], waves.wave_y[i]);
-        store(i, gabor_field(place, wave, waves.seed));
+        put<channels>(out + i, gabor_field(place, wave, waves.seed));
     }
 }
 
-// Calls store(i, field) for each point.
-template <typename Store>
-void each_field(const Waves& waves, const Store& store) {
+template <std::size_t channels>
+void fill_waves(const Waves& waves, float* out) {
     const auto choose = [](bool flag, auto next) { flag ? next(std::true_type()) : next(std::false_type()); };
     choose(waves.period.x > 0 || waves.period.y > 0, [&](auto tiled) {
-        choose(waves.time != 0.0f, [&](auto animated) {
+        choose(waves.moment != 0.0f, [&](auto animated) {
             choose(waves.wave_x.constant && waves.wave_y.constant, [&](auto one_wave) {
-                fill_waves<decltype(tiled)::value, decltype(animated)::value, decltype(one_wave)::value>(waves,
-                                                                                                         store);
+                fill_waves<channels, decltype(tiled)::value, decltype(animated)::value,
+                           decltype(one_wave)::value>(waves, out);
             });
         });
     });
 }
 
-bool uniform(const Block& block, std::size_t first, std::size_t end) {
-    return std::all_of(&block.in[first], &block.in[first] + (end - first), [](const Input& in) { return in.constant; });
+bool constant(const Block& block, std::size_t first, std::size_t end) {
+    return std::all_of(&block.in[first], &block.in[first] + (end - first),
+                       [](const Input& in) { return in.constant; });
 }
 
-// The same for the inputs of a place; the wave vectors are `wave_x` and `wave_y`.
-template <typename Store>
-void each_field(const Block& block, const Input& wave_x, const Input& wave_y, const Store& store) {
+// The same for the inputs of a place.
+template <std::size_t channels>
+void fill_waves(const Block& block, const Input& wave_x, const Input& wave_y, float* out) {
     const std::vector<Input>& in = block.in;
-    if (uniform(block, 2, 6))
-        each_field({block.count, in[0], in[1], {in[2][0], in[3][0]}, in[4][0], block.seed(5, 0), wave_x, wave_y},
-                   store);
+    if (constant(block, 2, 6))
+        fill_waves<channels>({block.count,
+                              in[0],
+                              in[1],
+                              {in[2][0], in[3][0]},
+                              moment(in[4], 0),
+                              block.seed(5, 0),
+                              wave_x,
+                              wave_y},
+                             out);
     else
         for (std::size_t i = 0; i < block.count; ++i)
-            store(i, gabor_field(place_of(block, i), {wave_x[i], wave_y[i]}, block.seed(5, i)));
+            put<channels>(out + i, gabor_field(place_of(block, i), {wave_x[i], wave_y[i]}, block.seed(5, i)));
 }
 
-// Channels 1 to 3: (noise), (quadrature, noise) or (noise and its gradient).
 template <std::size_t channels>
 void fill_noise(const Block& block) {
     double wave_x[Block::size], wave_y[Block::size];
@@ -103,24 +126,25 @@ void fill_noise(const Block& block) {
         wave_x[i] = wave.x;
         wave_y[i] = wave.y;
     }
-    each_field(block, {wave_x, one_wave}, {wave_y, one_wave}, [out = block.out](std::size_t i, const GaborField& field) {
-        out[i] = channels == 2 ? field.quadrature : field.noise;
-        if (channels == 2)
-            out[Block::size + i] = field.noise;
-        if (channels == 3) {
-            out[Block::size + i] = field.gradient.x;
-            out[2 * Block::size + i] = field.gradient.y;
-        }
-    });
+    if (one_wave) {
+        std::fill_n(wave_x, block.count, wave_x[0]);
+        std::fill_n(wave_y, block.count, wave_y[0]);
+    }
+    fill_waves<channels>(block, {wave_x, one_wave}, {wave_y, one_wave}, block.out);
 }
 
 void fill_stripes(const Block& block) {
-    each_field(block, block.in[6], block.in[7], [&block](std::size_t i, const GaborField& field) {
+    float values[2 * Block::size];
+    fill_waves<2>(block, block.in[6], block.in[7], values);
+    for (std::size_t i = 0; i < block.count; ++i) {
+        GaborField field{};
+        field.quadrature = values[i];
+        field.noise = values[Block::size + i];
         const gabor_vec3 stripes = gabor_stripes_of(field, block.in[8][i]);
         block.put(0, i, stripes.x);
         block.put(1, i, stripes.y);
         block.put(2, i, stripes.z);
-    });
+    }
 }
 
 // ---- Sums of noises --------------------------------------------------------------------------------------
@@ -133,10 +157,21 @@ void add_lobe(const Block& block, const GaborLobe& lobe, float amplitude, std::u
         x[i] = in[0].exact(i) / double(lobe.radius.x);
         y[i] = in[1].exact(i) / double(lobe.radius.y);
     }
-    const gabor_vec2 wave = gabor_impl_lobe_wave(lobe), period{in[2][0] / lobe.radius.x, in[3][0] / lobe.radius.y};
-    const double wave_x = wave.x, wave_y = wave.y;
-    each_field({block.count, {x, false}, {y, false}, period, in[4][0], seed, {&wave_x, true}, {&wave_y, true}},
-               [amplitude, out = block.out](std::size_t i, const GaborField& field) { out[i] += amplitude * field.noise; });
+    const gabor_vec2 wave = gabor_impl_lobe_wave(lobe),
+                     period{in[2][0] / lobe.radius.x, in[3][0] / lobe.radius.y};
+    const double wave_x = wave.x, wave_y = wave.y; // the only values that a constant input needs here
+    float noise[Block::size];
+    fill_waves<1>({block.count,
+                   {x, false},
+                   {y, false},
+                   period,
+                   moment(in[4], 0),
+                   seed,
+                   {&wave_x, true},
+                   {&wave_y, true}},
+                  noise);
+    for (std::size_t i = 0; i < block.count; ++i)
+        block.out[i] += amplitude * noise[i];
 }
 
 // Five inputs per lobe follow those of the place.
@@ -151,21 +186,25 @@ GaborLobes lobes_of(const Block& block, std::size_t i) {
 }
 
 void fill_lobes(const Block& block) {
-    if (!uniform(block, 2, block.in.size())) {
+    if (!constant(block, 2, block.in.size())) {
         for (std::size_t i = 0; i < block.count; ++i)
-            block.put(0, i, gabor_field_lobes(place_of(block, i), lobes_of(block, i), block.seed(5, i)).noise);
+            block.put(0, i,
+                      gabor_field_lobes(place_of(block, i), lobes_of(block, i), block.seed(5, i)).noise);
         return;
     }
     const GaborLobes lobes = lobes_of(block, 0);
     const float power = gabor_impl_lobes_power(lobes);
     std::fill_n(block.out, block.count, 0.0f);
     for (int k = 0; k < lobes.count; ++k)
-        add_lobe(block, lobes.lobe[k], std::sqrt(lobes.lobe[k].power / power), gabor_lobe_seed(block.seed(5, 0), k));
+        add_lobe(block, lobes.lobe[k], std::sqrt(lobes.lobe[k].power / power),
+                 gabor_lobe_seed(block.seed(5, 0), k));
 }
 
 // The lobes of gabor_field_spread.
 void add_spread(const Block& block, float frequency, float orientation, float frequency_spread,
                 float orientation_spread) {
+    frequency = gabor_cpp_min(std::fabs(frequency), 1.0e6f);
+    orientation_spread = gabor_cpp_min(orientation_spread, 1.5707963f);
     const float shells = gabor_cpp_clamp(2.857f * frequency_spread * frequency + 0.8f, 1.0f, 16.0f);
     for (int j = 0; j < gabor_impl_pieces(shells); ++j) {
         const gabor_vec3 shell = gabor_impl_piece(j, shells);
@@ -183,16 +222,16 @@ void add_spread(const Block& block, float frequency, float orientation, float fr
 
 void fill_spread(const Block& block) {
     const std::vector<Input>& in = block.in;
-    if (uniform(block, 2, block.in.size())) {
+    if (constant(block, 2, block.in.size())) {
         std::fill_n(block.out, block.count, 0.0f);
-        add_spread(block, std::min(std::fabs(in[6][0]), 1.0e6f), in[7][0], in[8][0], in[9][0]);
+        add_spread(block, in[6][0], in[7][0], in[8][0], in[9][0]);
         return;
     }
     for (std::size_t i = 0; i < block.count; ++i)
-        block.put(0, i,
-                  gabor_field_spread(place_of(block, i), in[6][i], in[7][i], in[8][i], in[9][i],
-                                     block.seed(5, i))
-                      .noise);
+        block.put(
+            0, i,
+            gabor_field_spread(place_of(block, i), in[6][i], in[7][i], in[8][i], in[9][i], block.seed(5, i))
+                .noise);
 }
 
 void fill_isotropic(const Block& block) {
@@ -222,7 +261,7 @@ GaborPlace3d place_3d_of(const Block& block, std::size_t i) {
         z(in[2].exact(i), place.radius.z);
     place.cell = {x.cell, y.cell, z.cell};
     place.local = {x.local, y.local, z.local};
-    place.moment = in[6][i];
+    place.moment = moment(in[6], i);
     return place;
 }
 
@@ -244,7 +283,8 @@ void fill_3d_isotropic(const Block& block) {
 } // namespace
 
 std::vector<Kernel> noise_kernels() {
-    const std::string place = place_inputs, wave = place + "frequency orientation", place_3d = place_3d_inputs;
+    const std::string place = place_inputs, wave = place + "frequency orientation",
+                      place_3d = place_3d_inputs;
     return {{"noise", wave, 1, fill_noise<1>, {}},
             {"complex", wave, 2, fill_noise<2>, {}},
             {"gradient", wave, 3, fill_noise<3>, {}},

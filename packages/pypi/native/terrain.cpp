@@ -59,7 +59,11 @@ void fill_eroded(const Block& block) {
     for (std::size_t i = 0; i < block.count; ++i) {
         const Ground ground = ground_of(block, i);
         const GaborErosion erosion = erosion_of(base + 7, i);
-        GaborTerrain terrain{base[0][i], {base[1][i], base[2][i]}, base[3][i], {base[4][i], base[5][i], base[6][i]}, {0.0f, 0.0f}};
+        GaborTerrain terrain{base[0][i],
+                             {base[1][i], base[2][i]},
+                             base[3][i],
+                             {base[4][i], base[5][i], base[6][i]},
+                             {0.0f, 0.0f}};
         if (erosion.octaves > 0)
             terrain = gabor_eroded_at(ground.place, ground.dx, ground.dy, terrain, erosion, block.seed(6, i));
         put(block, i, terrain);
@@ -73,6 +77,7 @@ std::vector<Kernel> terrain_kernels() {
     std::vector<float> defaults(1 + floats, float(erosion.octaves));
     std::memcpy(&defaults[1], &erosion.frequency, floats * sizeof(float));
     const std::string ground = ground_inputs;
-    return {{"terrain", ground, 4, fill_terrain, defaults},
-            {"eroded", ground + "base.0 base.1 base.2 base.3 base.4 base.5 base.6 ", 4, fill_eroded, defaults}};
+    return {
+        {"terrain", ground, 4, fill_terrain, defaults},
+        {"eroded", ground + "base.0 base.1 base.2 base.3 base.4 base.5 base.6 ", 4, fill_eroded, defaults}};
 }
