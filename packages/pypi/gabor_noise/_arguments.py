@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 import os
 import reprlib
@@ -10,10 +11,9 @@ from typing import Any, Mapping, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from . import _native
-
+_native: Any = importlib.import_module("._native", __package__)
 if _native.HAS_AVX2:
-    from . import _native_avx2 as _native  # type: ignore[no-redef]
+    _native = importlib.import_module("._native_avx2", __package__)
 
 # The range of each argument that is a number, or an array of numbers.
 _RANGES: dict[str, tuple[float, float]] = {
@@ -143,7 +143,7 @@ def members(kernel: str, given: Mapping[str, ArrayLike], function: str) -> list[
     values: list[NDArray[np.float64]] = []
     exact = iter(_native.KERNELS[kernel][2])
     for name, member in of.items():
-        defaults = [np.float64(next(exact)) for _ in range(3 if member.kind == "colour" else 1)]
+        defaults = [np.asarray(next(exact), np.float64) for _ in range(3 if member.kind == "colour" else 1)]
         if name not in given:
             values += defaults
             continue

@@ -141,12 +141,12 @@ const Row rows[]{
 };
 
 bool has_avx2() {
-#if defined(_MSC_VER)
+#ifndef GABOR_AVX2
+    return false; // there is no module for it
+#elif defined(_MSC_VER)
     return IsProcessorFeaturePresent(PF_AVX2_INSTRUCTIONS_AVAILABLE);
-#elif defined(__x86_64__)
-    return __builtin_cpu_supports("avx2");
 #else
-    return false;
+    return __builtin_cpu_supports("avx2");
 #endif
 }
 
