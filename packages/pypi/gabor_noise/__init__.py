@@ -1,159 +1,314 @@
-"""Fast Gabor noise with unit variance, on numpy arrays and as shader source.
+"""Gabor noise with mean 0 and variance 1, materials and eroded mountains, on numpy arrays; and their shaders' source.
 
-    import numpy as np, gabor_noise
-    y, x = np.mgrid[0:512, 0:512] / 32.0                                      # 32 pixels per kernel radius
-    n = gabor_noise.noise(x, y, frequency=4.0, orientation=np.pi / 4, seed=7)  # mean 0, variance 1, float32
-    wgsl = gabor_noise.source("noise", "wgsl")                              # for wgpu, moderngl, vispy
+    import gabor_noise
+    picture = gabor_noise.image((512, 512), scale=32, frequency=4.0, orientation=0.7854, seed=7)
+    x, y = gabor_noise.grid((512, 512), scale=128)
+    wood = gabor_noise.material("wood", x, y, rings=20)["colour"]
+    wgsl = gabor_noise.source("noise", "wgsl")
 
-Positions are in kernel radii and broadcast against each other; except in noise_3d, values are as precise far from the origin
-as near it. A frequency is in cycles per kernel radius, an orientation in radians from +x towards +y; both may be arrays with
-one value per point. A seed is any 32-bit integer. Values equal those of the shaders up to rounding. All functions use all
-cores and return float32. They raise ValueError for shapes that do not broadcast.
+Positions are in kernel radii, a frequency is in cycles per kernel radius, and an angle in radians from +x towards +y; each is a
+number or an array, from -10^9 to 10^9 for positions. Positions and parameters broadcast against each other, except periods. So
+`seed=np.arange(8)[:, None, None]` makes a batch of eight pictures. Values equal those of the shaders up to rounding, wherever the
+positions are; those of materials get coarser far from the origin.
+
+All functions take these keywords:
+    seed     an integer of 32 bits; different seeds give independent noises
+    period   units after which the pattern repeats exactly, one number or one for each axis; 0 or None for no repetition
+    workers  the number of cores to use, without holding the GIL; None for all
+    dtype    of the result: float32, in which values are computed, or float64
+They raise ValueError for a value out of its range and for shapes that do not broadcast, and TypeError for an unknown keyword.
 """
 
 from __future__ import annotations
 
 import importlib.resources
 import inspect
-import re
-import struct
-from typing import Literal
+from typing import Any, Callable, Literal, NamedTuple, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from . import _native
+from ._arguments import MEMBERS, count, evaluate, members, number, numbers, refuse, vector
+from ._heightmap import smoothed, sobel
 
-__all__ = ["noise", "noise_gradient", "noise_complex", "noise_spread", "noise_filtered", "noise_3d", "stripes", "terrain",
-           "source"]
+__all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_complex", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
+           "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "source"]
 __version__ = "@VERSION@"
 
 
-def _points(*positions: ArrayLike, also: tuple[ArrayLike, ...] = ()) -> tuple[tuple[int, ...], list, list]:
-    """Return the common shape, the positions as flat float64 arrays, and the parameters as flat float32 arrays, of length 1
-    for scalars."""
-    arrays = [np.asarray(position, np.float64) for position in positions]
-    others = [np.asarray(other, np.float32) for other in also]
-    shape = np.broadcast_shapes(*(array.shape for array in arrays + others))
-    flat = [np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1) for array in arrays]
-    return shape, flat, [other.reshape(1) if other.ndim == 0 else np.ascontiguousarray(np.broadcast_to(other, shape)).reshape(-1)
-                         for other in others]
+# ---- Grids ---------------------------------------------------------------------------------------------------------
+
+def grid(shape: Sequence[int], scale: float = 32.0) -> tuple[NDArray[np.float64], ...]:
+    """Return the positions of the pixels' centres, as arrays that broadcast to the shape.
+
+    shape: (height, width), which gives x and y; or (depth, height, width), which gives x, y and z.
+    scale: pixels per unit.
+    """
+    sides = tuple(shape) if isinstance(shape, (tuple, list, np.ndarray)) else ()
+    if len(sides) not in (2, 3):
+        raise refuse("shape", shape, "(height, width) or (depth, height, width)")
+    pixels = number("scale", scale)
+    axes = [(np.arange(count(f"shape[{axis}]", side)) + 0.5) / pixels for axis, side in enumerate(sides)]
+    return tuple(reversed(np.meshgrid(*axes, indexing="ij", sparse=True)))
 
 
-def _with_channels(values: NDArray[np.float32], shape: tuple[int, ...]) -> NDArray[np.float32]:
-    """Return the values in this shape, with a last axis for channels if there are several."""
-    return values.reshape(shape) if len(values) == 1 else np.moveaxis(values.reshape(-1, *shape), 0, -1)
+def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
+          isotropic: bool = False, frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = 0.0,
+          lobes: Sequence[Lobe] | None = None, seed: ArrayLike = 0, period: ArrayLike | None = None,
+          time: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return a picture of noise, with one value per pixel: mean 0, variance 1.
+
+    shape: (height, width) in pixels.
+    scale: pixels per kernel radius. Waves are scale / frequency pixels long.
+    isotropic: waves in all directions, as in `noise_isotropic`.
+    frequency_spread, orientation_spread: a range of waves, as in `noise_spread`.
+    lobes: a sum of noises, as in `noise_lobes`.
+    period: kernel radii, so width / scale gives a picture that tiles.
+    The other arguments are those of `noise`. The result has this shape, or the one that it broadcasts to with the arguments.
+    """
+    x, y = _axes(shape, scale, 2)
+    given = {**locals(), "x": x, "y": y}
+    spread = np.any(frequency_spread) or np.any(orientation_spread)
+    if bool(isotropic) + bool(spread) + (lobes is not None) > 1:
+        raise ValueError("isotropic, a spread and lobes were given: expected at most one of them")
+    if lobes is not None:
+        return evaluate("lobes", given, _inputs(lobes))
+    return evaluate("isotropic" if isotropic else "spread" if spread else "noise", given)
 
 
-def _periods(period: ArrayLike | None) -> tuple[float, float]:
-    x, y = np.broadcast_to(np.asarray(0.0 if period is None else period, float), 2)
-    if not (np.isfinite([x, y]).all() and min(x, y) >= 0):
-        raise ValueError(f"period is {period}: expected a number or a pair of numbers, 0 or more; 0 for no repetition")
-    return float(x), float(y)
+def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
+           seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+           dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return noise in 3D, with one value per voxel: mean 0, variance 1.
+
+    shape: (depth, height, width) in voxels.
+    scale: voxels per kernel radius.
+    The other arguments are those of `noise_3d`.
+    """
+    x, y, z = _axes(shape, scale, 3)
+    return noise_3d(x, y, z, frequency=frequency, direction=direction, seed=seed, period=period, time=time, workers=workers,
+                    dtype=dtype)
 
 
-def _field(kind: int, x, y, frequency, orientation, seed: int, period, time) -> NDArray[np.float32]:
-    shape, flat, parameters = _points(x, y, also=(frequency, orientation))
-    values = _native.field(*flat, *parameters, seed & 0xFFFFFFFF, *_periods(period),
-                           0.0 if time is None else float(time) % 1.0, kind)
-    return _with_channels(values, shape)
+def _axes(shape: Sequence[int], scale: float, dimensions: int) -> tuple[NDArray[np.float64], ...]:
+    axes = grid(shape, scale)
+    if len(axes) != dimensions:
+        raise refuse("shape", shape, "(height, width)" if dimensions == 2 else "(depth, height, width)")
+    return axes
 
 
-def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: int = 0,
-          period: ArrayLike | None = None, time: float | None = None) -> NDArray[np.float32]:
+# ---- Noise ---------------------------------------------------------------------------------------------------------
+
+def noise(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+          period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+          dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return Gabor noise at (x, y): mean 0, variance 1 at every point.
 
-    period: kernel radii after which the pattern repeats exactly, one number or a pair for x and y; 0 for no repetition.
-    time: time in an animation with period 1; None for no animation.
+    frequency: cycles per kernel radius, up to 10^6.
+    orientation: direction of the wave vector in radians; waves run along it.
+    period: kernel radii, at least 1/1024.
+    time: time in an animation with period 1; 0 or None for none.
     """
-    return _field(1, x, y, frequency, orientation, seed, period, time)
+    return evaluate("noise", locals())
 
 
-def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: int = 0,
-                   period: ArrayLike | None = None, time: float | None = None) -> NDArray[np.float32]:
-    """Return (noise, d/dx, d/dy) along a last axis of 3. Arguments are those of `noise`."""
-    return _field(3, x, y, frequency, orientation, seed, period, time)
+def noise_gradient(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+                   period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                   dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return (noise, d/dx, d/dy) along a last axis of 3, with derivatives per kernel radius. Arguments are those of `noise`."""
+    return evaluate("gradient", locals())
 
 
-def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: int = 0,
-                  period: ArrayLike | None = None, time: float | None = None) -> NDArray[np.float32]:
+def noise_complex(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0, seed: ArrayLike = 0,
+                  period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                  dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (quadrature, noise) along a last axis of 2. The quadrature is the same pattern with its waves a quarter period
     ahead; arctan2(noise, quadrature) is the phase of stripes of even contrast. Arguments are those of `noise`."""
-    return _field(2, x, y, frequency, orientation, seed, period, time)
+    return evaluate("complex", locals())
 
 
-def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: float = 4.0, orientation: float = 0.0,
-                 frequency_spread: float = 0.0, orientation_spread: float = np.pi / 2, seed: int = 0) -> NDArray[np.float32]:
-    """Return noise of waves within `orientation_spread` radians of the orientation (pi/2: all directions) and within the
-    fraction `frequency_spread` (0 to 1) of the frequency. The cost grows with the number of waves: at frequency 2, all
-    directions cost as much as 10 calls of `noise`."""
-    shape, flat, _ = _points(x, y)
-    return _native.spread(*flat, frequency, orientation, frequency_spread, orientation_spread, seed & 0xFFFFFFFF).reshape(shape)
+def noise_isotropic(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, seed: ArrayLike = 0,
+                    period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                    dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return noise of waves in all directions, at the same cost for every frequency: about that of four calls of `noise`.
+    Arguments are those of `noise`."""
+    return evaluate("isotropic", locals())
+
+
+def noise_spread(x: ArrayLike, y: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
+                 frequency_spread: ArrayLike = 0.0, orientation_spread: ArrayLike = np.pi / 2, seed: ArrayLike = 0,
+                 period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+                 dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return noise of a range of waves, a sum of up to 1024 noises: at frequency 2, all directions cost as much as 10 calls of
+    `noise`.
+
+    frequency_spread: frequencies are within this fraction of the frequency, 0 to 1.
+    orientation_spread: directions are within so many radians of the orientation, 0 to pi/2, which is all directions.
+    The other arguments are those of `noise`.
+    """
+    return evaluate("spread", locals())
+
+
+class Lobe(NamedTuple):
+    """Noise around one wave vector, as a part of `noise_lobes`. Each member is a number, or an array that broadcasts."""
+
+    frequency: ArrayLike  # cycles per unit of x and y, whatever the radius
+    orientation: ArrayLike = 0.0  # as in `noise`
+    radius: ArrayLike = 1.0  # radius of the kernels along x and y, one number or a pair along the last axis
+    power: ArrayLike = 1.0  # power relative to the other lobes, 0 or more
+
+
+def noise_lobes(x: ArrayLike, y: ArrayLike, lobes: Sequence[Lobe], *, seed: ArrayLike = 0, period: ArrayLike | None = None,
+                time: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return a sum of independent noises: mean 0, variance 1. Its spectrum has a lobe around each wave vector, with a standard
+    deviation of 1/sqrt(12) / radius cycles per unit.
+
+    lobes: 1 to 16 of them; or tuples like them, such as (frequency, orientation).
+    The other arguments are those of `noise`.
+    """
+    return evaluate("lobes", locals(), _inputs(lobes))
+
+
+def _inputs(lobes: Sequence[Lobe]) -> list[NDArray[np.float64]]:
+    """Return five inputs for each lobe."""
+    expected = "1 to 16 lobes: (frequency, orientation, radius, power), of which the last three may be left out"
+    try:
+        complete = [Lobe(*lobe) for lobe in lobes]
+    except TypeError:
+        raise refuse("lobes", lobes, expected) from None
+    if not 1 <= len(complete) <= 16:
+        raise refuse("lobes", lobes, expected)
+    inputs: list[NDArray[np.float64]] = []
+    for index, lobe in enumerate(complete):
+        try:
+            inputs += [numbers("frequency", lobe.frequency), numbers("orientation", lobe.orientation),
+                       *vector("radius", lobe.radius, 2), numbers("power", lobe.power)]
+        except ValueError as error:
+            raise ValueError(f"lobes[{index}]: {error}") from None
+    if not np.any(sum(inputs[4::5])):
+        raise ValueError("the lobes have no power: expected one with a power above 0")
+    return inputs
 
 
 def noise_filtered(x: ArrayLike, y: ArrayLike, pixel: ArrayLike, *, frequency: ArrayLike = 4.0, orientation: ArrayLike = 0.0,
-                   seed: int = 0) -> NDArray[np.float32]:
+                   seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None,
+                   workers: int | None = None, dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return (noise averaged over a pixel, share of the variance that averaging removed) along a last axis of 2.
 
-    pixel: the pixel's sides in kernel radii, one number or a pair for x and y.
+    pixel: the pixel's sides in kernel radii, one number or a pair along the last axis.
+    The other arguments are those of `noise`.
     """
-    width_x, width_y = np.broadcast_to(np.asarray(pixel, float), 2)
-    shape, flat, parameters = _points(x, y, also=(frequency, orientation))
-    return _with_channels(_native.filtered(*flat, float(width_x), float(width_y), *parameters, seed & 0xFFFFFFFF), shape)
+    return evaluate("filtered", locals())
 
 
-def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: float = 4.0,
-             direction: tuple[float, float, float] | None = None, seed: int = 0) -> NDArray[np.float32]:
-    """Return solid noise at (x, y, z), with waves along `direction`, or in all directions if it is None."""
-    shape, flat, _ = _points(x, y, z)
-    vector = (0.0, 0.0, 0.0) if direction is None else tuple(map(float, direction))
-    if direction is not None and not any(vector):
-        raise ValueError("direction is (0, 0, 0): expected a nonzero vector, or None for all directions")
-    return _native.solid(*flat, frequency, *vector, direction is None, seed & 0xFFFFFFFF).reshape(shape)
+def noise_3d(x: ArrayLike, y: ArrayLike, z: ArrayLike, *, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,
+             seed: ArrayLike = 0, period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+             dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return noise at (x, y, z): mean 0, variance 1 at every point.
+
+    direction: a vector of any length along the wave vector, three numbers along the last axis; None for waves in all
+    directions, at seven times the cost.
+    The other arguments are those of `noise`; a period may have three numbers.
+    """
+    if direction is None:
+        return evaluate("3d_isotropic", locals())
+    if (np.asarray(direction) == 0).all(axis=-1).any():
+        raise refuse("direction", direction, "nonzero vectors, or None for all directions")
+    return evaluate("3d", locals())
 
 
-def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: float = 2.0, seed: int = 0,
-            period: ArrayLike | None = None) -> NDArray[np.float32]:
+def stripes(x: ArrayLike, y: ArrayLike, wave_x: ArrayLike, wave_y: ArrayLike, *, sharpness: ArrayLike = 2.0, seed: ArrayLike = 0,
+            period: ArrayLike | None = None, time: ArrayLike | None = None, workers: int | None = None,
+            dtype: DTypeLike = np.float32) -> NDArray[Any]:
     """Return stripes of even contrast along a map of wave vectors: (cosine, sine, intensity) along a last axis of 3.
 
     wave_x, wave_y: the wave vector in cycles per kernel radius, across the stripes; (0, 0) where the map has no direction.
     sharpness: (cosine, sine) has length 1 where the intensity exceeds 1 / sharpness, and fades below that, where stripes fork.
-    period: as in `noise`.
+    The other arguments are those of `noise`.
     """
-    shape, flat, waves = _points(x, y, also=(wave_x, wave_y))
-    return _with_channels(_native.stripes(*flat, *waves, *_periods(period), float(sharpness), seed & 0xFFFFFFFF), shape)
+    return evaluate("stripes", locals())
 
 
-def _erosion() -> dict[str, int | float]:
-    """Return the members of GaborErosion with their defaults. Integers stay integers."""
-    text = source("erosion")
-    members = re.findall(r"^ +(int|float) (\w+);", text.partition("struct GaborErosion {")[2].partition("};")[0], re.MULTILINE)
-    defaults = re.search(r"return GaborErosion\((.*)\);", text)[1].split(",")
-    return {name: int(value) if kind == "int" else float(value) for (kind, name), value in zip(members, defaults)}
+# ---- Terrain -------------------------------------------------------------------------------------------------------
 
-
-def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, seed: int = 0, period: float | None = None,
-            **erosion: float) -> NDArray[np.float32]:
+def terrain(x: ArrayLike, y: ArrayLike, base: ArrayLike | None = None, *, pixel: ArrayLike = 0.0, seed: ArrayLike = 0,
+            period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
+            **erosion: ArrayLike) -> NDArray[Any]:
     """Return eroded mountains: (height, d/dx, d/dy, ridge) along a last axis of 4. Heights are in the unit of x and y;
     ridge ranges from -1 in valleys to 1 on ridges.
 
-    base: the same four values of a terrain to erode, along its last axis; None for hills about four units wide.
-    period: units after which the terrain repeats, at least 4; None for no repetition.
-    erosion: members of GaborErosion in gabor_erosion.glsl, such as octaves, frequency and strength; 0 octaves return the base
-    alone. inspect.signature(terrain) has all of them with their defaults.
+    base: the same four values of a terrain to erode, along its last axis, or seven with its curvature (xx, xy, yy), without
+    which slopes err by 0.45 times the rms slope; None for hills about four units wide.
+    pixel: the pixel's sides, one number or a pair, to leave out finer features; 0 for none.
+    period: units after which the terrain repeats, at least 4.
+    erosion:
     """
-    if unknown := erosion.keys() - _EROSION.keys():
-        raise TypeError(f"terrain() has no argument {min(unknown)!r}: expected base, seed, period, {', '.join(_EROSION)}")
-    if period is not None and not 4 <= period < np.inf:
-        raise ValueError(f"period is {period}: expected at least 4, or None")
-    given = () if base is None else tuple(np.moveaxis(np.asarray(base, np.float32), -1, 0))
-    if base is not None and len(given) != 4:
-        raise ValueError(f"base has {len(given)} values along its last axis: expected height, d/dx, d/dy, ridge")
-    shape, flat, given = _points(x, y, also=given)
-    members = [struct.pack("=i" if isinstance(default, int) else "=f", type(default)(erosion.get(name, default)))
-               for name, default in _EROSION.items()]
-    return _with_channels(_native.terrain(*flat, given, b"".join(members), period or 0.0, seed & 0xFFFFFFFF), shape)
+    if base is None:
+        return evaluate("terrain", locals(), members("terrain", erosion, "terrain()"), 4.0)
+    given = numbers("base", base)
+    if given.ndim == 0 or given.shape[-1] not in (4, 7):
+        raise refuse("base", base, "4 values along its last axis: height, d/dx, d/dy, ridge; or 7 with xx, xy, yy")
+    base = np.concatenate([given, np.zeros((*given.shape[:-1], 7 - given.shape[-1]))], -1)
+    return evaluate("eroded", locals(), members("eroded", erosion, "terrain()"), 4.0)
 
+
+def erode(heights: ArrayLike, extent: float, *, tileable: bool = False, seed: ArrayLike = 0, workers: int | None = None,
+          dtype: DTypeLike = np.float32, **erosion: ArrayLike) -> NDArray[Any]:
+    """Return a heightmap with gullies and ridges, in proportion to its slopes and width: (height, d/dx, d/dy, ridge) along a last
+    axis of 4, as `gabor erode` does. Gullies follow the map smoothed to their scale.
+
+    heights: an array of at least 3 x 3 heights.
+    extent: the map's width, in the unit of its heights.
+    tileable: the map tiles without seams, and so does the result.
+    erosion: for any map, these parameters mean what they mean for one that is 8 units wide with an rms slope of 0.637, that of the
+        hills of `terrain`. So there are 8 * frequency gullies across the map.
+    """
+    here = numbers("heights", heights)
+    if here.ndim != 2 or min(here.shape) < 3:
+        raise refuse("heights", here, "an array of at least 3 x 3 heights")
+    members("terrain", erosion, "erode()")
+    frequency = number("frequency", erosion.get("frequency", MEMBERS["terrain"]["frequency"].default))
+    pixel, unit = 8 / here.shape[1], number("extent", extent) / 8
+    surface, slope = smoothed(here, max(here.shape[1] / 8 / frequency / 7, 1.0), tileable)
+    steepness = 0.637 / (slope / (pixel * unit)) if slope > 0 else 1.0
+    scaled = [each * (steepness / unit / pixel**order) for each, order in zip(surface, (0, 1, 1, 2, 2, 2))]
+    x, y = grid(here.shape, 1 / pixel)
+    base = np.stack([*scaled[:3], np.zeros_like(here), *scaled[3:]], -1)
+    period = (8, pixel * here.shape[0]) if tileable else None
+    terrain_there = terrain(x, y, base, pixel=pixel, seed=seed, period=period, workers=workers, dtype=np.float64, **erosion)
+    result = np.empty(terrain_there.shape, float)
+    result[..., 0] = here + (terrain_there[..., 0] - scaled[0]) * (unit / steepness)
+    for channel, own in zip((1, 2), sobel(here, tileable)):
+        result[..., channel] = own / (pixel * unit) + (terrain_there[..., channel] - scaled[channel]) / steepness
+    result[..., 3] = terrain_there[..., 3]
+    return result.astype(dtype, copy=False)
+
+
+# ---- Materials -----------------------------------------------------------------------------------------------------
+
+def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel: ArrayLike = 0.0, seed: ArrayLike = 0,
+             period: ArrayLike | None = None, workers: int | None = None, dtype: DTypeLike = np.float32,
+             **parameters: ArrayLike) -> dict[str, NDArray[Any]]:
+    """Return a material, as a dict of arrays: colour (red, green and blue along a last axis of 3; linear, 0 to 1), height, slope
+    (d/dx, d/dy along a last axis of 2), roughness, metalness, and lost, the covariance of the slopes that the filter removed (xx,
+    yy, xy along a last axis of 3). A picture of four by four units shows a material well.
+
+    pixel: the pixel's sides, one number or a pair, over which to average; 0 for none.
+    period: as above; a short one compresses the material's large-scale variation.
+    parameters: of the material, such as wood. Angles are in radians.
+    """
+    kernel = str(name).replace("-", "_")
+    if kernel not in MEMBERS or kernel in ("terrain", "eroded"):
+        raise refuse("name", name, f"one of {', '.join(_MATERIALS)}")
+    values = evaluate(kernel, locals(), members(kernel, parameters, f"material({name!r})"))
+    return {"colour": values[..., :3], "height": values[..., 3], "slope": values[..., 4:6], "roughness": values[..., 6],
+            "metalness": values[..., 7], "lost": values[..., 8:]}
+
+
+_MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrain", "eroded")]
+
+
+# ---- Source --------------------------------------------------------------------------------------------------------
 
 _ENDINGS = {"glsl": "glsl", "hlsl": "hlsl", "metal": "metal", "wgsl": "wgsl", "godot": "gdshaderinc", "cpp": "hpp"}
 
@@ -175,9 +330,27 @@ def source(name: str = "noise", language: Literal["glsl", "hlsl", "metal", "wgsl
     return file.read_text(encoding="utf-8")
 
 
-_EROSION = _erosion()
-_signature = inspect.signature(terrain)
-terrain.__signature__ = _signature.replace(parameters=[
-    *list(_signature.parameters.values())[:-1],
-    *(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=type(default).__name__)
-      for name, default in _EROSION.items())])
+# ---- Signatures and help of the functions whose parameters are members of structs ----------------------------------------------
+
+def _describe(kernel: str) -> str:
+    lines = []
+    for member in MEMBERS[kernel].values():
+        span = "" if member.kind == "colour" else f", {member.low:.5g} to {member.high:.5g}"
+        lines.append(f"        {member.name}: {member.about[0].lower()}{member.about[1:]}{span} [{member.default}]")
+    return "\n".join(lines)
+
+
+def _document(function: Callable[..., object]) -> None:
+    """Add the members of GaborErosion to a function's signature and help."""
+    signature = inspect.signature(function)
+    function.__signature__ = signature.replace(parameters=[  # type: ignore[attr-defined]
+        *list(signature.parameters.values())[:-1],
+        *(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=member.default, annotation="ArrayLike")
+          for name, member in MEMBERS["terrain"].items())])
+    function.__doc__ = f"{function.__doc__.rstrip()}\n{_describe('terrain')}\n"  # type: ignore[union-attr]
+
+
+_document(terrain)
+_document(erode)
+material.__doc__ = f"{material.__doc__.rstrip()}\n\n" + "".join(  # type: ignore[union-attr]
+    f"    {name}:\n{_describe(name.replace('-', '_'))}\n" for name in _MATERIALS)

@@ -1,0 +1,287 @@
+"""Tests the Python module as its users have it: run with a Python that has gabor_noise and Pillow installed.
+
+    python3 module_test.py [DOCS]    DOCS: the folder of python.md and its pictures
+"""
+
+import inspect
+import pathlib
+import re
+import sys
+import tempfile
+import threading
+import unittest
+
+import gabor_noise as gn
+import numpy as np
+from PIL import Image
+
+POINTS = dict(x=np.linspace(-3, 40, 24), y=np.linspace(7, 0.1, 24))
+POINTS_3D = POINTS | dict(z=np.linspace(0.2, 9, 24))
+WAVE = dict(frequency=[1.0, 3.0, 5.5], orientation=[0.0, 1.1, 2.5])
+COMMON = dict(seed=[1, 2**32 - 1, -5], time=[0.0, 0.3, 4.4])
+PICTURE = dict(shape=(3, 8), scale=4.0)
+# Each function, its fixed arguments, and three values of each argument that may be an array.
+CASES = [
+    (gn.noise, POINTS, WAVE | COMMON),
+    (gn.noise, POINTS | dict(period=(6, 9)), WAVE | COMMON),
+    (gn.noise_gradient, POINTS, WAVE | COMMON),
+    (gn.noise_complex, POINTS, WAVE | COMMON),
+    (gn.noise_isotropic, POINTS, dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
+    (gn.noise_spread, POINTS, WAVE | COMMON | dict(frequency_spread=[0.0, 0.3, 1.0], orientation_spread=[0.0, 0.4, np.pi / 2])),
+    (gn.noise_filtered, POINTS | dict(pixel=0.1), WAVE | COMMON),
+    (gn.noise_filtered, POINTS, dict(pixel=[(0.1, 0.1), (0.3, 0.1), (0.3, 0.6)])),
+    (gn.noise_3d, POINTS_3D, dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
+    (gn.noise_3d, POINTS_3D | dict(direction=(1, 2, 3), period=5), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
+    (gn.noise_3d, POINTS_3D, dict(direction=[(1, 0, 0), (0, 3, 0), (-1, 1, 2)])),
+    (gn.stripes, POINTS | dict(wave_x=2.0, wave_y=1.0), COMMON | dict(wave_x=[0.0, 1.0, 4.0], wave_y=[0.0, 1.0, 4.0], sharpness=[0.1, 1.0, 9.0])),
+    (gn.image, PICTURE, WAVE | COMMON),
+    (gn.image, PICTURE | dict(isotropic=True), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
+    (gn.image, PICTURE | dict(frequency_spread=0.5), WAVE | dict(orientation_spread=[0.0, 0.4, 1.5])),
+    (gn.image, PICTURE | dict(orientation_spread=0.5), dict(frequency_spread=[0.0, 0.3, 1.0])),
+    (gn.image, PICTURE | dict(lobes=[(3, 0.4), (1,)]), COMMON),
+    (gn.volume, dict(shape=(2, 3, 4), scale=4.0), dict(frequency=[0.5, 2.0, 4.0]) | COMMON),
+    (gn.terrain, POINTS, dict(seed=[1, 2, 3], pixel=[(0.0, 0.0), (1.0, 0.1), (0.1, 2.0)])),
+    (gn.terrain, POINTS | dict(base=(0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3)), dict(seed=[1, 2, 3])),
+    (gn.terrain, POINTS, dict(base=[(0.1, 0.05, -0.03, 0.2), (0.3, 0.1, -0.03, 0.2), (0.1, 0.05, -0.03, 0.9)])),
+    (gn.erode, dict(heights=np.sin(np.arange(48.0)).reshape(6, 8), extent=8.0, frequency=0.2), dict(seed=[1, 2, 3])),
+]
+EROSION = dict(octaves=[1, 2, 7], frequency=[0.5, 1.0, 3.0], strength=[0.0, 0.1, 0.4], lacunarity=[1.5, 2.0, 3.0], gain=[0.2, 0.5, 0.8],
+               onset=[0.1, 0.5, 2.0], detail=[0.3, 1.5, 6.0], uniformity=[0.5, 2.0, 7.0], ridge_rounding=[0.0, 0.4, 2.0],
+               crease_rounding=[0.0, 0.4, 2.0], gully_weight=[0.0, 0.5, 1.0], branching=[0.0, 0.7, 2.0])
+VECTORS = {"pixel", "direction", "base"}
+MATERIALS = re.findall(r"^    (\S+):$", gn.material.__doc__.partition("Angles are in radians")[2], re.MULTILINE)
+
+
+def flat(result):
+    """Returns a material's values as channels along a last axis."""
+    if not isinstance(result, dict):
+        return result
+    return np.concatenate([part if name in ("colour", "slope", "lost") else part[..., None] for name, part in result.items()], -1)
+
+
+def points(function, fixed):
+    return len(fixed["shape"]) if "shape" in fixed else np.ndim(fixed["heights"]) if "heights" in fixed else 1
+
+
+class Arrays(unittest.TestCase):
+    def check(self, function, fixed, name, values, vector):
+        """An array of a parameter gives what a loop over its values gives, and each value gives something else."""
+        column = np.asarray(values).reshape(3, *[1] * points(function, fixed), *[-1] * vector)
+        together = flat(function(**fixed | {name: column}))
+        apart = np.array([flat(function(**fixed | {name: value})) for value in values])
+        self.assertEqual(together.shape, apart.shape)
+        difference = np.abs(together - apart)
+        self.assertTrue(difference.max() < 2e-5, f"{name}: largest difference {difference.max()} at "
+                                                 f"{np.unravel_index(difference.argmax(), difference.shape)}")
+        for one, other in ((0, 1), (1, 2), (0, 2)):
+            self.assertGreater(np.abs(apart[one] - apart[other]).max(), 1e-4, f"{name} has no effect")
+
+    def test_each_parameter(self):
+        for function, fixed, parameters in CASES:
+            for name, values in parameters.items():
+                with self.subTest(function.__name__, name=name, **{key: fixed[key] for key in fixed.keys() - POINTS_3D.keys()}):
+                    self.check(function, fixed, name, values, name in VECTORS)
+
+    def test_each_parameter_of_erosion(self):
+        documented = set(inspect.signature(gn.terrain).parameters) - {"x", "y", "base", "pixel", "seed", "period", "workers", "dtype"}
+        self.assertEqual(documented, set(EROSION))
+        for name, values in EROSION.items():
+            with self.subTest(name):
+                self.check(gn.terrain, POINTS, name, values, False)
+
+    def test_each_parameter_of_each_material(self):
+        self.assertEqual(len(MATERIALS), 12)
+        x, y = (each.ravel() for each in np.broadcast_arrays(*gn.grid((48, 48), 12)))
+        lines = re.findall(r"^    (\S+):$|^        (\w+): .*?(?:, (-?[\d.]+) to ([\d.]+))? \[", gn.material.__doc__, re.MULTILINE)
+        tested = 0
+        for material, parameter, low, high in lines:
+            name = material or name
+            if not parameter or name not in MATERIALS:
+                continue
+            tested += 1
+            values = np.linspace(float(low), float(high), 7)[2:5] if low else np.eye(3)
+            with self.subTest(name, parameter=parameter):
+                self.check(gn.material, dict(name=name, x=x, y=y, pixel=0.02, seed=3), parameter, values, not low)
+        self.assertGreater(tested, 70)
+
+    def test_each_member_of_a_lobe(self):
+        for index, values in enumerate(([1.0, 3.0, 5.0], [0.0, 1.0, 2.0], [0.4, 1.0, 2.0], [0.1, 1.0, 5.0])):
+            def lobes(value):
+                return [(2.0, 0.3, 1.0, 1.0)[:index] + (value,) + (2.0, 0.3, 1.0, 1.0)[index + 1:], (3.0, 1.0, (0.5, 1.5), 2.0)]
+            with self.subTest(gn.Lobe._fields[index]):
+                together = gn.noise_lobes(**POINTS, seed=5, lobes=lobes(np.reshape(values, (3, 1, 1) if index == 2 else (3, 1))
+                                                                         if index != 2 else np.repeat(values, 2).reshape(3, 1, 2)))
+                apart = np.array([gn.noise_lobes(**POINTS, seed=5, lobes=lobes(value)) for value in values])
+                np.testing.assert_allclose(together, apart, rtol=0, atol=1e-4)  # positions of varying lobes are floats
+                self.assertGreater(np.abs(apart[0] - apart[1]).max(), 1e-2)
+
+
+class Pictures(unittest.TestCase):
+    def test_have_the_values_of_their_pixels_centres(self):
+        x, y = np.meshgrid((np.arange(40) + 0.5) / 7, (np.arange(30) + 0.5) / 7)
+        wave = dict(frequency=3.0, orientation=0.7, seed=9, period=(5, 3), time=0.2)
+        lobes = [gn.Lobe(3.0, 0.4, 0.5), gn.Lobe(2.0, 1.4, (1.5, 0.6), 3.0)]
+        for picture, values in (
+                (gn.image((30, 40), scale=7, **wave), gn.noise(x, y, **wave)),
+                (gn.image((30, 40), scale=7, isotropic=True, seed=9), gn.noise_isotropic(x, y, seed=9)),
+                (gn.image((30, 40), scale=7, frequency_spread=0.4, **wave), gn.noise_spread(x, y, frequency_spread=0.4, orientation_spread=0, **wave)),
+                (gn.image((30, 40), scale=7, lobes=lobes), gn.noise_lobes(x, y, lobes)),
+                (gn.volume((2, 30, 40), scale=7)[1], gn.noise_3d(x, y, 1.5 / 7)),
+                (gn.volume((2, 30, 40), scale=7, direction=(0, 1, 1))[0], gn.noise_3d(x, y, 0.5 / 7, direction=(0, 1, 1)))):
+            np.testing.assert_allclose(picture, values, rtol=0, atol=2e-5)
+            self.assertGreater(values.std(), 0.5)
+
+    def test_precise_far_away(self):
+        # 2^20 kernel radii hold whole periods of every kernel.
+        far = 2.0**20 * 3
+        for function, place in ((gn.noise, (0.3, 0.4)), (gn.noise_isotropic, (0.3, 0.4)), (gn.noise_3d, (0.3, 0.4, 0.5))):
+            near = function(*place, seed=3, period=2.0**20)
+            self.assertAlmostEqual(float(function(*(each + far for each in place), seed=3, period=2.0**20)), float(near), delta=2e-5)
+
+
+class Calls(unittest.TestCase):
+    def test_workers_and_types(self):
+        one = gn.image((300, 300), seed=4, workers=1)
+        self.assertEqual(one.dtype, np.float32)
+        for more in (2, 3, 64, None):
+            np.testing.assert_array_equal(gn.image((300, 300), seed=4, workers=more), one)
+        double = gn.image((300, 300), seed=4, dtype=np.float64)
+        self.assertEqual(double.dtype, np.float64)
+        np.testing.assert_array_equal(double.astype(np.float32), one)
+        self.assertEqual(gn.noise(0, 0).shape, ())
+        self.assertEqual(gn.noise([], []).shape, (0,))
+        self.assertEqual(gn.noise_gradient(np.zeros((3, 1)), np.zeros(2)).shape, (3, 2, 3))
+        np.testing.assert_array_equal(gn.noise(np.arange(9)[::-2], 0), gn.noise([8, 6, 4, 2, 0], 0))
+
+    def test_other_threads_run_meanwhile(self):
+        started = threading.Event()
+
+        def work():
+            started.set()
+            gn.image((1500, 1500), workers=1)
+        thread = threading.Thread(target=work)
+        thread.start()
+        started.wait()
+        turns = 0
+        while thread.is_alive():
+            turns += 1
+        thread.join()
+        self.assertGreater(turns, 1000)
+
+    def test_wrong_arguments_are_named(self):
+        x = np.zeros((2, 3))
+        for call, said in (
+                (lambda: gn.image((4, 4), seed=1.5), "seed is 1.5: expected an integer"),
+                (lambda: gn.image((4, 4), seed=2**32), "seed is 4294967296"),
+                (lambda: gn.image((4, 4), seed="7"), "seed is '7'"),
+                (lambda: gn.image((4, 4), seed=True), "seed is True"),
+                (lambda: gn.image((4, 0)), "shape[1] is 0: expected an integer, 1 or more"),
+                (lambda: gn.image((4, 4, 4)), "shape is (4, 4, 4): expected (height, width)"),
+                (lambda: gn.image(4), "shape is 4"),
+                (lambda: gn.volume((4, 4)), "shape is (4, 4): expected (depth, height, width)"),
+                (lambda: gn.image((4, 4), scale=0), "scale is 0: expected a number from 1e-09"),
+                (lambda: gn.image((4, 4), scale=[1, 2]), "scale is [1, 2]: expected one number"),
+                (lambda: gn.image((4, 4), frequency=None), "frequency is None"),
+                (lambda: gn.image((4, 4), frequency=2e6), "frequency is 2000000.0: expected a number from -1000000 to 1000000"),
+                (lambda: gn.image((4, 4), orientation="north"), "orientation is 'north': expected a finite number"),
+                (lambda: gn.image((4, 4), orientation=np.zeros((3, 3))), "do not broadcast: x (1, 4), y (4, 1), orientation (3, 3)"),
+                (lambda: gn.image((4, 4), period=-1), "period is -1"),
+                (lambda: gn.image((4, 4), period=(1, 2, 3)), "period is (1, 2, 3)"),
+                (lambda: gn.image((4, 4), time=np.inf), "time is inf"),
+                (lambda: gn.image((4, 4), workers=0), "workers is 0: expected an integer, 1 or more, or None for all cores"),
+                (lambda: gn.image((4, 4), dtype="int32"), "dtype is 'int32': expected float32 or float64"),
+                (lambda: gn.image((4, 4), dtype="real"), "dtype is 'real': expected float32 or float64"),
+                (lambda: gn.image((4, 4), isotropic=True, lobes=[(1,)]), "at most one of them"),
+                (lambda: gn.image((4, 4), lobes=[]), "lobes is []: expected 1 to 16 lobes"),
+                (lambda: gn.image((4, 4), lobes=[(1,)] * 17), "expected 1 to 16 lobes"),
+                (lambda: gn.image((4, 4), lobes=[(1,), (2, 0, 1, -1)]), "lobes[1]: power is -1: expected a number, 0 or more"),
+                (lambda: gn.image((4, 4), lobes=[(1, 0, 1, 0)]), "lobes have no power"),
+                (lambda: gn.noise(np.where(x, 0, np.nan), 0), "x[0, 0] is nan: expected a number from -1e+09 to 1e+09"),
+                (lambda: gn.noise(1j, 0), "x is 1j"),
+                (lambda: gn.noise([0, 1], [0, 1, 2]), "x (2,), y (3,)"),
+                (lambda: gn.noise_spread(0, 0, orientation_spread=2), "orientation_spread is 2: expected a number from 0 to 1.570797"),
+                (lambda: gn.noise_filtered(0, 0, (1, 2, 3)), "pixel is (1, 2, 3): expected one number, or 2 numbers along the last axis"),
+                (lambda: gn.noise_3d(0, 0, 0, direction=(0, 0, 0)), "direction is (0, 0, 0)"),
+                (lambda: gn.noise_3d(0, 0, 0, direction=1), "direction is 1: expected 3 numbers along the last axis"),
+                (lambda: gn.terrain(0, 0, [1, 2, 3]), "base is [1, 2, 3]: expected 4 values"),
+                (lambda: gn.terrain(0, 0, period=3), "period is 3"),
+                (lambda: gn.terrain(0, 0, octaves=2.5), "octaves is 2.5: expected an integer from 0 to 16"),
+                (lambda: gn.erode(np.zeros(5), 2), "heights is an array of shape (5,)"),
+                (lambda: gn.material("wod", 0, 0), "name is 'wod': expected one of wood"),
+                (lambda: gn.material("wood", 0, 0, rings=300), "rings is 300: expected a number from 2 to 60"),
+                (lambda: gn.material("wood", 0, 0, early=0.5), "early is 0.5: expected a linear colour"),
+                (lambda: gn.source("noise", "basic"), "language is 'basic'"),
+                (lambda: gn.source("perlin"), "name is 'perlin'")):
+            with self.assertRaises(ValueError, msg=said) as caught:
+                call()
+            self.assertIn(said, str(caught.exception))
+        for call, said in ((lambda: gn.terrain(0, 0, sharpness=2), "terrain() has no argument 'sharpness': expected octaves"),
+                           (lambda: gn.material("wood", 0, 0, rngs=2), "material('wood') has no argument 'rngs': expected early")):
+            with self.assertRaises(TypeError, msg=said) as caught:
+                call()
+            self.assertIn(said, str(caught.exception))
+
+    def test_help(self):
+        self.assertEqual(inspect.signature(gn.terrain).parameters["octaves"].default, 5)
+        self.assertEqual(inspect.signature(gn.erode).parameters["gully_weight"].default, 0.5)
+        self.assertIn("        rings: growth rings per unit, 2 to 60 [13.0]\n", gn.material.__doc__)
+        for name in gn.__all__:
+            self.assertTrue(getattr(gn, name).__doc__, name)
+
+
+class Erosion(unittest.TestCase):
+    HILLS = gn.terrain(*gn.grid((240, 240), 30), octaves=0, dtype=np.float64)[..., 0]
+
+    def test_returned_slopes_are_those_of_the_result(self):
+        result = gn.erode(self.HILLS, 8, octaves=2, frequency=0.5, dtype=np.float64)
+        self.assertGreater((result[..., 0] - self.HILLS).std(), 0.01)
+        for channel, axis in ((1, 1), (2, 0)):
+            numeric = np.gradient(result[..., 0], 1 / 30, axis=axis)
+            error = (result[..., channel] - numeric)[4:-4, 4:-4].std() / numeric.std()
+            self.assertLess(error, 0.2, f"channel {channel}")  # 0.11 to 0.15; without the curvature: about 0.45
+
+    def test_is_in_proportion_to_slopes_and_width(self):
+        result = gn.erode(self.HILLS, 8, seed=5, dtype=np.float64)
+        for width, height in ((8, 3.0), (25000.0, 1.0), (25000.0, 900.0)):
+            other = gn.erode(height * self.HILLS, width, seed=5, dtype=np.float64)
+            np.testing.assert_allclose(other[..., 0], height * result[..., 0], rtol=0, atol=2e-5 * height)
+            np.testing.assert_allclose(other[..., 1:3] * (width / 8), height * result[..., 1:3], rtol=0, atol=1e-3 * height)
+
+    def test_without_octaves_the_map_stays(self):
+        for tileable in (False, True):
+            self.assertLess(np.abs(gn.erode(self.HILLS, 8, octaves=0, tileable=tileable)[..., 0] - self.HILLS).max(), 1e-6)
+        np.testing.assert_array_equal(gn.erode(np.full((9, 9), 7.0), 8)[..., 0], 7)
+
+    def test_a_tile_has_no_seam(self):
+        x, y = gn.grid((80, 160), 20)
+        tile = gn.erode(np.sin(np.pi / 2 * x) + np.cos(np.pi * y), 8, tileable=True)[..., 0]
+        for axis in (0, 1):
+            inside = np.abs(np.diff(tile, axis=axis)).max()
+            self.assertLess(np.abs(tile.take(0, axis) - tile.take(-1, axis)).max(), inside)
+
+
+@unittest.skipUnless(sys.argv[1:], "no folder of python.md given")
+class Documentation(unittest.TestCase):
+    """Runs the blocks of python.md one after another: they write the page's pictures."""
+
+    def test_code_makes_the_pictures(self):
+        docs = pathlib.Path(sys.argv[1])
+        page = (docs / "python.md").read_text()
+        blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+        shown = re.findall(r"!\[.*?\]\((.*?)\)", page)
+        self.assertGreaterEqual(len(shown), 6)
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            names: dict = {}
+            for block in blocks:
+                exec(block.replace('save("', f'save("{here.as_posix()}/'), names)
+            for name in shown:
+                with Image.open(here / name) as made, Image.open(docs / name) as committed:
+                    self.assertEqual(made.size, committed.size, name)
+                    difference = np.abs(np.asarray(made, float) - np.asarray(committed, float)).mean()
+                    print(f"{name}: mean difference {difference:.2f} of 255")
+                    self.assertLess(difference, 1.0, name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v"])
