@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
-// Compilers vectorize loops over points only if everything is inlined. Without such loops, define it as inline to
-// compile faster.
+// Compilers vectorize loops over points only if everything is inlined. Without such loops, define it as
+// inline to compile faster.
 #ifdef GABOR_INLINE
 #elif defined(__GNUC__)
 #define GABOR_INLINE inline __attribute__((always_inline))
