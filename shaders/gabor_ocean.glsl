@@ -48,11 +48,11 @@ struct GaborOcean {
 //     spectrum [HBB73] and the directions of [HDE80]. Compute it once, on the CPU if the CPU also asks for heights: the
 //     integers may round differently on another device. To change a member, call this again.
 
-// The water above the point p + shift, which is where it is when the point's water is at p on average.
+// The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     vec2 slope;    // derivatives of the height by p
-    vec2 shift;    // horizontal displacement in metres, towards crests: 0 for round waves
+    vec2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
     float fold;    // determinant of the derivative of p + shift: foam where it falls below 0.4
     vec3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
@@ -110,25 +110,26 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
         for (int j = 0; j < 4; ++j) { // Simpson's rule
             float f = tick * (low + float(j) * width), step = tick * width;
             float middle = gabor_impl_spectrum(f + 0.5 * step, peak, scale), last = gabor_impl_spectrum(f + step, peak, scale);
-            float part = step / 6.0 * (first + 4.0 * middle + last), k = (f + 0.5 * step) * (f + 0.5 * step);
+            float part = step / 6.0 * (first + 4.0 * middle + last), between = f + 0.5 * step;
             sum += part;
             // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
-            float above = (f + 0.5 * step) / peak;
+            float above = between / peak;
             variance += part * 0.5 / (9.77 * pow(above, above < 1.0 ? 4.06 : -2.34) + 1.0);
-            slopes += part * k * k;
+            slopes += part * between * between * between * between;
             sums = vec4(sums.yzw, sum);
             leans = vec4(leans.yzw, (first - last) / (first + last));
             first = last;
         }
         variance /= sum;
         float end = min(2.2 * sqrt(variance), 1.0); // the largest sin(d / 2)
-        float a = (sqrt(max(end * end * (0.0130612 - 0.0435374) + 0.3047619 * variance, 0.0)) - 0.1142857 * end) / 0.1523810;
+        // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = variance, where a + b = end.
+        float a = (sqrt(max(0.3047619 * variance - 0.0304762 * end * end, 0.0)) - 0.1142857 * end) / 0.1523810;
         float b = end - a;
         float fourth = a * a * a * (0.2 * a + 0.57142857 * b) // the mean of sin(d / 2)^4
                      + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b);
         float along = 1.0 - 4.0 * variance + 4.0 * fourth; // the mean of cos^2 d
         ocean.tail -= slopes * 16.195056 * vec2(along, 1.0 - along); // (4 pi^2 / g)^2
-        float spacing = float(34 - 2 * power - i), speed = gravity / (12.566371 * tick * low * 1.1892071);
+        float speed = gravity / (12.566371 * tick * low * 1.1892071);
         GaborOceanBand band;
         band.amplitude = sqrt(sum);
         band.exponent = 34 - 2 * power - i;
@@ -137,7 +138,7 @@ GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
         band.share = ivec3(1024.0 / sum * sums.xyz + 0.5);
         band.lean = ivec4(floor(1024.0 * leans + 0.5));
         band.spread = ivec2(floor(32767.0 * vec2(a, b) + 0.5));
-        band.drift = ivec2(floor(32768.0 * speed * exp2(-spacing) * heading + 0.5));
+        band.drift = ivec2(floor(32768.0 * speed * exp2(-float(band.exponent)) * heading + 0.5));
         ocean.band[i] = band;
     }
     ocean.tail = max(ocean.tail, 0.0);
@@ -210,20 +211,19 @@ GaborWater gabor_water_at(ivec2 cell, vec2 local, int second, float fraction, ve
         float spacing = exp2(float(band.exponent));
         slope_x /= GABOR_RADIUS * spacing;
         slope_y /= GABOR_RADIUS * spacing;
+        uint left = gabor_impl_line_word(node.x - 1, salt), middle = gabor_impl_line_word(node.x, salt);
+        uint right = gabor_impl_line_word(node.x + 1, salt);
         GaborWater sum = GaborWater(0.0, vec2(0.0), vec2(0.0), 0.0, vec3(0.0));
         vec3 squeeze = vec3(0.0);
         for (int j = 0; j < 3; ++j) {
             uint row = gabor_impl_line_word(node.y + j - 1, salt ^ GABOR_IMPL_ROWS);
             vec2 window = j == 0 ? vec2(y.x, slope_y.x) : j == 1 ? vec2(y.y, slope_y.y) : vec2(y.z, slope_y.z);
             vec2 from = spacing * (offset + vec2(1.0, 1.0 - float(j)));
-            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x - 1, salt), from, vec2(x.x, slope_x.x), window,
-                                band, heading, second, fraction, dx, dy);
+            gabor_impl_add_water(sum, squeeze, row * left, from, vec2(x.x, slope_x.x), window, band, heading, second, fraction, dx, dy);
             from.x -= spacing;
-            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x, salt), from, vec2(x.y, slope_x.y), window,
-                                band, heading, second, fraction, dx, dy);
+            gabor_impl_add_water(sum, squeeze, row * middle, from, vec2(x.y, slope_x.y), window, band, heading, second, fraction, dx, dy);
             from.x -= spacing;
-            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x + 1, salt), from, vec2(x.z, slope_x.z), window,
-                                band, heading, second, fraction, dx, dy);
+            gabor_impl_add_water(sum, squeeze, row * right, from, vec2(x.z, slope_x.z), window, band, heading, second, fraction, dx, dy);
         }
         float scale = band.amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
         water.height += scale * sum.height;

@@ -104,8 +104,7 @@ auto reader_of(const ErodeOptions& options) {
 // A map, its width in the unit of its heights, and what erosion needs to know about it.
 struct Map : render::HeightMap {
     double extent = 0;
-    render::Elevation elevation{}; // heights that 0 and 1 stand for in integer files
-    std::array<int, 2> corner{};   // of the data window
+    std::array<int, 2> corner{}; // of the data window
     render::SmoothedMap smoothed;
 };
 
@@ -126,11 +125,11 @@ Map map_of(const ErodeOptions& options, std::optional<double> extent, double gul
     if (options.nodata)
         map.missing = parse_numbers<float, 1>("--nodata", *options.nodata, ',', "a number")[0];
     if (format.bits < 32) {
-        map.elevation = options.elevation ? parse_elevation(*options.elevation)
-                        : extent          ? render::Elevation{0, *extent / 8}
-                                          : typical_elevation;
-        map.scale = map.elevation.high - map.elevation.low;
-        map.offset = map.elevation.low;
+        const render::Elevation elevation = options.elevation ? parse_elevation(*options.elevation)
+                                            : extent          ? render::Elevation{0, *extent / 8}
+                                                              : typical_elevation;
+        map.scale = elevation.high - elevation.low;
+        map.offset = elevation.low;
         if (map.missing) // --nodata is the value in the file
             map.missing = *map.missing / static_cast<float>(format.bits == 8 ? 255 : 65535);
     } else if (options.elevation) {
@@ -159,7 +158,7 @@ void check_output(const ErodeOptions& options) {
             fmt::format("-o '{}' is the map itself; give another file", options.output.string()));
 }
 
-// What the output's header says about it, so that pieces of different maps are not joined.
+// Returns the text of the output's header. `join` refuses pieces whose headers differ.
 std::string header_of(const ErodeOptions& options, const Map& map, const render::Request& request) {
     nlohmann::ordered_json json{{"eroded", options.map.filename().string()},
                                 {"width", map.width},

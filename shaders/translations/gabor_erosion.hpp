@@ -255,7 +255,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_mask(float t, float rounding) {
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
 // `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
 // For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are vec2(by x, by y).
-// Only the turning of a gully's direction changes its wave vector, so that changes along the direction itself.
+// A wave vector keeps its length as it turns, so it changes along the slope that its gullies follow.
 GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
     gabor_vec2 steer = base.slope, steer_x = base.curvature.xy(), steer_y = base.curvature.yz();
     float gully = base.ridge, ridge = base.ridge, sum = 0.0f; // t_i, t_i with w = 1, sum_i depth_i t_i
@@ -265,8 +265,9 @@ GABOR_INLINE GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, gabor_vec2 d
     gabor_vec2 mask_slope = gabor_vec2(0.0f), open_slope = gabor_vec2(0.0f);
     float rounded = 0.5f * (erosion.ridge_rounding - erosion.crease_rounding), peak = gabor_cpp_clamp(base.ridge, 0.0f, 1.0f);
     gabor_vec2 rounding_slope = rounded * base.ridge_slope;
+    float per_onset = 1.0f / gabor_cpp_max(erosion.onset, 1.0e-6f);
     for (int i = 0; i < erosion.octaves; ++i) {
-        float steep = gabor_cpp_max(gabor_cpp_length(steer), 1.0e-9f), per_onset = 1.0f / gabor_cpp_max(erosion.onset, 1.0e-6f);
+        float steep = gabor_cpp_max(gabor_cpp_length(steer), 1.0e-9f);
         gabor_vec2 down = steer / steep, across = gabor_vec2(-down.y, down.x);
         gabor_vec3 full = gabor_impl_mask(steep * per_onset, rounding);
         gabor_vec2 full_slope = full.y * per_onset * gabor_vec2(gabor_cpp_dot(down, steer_x), gabor_cpp_dot(down, steer_y)) + full.z * rounding_slope;

@@ -256,7 +256,7 @@ inline float3 gabor_impl_mask(float t, float rounding) {
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
 // `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
 // For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are float2(by x, by y).
-// Only the turning of a gully's direction changes its wave vector, so that changes along the direction itself.
+// A wave vector keeps its length as it turns, so it changes along the slope that its gullies follow.
 inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
     float2 steer = base.slope, steer_x = base.curvature.xy, steer_y = base.curvature.yz;
     float gully = base.ridge, ridge = base.ridge, sum = 0.0; // t_i, t_i with w = 1, sum_i depth_i t_i
@@ -266,8 +266,9 @@ inline GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 
     float2 mask_slope = float2(0.0), open_slope = float2(0.0);
     float rounded = 0.5 * (erosion.ridge_rounding - erosion.crease_rounding), peak = clamp(base.ridge, 0.0, 1.0);
     float2 rounding_slope = rounded * base.ridge_slope;
+    float per_onset = 1.0 / max(erosion.onset, 1.0e-6);
     for (int i = 0; i < erosion.octaves; ++i) {
-        float steep = max(length(steer), 1.0e-9), per_onset = 1.0 / max(erosion.onset, 1.0e-6);
+        float steep = max(length(steer), 1.0e-9);
         float2 down = steer / steep, across = float2(-down.y, down.x);
         float3 full = gabor_impl_mask(steep * per_onset, rounding);
         float2 full_slope = full.y * per_onset * float2(dot(down, steer_x), dot(down, steer_y)) + full.z * rounding_slope;

@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e1a5df0780fca7c7.
+// naga 30.0.1 made it from GLSL with the digest 652037aacf7a66c1.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -592,7 +592,7 @@ fn gabor_impl_mask(t: f32, rounding: f32) -> vec3<f32> {
 // too fine for the pixel, its cosine is replaced by its mean, 0, and the next mask uses the mean of |sin(phase)|.
 // `open` is the first mask, and 1 on peaks: it leaves flat valleys as they are, because there gullies would dam them.
 // For the exact slope, each quantity is differentiated along x and y: names end in _x and _y, or are vec2f(by x, by y).
-// Only the turning of a gully's direction changes its wave vector, so that changes along the direction itself.
+// A wave vector keeps its length as it turns, so it changes along the slope that its gullies follow.
 fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
     var steer: vec2<f32>;
     var steer_x: vec2<f32>;
@@ -612,9 +612,9 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var rounded_1: f32;
     var peak: f32;
     var rounding_slope: vec2<f32>;
+    var per_onset: f32;
     var i: i32 = 0i;
     var steep: f32;
-    var per_onset: f32;
     var down: vec2<f32>;
     var across: vec2<f32>;
     var full: vec3<f32>;
@@ -654,15 +654,15 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     peak = clamp(base.ridge, 0f, 1f);
     let _e61 = rounded_1;
     rounding_slope = (_e61 * base.ridge_slope);
+    per_onset = (1f / max(erosion.onset, 0.000001f));
     loop {
-        let _e67 = i;
-        if !((_e67 < erosion.octaves)) {
+        let _e73 = i;
+        if !((_e73 < erosion.octaves)) {
             break;
         }
         {
-            let _e74 = steer;
-            steep = max(length(_e74), 0.000000001f);
-            per_onset = (1f / max(erosion.onset, 0.000001f));
+            let _e80 = steer;
+            steep = max(length(_e80), 0.000000001f);
             let _e85 = steer;
             let _e86 = steep;
             down = (_e85 / vec2(_e86));
@@ -896,8 +896,8 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
             depth = (_e521 * erosion.gain);
         }
         continuing {
-            let _e71 = i;
-            i = (_e71 + 1i);
+            let _e77 = i;
+            i = (_e77 + 1i);
         }
     }
     let _e525 = open;

@@ -53,11 +53,11 @@ struct GaborOcean {
 //     spectrum [HBB73] and the directions of [HDE80]. Compute it once, on the CPU if the CPU also asks for heights: the
 //     integers may round differently on another device. To change a member, call this again.
 
-// The water above the point p + shift, which is where it is when the point's water is at p on average.
+// The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
     float height;  // metres, of mean 0 and normally distributed
     gabor_vec2 slope;    // derivatives of the height by p
-    gabor_vec2 shift;    // horizontal displacement in metres, towards crests: 0 for round waves
+    gabor_vec2 shift;    // horizontal displacement in metres, towards crests, which it sharpens
     float fold;    // determinant of the derivative of p + shift: foam where it falls below 0.4
     gabor_vec3 lost;     // covariance (xx, yy, xy) of the slopes that a filter removed, for roughness
 };
@@ -115,25 +115,26 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch)
         for (int j = 0; j < 4; ++j) { // Simpson's rule
             float f = tick * (low + float(j) * width), step = tick * width;
             float middle = gabor_impl_spectrum(f + 0.5f * step, peak, scale), last = gabor_impl_spectrum(f + step, peak, scale);
-            float part = step / 6.0f * (first + 4.0f * middle + last), k = (f + 0.5f * step) * (f + 0.5f * step);
+            float part = step / 6.0f * (first + 4.0f * middle + last), between = f + 0.5f * step;
             sum += part;
             // The spread is cos(d / 2)^(2 s). Then sin(d / 2) has the variance 1 / (2 s + 2).
-            float above = (f + 0.5f * step) / peak;
+            float above = between / peak;
             variance += part * 0.5f / (9.77f * gabor_cpp_pow(above, above < 1.0f ? 4.06f : -2.34f) + 1.0f);
-            slopes += part * k * k;
+            slopes += part * between * between * between * between;
             sums = gabor_vec4(sums.yzw(), sum);
             leans = gabor_vec4(leans.yzw(), (first - last) / (first + last));
             first = last;
         }
         variance /= sum;
         float end = gabor_cpp_min(2.2f * gabor_cpp_sqrt(variance), 1.0f); // the largest sin(d / 2)
-        float a = (gabor_cpp_sqrt(gabor_cpp_max(end * end * (0.0130612f - 0.0435374f) + 0.3047619f * variance, 0.0f)) - 0.1142857f * end) / 0.1523810f;
+        // a solves a^2 / 3 + 2 a b / 5 + b^2 / 7 = variance, where a + b = end.
+        float a = (gabor_cpp_sqrt(gabor_cpp_max(0.3047619f * variance - 0.0304762f * end * end, 0.0f)) - 0.1142857f * end) / 0.1523810f;
         float b = end - a;
         float fourth = a * a * a * (0.2f * a + 0.57142857f * b) // the mean of sin(d / 2)^4
                      + b * b * (0.66666667f * a * a + 0.36363636f * a * b + 0.076923077f * b * b);
         float along = 1.0f - 4.0f * variance + 4.0f * fourth; // the mean of cos^2 d
         ocean.tail -= slopes * 16.195056f * gabor_vec2(along, 1.0f - along); // (4 pi^2 / g)^2
-        float spacing = float(34 - 2 * power - i), speed = gravity / (12.566371f * tick * low * 1.1892071f);
+        float speed = gravity / (12.566371f * tick * low * 1.1892071f);
         GaborOceanBand band;
         band.amplitude = gabor_cpp_sqrt(sum);
         band.exponent = 34 - 2 * power - i;
@@ -142,7 +143,7 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch)
         band.share = gabor_ivec3(1024.0f / sum * sums.xyz() + 0.5f);
         band.lean = gabor_ivec4(gabor_cpp_floor(1024.0f * leans + 0.5f));
         band.spread = gabor_ivec2(gabor_cpp_floor(32767.0f * gabor_vec2(a, b) + 0.5f));
-        band.drift = gabor_ivec2(gabor_cpp_floor(32768.0f * speed * gabor_cpp_exp2(-spacing) * heading + 0.5f));
+        band.drift = gabor_ivec2(gabor_cpp_floor(32768.0f * speed * gabor_cpp_exp2(-float(band.exponent)) * heading + 0.5f));
         ocean.band[i] = band;
     }
     ocean.tail = gabor_cpp_max(ocean.tail, 0.0f);
@@ -215,20 +216,19 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
         float spacing = gabor_cpp_exp2(float(band.exponent));
         slope_x /= GABOR_RADIUS * spacing;
         slope_y /= GABOR_RADIUS * spacing;
+        std::uint32_t left = gabor_impl_line_word(node.x - 1, salt), middle = gabor_impl_line_word(node.x, salt);
+        std::uint32_t right = gabor_impl_line_word(node.x + 1, salt);
         GaborWater sum = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
         gabor_vec3 squeeze = gabor_vec3(0.0f);
         for (int j = 0; j < 3; ++j) {
             std::uint32_t row = gabor_impl_line_word(node.y + j - 1, salt ^ GABOR_IMPL_ROWS);
             gabor_vec2 window = j == 0 ? gabor_vec2(y.x, slope_y.x) : j == 1 ? gabor_vec2(y.y, slope_y.y) : gabor_vec2(y.z, slope_y.z);
             gabor_vec2 from = spacing * (offset + gabor_vec2(1.0f, 1.0f - float(j)));
-            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x - 1, salt), from, gabor_vec2(x.x, slope_x.x), window,
-                                band, heading, second, fraction, dx, dy);
+            gabor_impl_add_water(sum, squeeze, row * left, from, gabor_vec2(x.x, slope_x.x), window, band, heading, second, fraction, dx, dy);
             from.x -= spacing;
-            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x, salt), from, gabor_vec2(x.y, slope_x.y), window,
-                                band, heading, second, fraction, dx, dy);
+            gabor_impl_add_water(sum, squeeze, row * middle, from, gabor_vec2(x.y, slope_x.y), window, band, heading, second, fraction, dx, dy);
             from.x -= spacing;
-            gabor_impl_add_water(sum, squeeze, row * gabor_impl_line_word(node.x + 1, salt), from, gabor_vec2(x.z, slope_x.z), window,
-                                band, heading, second, fraction, dx, dy);
+            gabor_impl_add_water(sum, squeeze, row * right, from, gabor_vec2(x.z, slope_x.z), window, band, heading, second, fraction, dx, dy);
         }
         float scale = band.amplitude / (GABOR_IMPL_DEVIATION * GABOR_IMPL_ENERGY);
         water.height += scale * sum.height;

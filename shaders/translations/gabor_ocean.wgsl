@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest ee27b28df33e0843.
+// naga 30.0.1 made it from GLSL with the digest e72441c42972b46f.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
 //
@@ -40,7 +40,7 @@ struct GaborOcean {
 //     spectrum [HBB73] and the directions of [HDE80]. Compute it once, on the CPU if the CPU also asks for heights: the
 //     integers may round differently on another device. To change a member, call this again.
 
-// The water above the point p + shift, which is where it is when the point's water is at p on average.
+// The water whose place at rest is p. It is now at p + shift.
 struct GaborWater {
     height: f32,
     slope: vec2<f32>,
@@ -123,7 +123,7 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
     var middle: f32;
     var last: f32;
     var part: f32;
-    var k: f32;
+    var between: f32;
     var above: f32;
     var local_12: f32;
     var end: f32;
@@ -131,7 +131,6 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
     var b_2: f32;
     var fourth_1: f32;
     var along: f32;
-    var spacing: f32;
     var speed: f32;
     var band: GaborOceanBand;
     ocean.wind = clamp(wind, 2f, 30f);
@@ -213,127 +212,123 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
                     part = ((_e156 / 6f) * ((_e159 + (4f * _e161)) + _e164));
                     let _e168 = f_1;
                     let _e170 = step_;
-                    let _e173 = f_1;
-                    let _e175 = step_;
-                    k = ((_e168 + (0.5f * _e170)) * (_e173 + (0.5f * _e175)));
-                    let _e180 = sum_5;
-                    let _e181 = part;
-                    sum_5 = (_e180 + _e181);
-                    let _e183 = f_1;
-                    let _e185 = step_;
-                    let _e188 = peak_1;
-                    above = ((_e183 + (0.5f * _e185)) / _e188);
-                    let _e191 = variance;
-                    let _e192 = part;
-                    let _e196 = above;
-                    let _e197 = above;
-                    if (_e197 < 1f) {
+                    between = (_e168 + (0.5f * _e170));
+                    let _e174 = sum_5;
+                    let _e175 = part;
+                    sum_5 = (_e174 + _e175);
+                    let _e177 = between;
+                    let _e178 = peak_1;
+                    above = (_e177 / _e178);
+                    let _e181 = variance;
+                    let _e182 = part;
+                    let _e186 = above;
+                    let _e187 = above;
+                    if (_e187 < 1f) {
                         local_12 = 4.06f;
                     } else {
                         local_12 = -2.34f;
                     }
-                    let _e204 = local_12;
-                    variance = (_e191 + ((_e192 * 0.5f) / ((9.77f * pow(_e196, _e204)) + 1f)));
-                    let _e211 = slopes;
-                    let _e212 = part;
-                    let _e213 = k;
-                    let _e215 = k;
-                    slopes = (_e211 + ((_e212 * _e213) * _e215));
-                    let _e218 = sums_1;
-                    let _e219 = _e218.yzw;
-                    let _e220 = sum_5;
-                    sums_1 = vec4<f32>(_e219.x, _e219.y, _e219.z, _e220);
-                    let _e225 = leans;
-                    let _e226 = _e225.yzw;
-                    let _e227 = first_1;
-                    let _e228 = last;
-                    let _e230 = first_1;
-                    let _e231 = last;
-                    leans = vec4<f32>(_e226.x, _e226.y, _e226.z, ((_e227 - _e228) / (_e230 + _e231)));
-                    let _e238 = last;
-                    first_1 = _e238;
+                    let _e194 = local_12;
+                    variance = (_e181 + ((_e182 * 0.5f) / ((9.77f * pow(_e186, _e194)) + 1f)));
+                    let _e201 = slopes;
+                    let _e202 = part;
+                    let _e203 = between;
+                    let _e205 = between;
+                    let _e207 = between;
+                    let _e209 = between;
+                    slopes = (_e201 + ((((_e202 * _e203) * _e205) * _e207) * _e209));
+                    let _e212 = sums_1;
+                    let _e213 = _e212.yzw;
+                    let _e214 = sum_5;
+                    sums_1 = vec4<f32>(_e213.x, _e213.y, _e213.z, _e214);
+                    let _e219 = leans;
+                    let _e220 = _e219.yzw;
+                    let _e221 = first_1;
+                    let _e222 = last;
+                    let _e224 = first_1;
+                    let _e225 = last;
+                    leans = vec4<f32>(_e220.x, _e220.y, _e220.z, ((_e221 - _e222) / (_e224 + _e225)));
+                    let _e232 = last;
+                    first_1 = _e232;
                 }
                 continuing {
                     let _e124 = j_1;
                     j_1 = (_e124 + 1i);
                 }
             }
-            let _e239 = variance;
-            let _e240 = sum_5;
-            variance = (_e239 / _e240);
-            let _e243 = variance;
-            end = min((2.2f * sqrt(_e243)), 1f);
+            let _e233 = variance;
+            let _e234 = sum_5;
+            variance = (_e233 / _e234);
+            let _e237 = variance;
+            end = min((2.2f * sqrt(_e237)), 1f);
+            let _e244 = variance;
+            let _e247 = end;
             let _e249 = end;
-            let _e250 = end;
-            let _e257 = variance;
-            let _e264 = end;
-            a_2 = ((sqrt(max((((_e249 * _e250) * -0.030476201f) + (0.3047619f * _e257)), 0f)) - (0.1142857f * _e264)) / 0.152381f);
-            let _e270 = end;
-            let _e271 = a_2;
-            b_2 = (_e270 - _e271);
-            let _e274 = a_2;
-            let _e275 = a_2;
-            let _e277 = a_2;
-            let _e280 = a_2;
-            let _e283 = b_2;
-            let _e287 = b_2;
-            let _e288 = b_2;
-            let _e291 = a_2;
-            let _e293 = a_2;
-            let _e296 = a_2;
-            let _e298 = b_2;
-            let _e302 = b_2;
-            let _e304 = b_2;
-            fourth_1 = ((((_e274 * _e275) * _e277) * ((0.2f * _e280) + (0.5714286f * _e283))) + ((_e287 * _e288) * ((((0.6666667f * _e291) * _e293) + ((0.36363637f * _e296) * _e298)) + ((0.07692308f * _e302) * _e304))));
-            let _e312 = variance;
-            let _e316 = fourth_1;
-            along = ((1f - (4f * _e312)) + (4f * _e316));
-            let _e321 = ocean;
-            let _e323 = slopes;
-            let _e326 = along;
-            let _e328 = along;
-            ocean.tail = (_e321.tail - ((_e323 * 16.195057f) * vec2<f32>(_e326, (1f - _e328))));
-            let _e335 = power_1;
-            let _e338 = i;
-            spacing = f32(((34i - (2i * _e335)) - _e338));
-            let _e342 = gravity;
-            let _e344 = tick;
-            let _e346 = low;
-            speed = (_e342 / (((12.566371f * _e344) * _e346) * 1.1892071f));
-            let _e354 = sum_5;
-            band.amplitude = sqrt(_e354);
-            let _e359 = power_1;
-            let _e362 = i;
-            band.exponent = ((34i - (2i * _e359)) - _e362);
-            let _e365 = low;
-            band.low = i32((_e365 + 0.5f));
-            let _e370 = width;
-            band.quarter = i32((_e370 + 0.5f));
-            let _e376 = sum_5;
-            let _e378 = sums_1;
-            band.share = vec3<i32>((((1024f / _e376) * _e378.xyz) + vec3(0.5f)));
-            let _e387 = leans;
-            band.lean = vec4<i32>(floor(((1024f * _e387) + vec4(0.5f))));
-            let _e396 = a_2;
-            let _e397 = b_2;
-            band.spread = vec2<i32>(floor(((32767f * vec2<f32>(_e396, _e397)) + vec2(0.5f))));
-            let _e407 = speed;
-            let _e409 = spacing;
-            let _e413 = heading;
-            band.drift = vec2<i32>(floor(((((32768f * _e407) * exp2(-(_e409))) * _e413) + vec2(0.5f))));
-            let _e420 = i;
-            let _e423 = band;
-            ocean.band[_e420] = _e423;
+            let _e256 = end;
+            a_2 = ((sqrt(max(((0.3047619f * _e244) - ((0.0304762f * _e247) * _e249)), 0f)) - (0.1142857f * _e256)) / 0.152381f);
+            let _e262 = end;
+            let _e263 = a_2;
+            b_2 = (_e262 - _e263);
+            let _e266 = a_2;
+            let _e267 = a_2;
+            let _e269 = a_2;
+            let _e272 = a_2;
+            let _e275 = b_2;
+            let _e279 = b_2;
+            let _e280 = b_2;
+            let _e283 = a_2;
+            let _e285 = a_2;
+            let _e288 = a_2;
+            let _e290 = b_2;
+            let _e294 = b_2;
+            let _e296 = b_2;
+            fourth_1 = ((((_e266 * _e267) * _e269) * ((0.2f * _e272) + (0.5714286f * _e275))) + ((_e279 * _e280) * ((((0.6666667f * _e283) * _e285) + ((0.36363637f * _e288) * _e290)) + ((0.07692308f * _e294) * _e296))));
+            let _e304 = variance;
+            let _e308 = fourth_1;
+            along = ((1f - (4f * _e304)) + (4f * _e308));
+            let _e313 = ocean;
+            let _e315 = slopes;
+            let _e318 = along;
+            let _e320 = along;
+            ocean.tail = (_e313.tail - ((_e315 * 16.195057f) * vec2<f32>(_e318, (1f - _e320))));
+            let _e325 = gravity;
+            let _e327 = tick;
+            let _e329 = low;
+            speed = (_e325 / (((12.566371f * _e327) * _e329) * 1.1892071f));
+            let _e337 = sum_5;
+            band.amplitude = sqrt(_e337);
+            let _e342 = power_1;
+            let _e345 = i;
+            band.exponent = ((34i - (2i * _e342)) - _e345);
+            let _e348 = low;
+            band.low = i32((_e348 + 0.5f));
+            let _e353 = width;
+            band.quarter = i32((_e353 + 0.5f));
+            let _e359 = sum_5;
+            let _e361 = sums_1;
+            band.share = vec3<i32>((((1024f / _e359) * _e361.xyz) + vec3(0.5f)));
+            let _e370 = leans;
+            band.lean = vec4<i32>(floor(((1024f * _e370) + vec4(0.5f))));
+            let _e379 = a_2;
+            let _e380 = b_2;
+            band.spread = vec2<i32>(floor(((32767f * vec2<f32>(_e379, _e380)) + vec2(0.5f))));
+            let _e390 = speed;
+            let _e392 = band;
+            let _e398 = heading;
+            band.drift = vec2<i32>(floor(((((32768f * _e390) * exp2(-(f32(_e392.exponent)))) * _e398) + vec2(0.5f))));
+            let _e405 = i;
+            let _e408 = band;
+            ocean.band[_e405] = _e408;
         }
         continuing {
             let _e83 = i;
             i = (_e83 + 1i);
         }
     }
-    let _e425 = ocean;
-    ocean.tail = max(_e425.tail, vec2(0f));
-    let _e430 = ocean;
-    return _e430;
+    let _e410 = ocean;
+    ocean.tail = max(_e410.tail, vec2(0f));
+    let _e415 = ocean;
+    return _e415;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
@@ -365,7 +360,7 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     var s_2: f32;
     var across: vec2<f32>;
     var unit: vec2<f32>;
-    var k_1: vec2<f32>;
+    var k: vec2<f32>;
     var turns: f32;
     var z_1: vec2<f32>;
     var steps: vec2<f32>;
@@ -470,18 +465,18 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     let _e235 = f_2;
     let _e237 = f_2;
     let _e239 = unit;
-    k_1 = (((0.6383f * _e235) * _e237) * _e239);
+    k = (((0.6383f * _e235) * _e237) * _e239);
     let _e242 = turning;
     let _e247 = turning;
     turns = (f32(((_e242 * second) & 65535i)) + (f32(_e247) * fraction));
     let _e252 = gabor_impl_amplitude(word);
-    let _e253 = k_1;
+    let _e253 = k;
     let _e256 = turns;
     let _e259 = gabor_impl_wave((dot(_e253, from_) - (0.000015258789f * _e256)));
     let _e260 = gabor_impl_product(_e252, _e259);
     z_1 = _e260;
-    let _e262 = k_1;
-    let _e264 = k_1;
+    let _e262 = k;
+    let _e264 = k;
     steps = vec2<f32>(dot(_e262, dx), dot(_e264, dy));
     let _e270 = steps;
     let _e271 = steps;
@@ -493,7 +488,7 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     let _e283 = window;
     let _e284 = z_1;
     wave_5 = (_e283 * _e284);
-    let _e288 = k_1;
+    let _e288 = k;
     around = (6.2831855f * _e288);
     let _e292 = (*sum);
     let _e294 = wave_5;
@@ -572,7 +567,10 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var y_4: vec4<f32>;
     var slope_x: vec4<f32>;
     var slope_y: vec4<f32>;
-    var spacing_1: f32;
+    var spacing: f32;
+    var left: u32;
+    var middle_1: u32;
+    var right: u32;
     var sum_7: GaborWater;
     var squeeze_1: vec3<f32>;
     var j_2: i32;
@@ -623,163 +621,169 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             let _e106 = offset;
             gabor_impl_windows(_e106.y, (&y_4), (&slope_y));
             let _e112 = band_2;
-            spacing_1 = exp2(f32(_e112.exponent));
+            spacing = exp2(f32(_e112.exponent));
             let _e117 = slope_x;
-            let _e122 = spacing_1;
+            let _e122 = spacing;
             slope_x = (_e117 / vec4((1.5f * _e122)));
             let _e126 = slope_y;
-            let _e131 = spacing_1;
+            let _e131 = spacing;
             slope_y = (_e126 / vec4((1.5f * _e131)));
+            let _e135 = node;
+            let _e139 = salt_4;
+            let _e140 = gabor_impl_line_word((_e135.x - 1i), _e139);
+            left = _e140;
+            let _e142 = node;
+            let _e144 = salt_4;
+            let _e145 = gabor_impl_line_word(_e142.x, _e144);
+            middle_1 = _e145;
+            let _e147 = node;
+            let _e151 = salt_4;
+            let _e152 = gabor_impl_line_word((_e147.x + 1i), _e151);
+            right = _e152;
             sum_7 = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
             squeeze_1 = vec3(0f);
             j_2 = 0i;
             loop {
-                let _e150 = j_2;
-                if !((_e150 < 3i)) {
+                let _e169 = j_2;
+                if !((_e169 < 3i)) {
                     break;
                 }
                 {
-                    let _e157 = node;
-                    let _e159 = j_2;
-                    let _e163 = salt_4;
-                    let _e166 = gabor_impl_line_word(((_e157.y + _e159) - 1i), (_e163 ^ 1540483477u));
-                    row_1 = _e166;
-                    let _e168 = j_2;
-                    if (_e168 == 0i) {
-                        let _e171 = y_4;
-                        let _e173 = slope_y;
-                        local_22 = vec2<f32>(_e171.x, _e173.x);
+                    let _e176 = node;
+                    let _e178 = j_2;
+                    let _e182 = salt_4;
+                    let _e185 = gabor_impl_line_word(((_e176.y + _e178) - 1i), (_e182 ^ 1540483477u));
+                    row_1 = _e185;
+                    let _e187 = j_2;
+                    if (_e187 == 0i) {
+                        let _e190 = y_4;
+                        let _e192 = slope_y;
+                        local_22 = vec2<f32>(_e190.x, _e192.x);
                     } else {
-                        let _e176 = j_2;
-                        if (_e176 == 1i) {
-                            let _e179 = y_4;
-                            let _e181 = slope_y;
-                            local_21 = vec2<f32>(_e179.y, _e181.y);
+                        let _e195 = j_2;
+                        if (_e195 == 1i) {
+                            let _e198 = y_4;
+                            let _e200 = slope_y;
+                            local_21 = vec2<f32>(_e198.y, _e200.y);
                         } else {
-                            let _e184 = y_4;
-                            let _e186 = slope_y;
-                            local_21 = vec2<f32>(_e184.z, _e186.z);
+                            let _e203 = y_4;
+                            let _e205 = slope_y;
+                            local_21 = vec2<f32>(_e203.z, _e205.z);
                         }
-                        let _e190 = local_21;
-                        local_22 = _e190;
+                        let _e209 = local_21;
+                        local_22 = _e209;
                     }
-                    let _e192 = local_22;
-                    window_1 = _e192;
-                    let _e194 = spacing_1;
-                    let _e195 = offset;
-                    let _e198 = j_2;
-                    from_1 = (_e194 * (_e195 + vec2<f32>(1f, (1f - f32(_e198)))));
-                    let _e207 = row_1;
-                    let _e208 = node;
-                    let _e212 = salt_4;
-                    let _e213 = gabor_impl_line_word((_e208.x - 1i), _e212);
-                    let _e215 = from_1;
-                    let _e216 = x_5;
-                    let _e218 = slope_x;
-                    let _e221 = window_1;
-                    let _e222 = band_2;
-                    let _e223 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e207 * _e213), _e215, vec2<f32>(_e216.x, _e218.x), _e221, _e222, _e223, second, fraction, dx, dy);
-                    let _e227 = from_1;
-                    let _e229 = spacing_1;
-                    from_1.x = (_e227.x - _e229);
-                    let _e233 = row_1;
-                    let _e234 = node;
-                    let _e236 = salt_4;
-                    let _e237 = gabor_impl_line_word(_e234.x, _e236);
-                    let _e239 = from_1;
-                    let _e240 = x_5;
-                    let _e242 = slope_x;
-                    let _e245 = window_1;
-                    let _e246 = band_2;
-                    let _e247 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e233 * _e237), _e239, vec2<f32>(_e240.y, _e242.y), _e245, _e246, _e247, second, fraction, dx, dy);
-                    let _e251 = from_1;
-                    let _e253 = spacing_1;
-                    from_1.x = (_e251.x - _e253);
-                    let _e257 = row_1;
-                    let _e258 = node;
-                    let _e262 = salt_4;
-                    let _e263 = gabor_impl_line_word((_e258.x + 1i), _e262);
-                    let _e265 = from_1;
-                    let _e266 = x_5;
-                    let _e268 = slope_x;
-                    let _e271 = window_1;
-                    let _e272 = band_2;
-                    let _e273 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e257 * _e263), _e265, vec2<f32>(_e266.z, _e268.z), _e271, _e272, _e273, second, fraction, dx, dy);
+                    let _e211 = local_22;
+                    window_1 = _e211;
+                    let _e213 = spacing;
+                    let _e214 = offset;
+                    let _e217 = j_2;
+                    from_1 = (_e213 * (_e214 + vec2<f32>(1f, (1f - f32(_e217)))));
+                    let _e226 = row_1;
+                    let _e227 = left;
+                    let _e229 = from_1;
+                    let _e230 = x_5;
+                    let _e232 = slope_x;
+                    let _e235 = window_1;
+                    let _e236 = band_2;
+                    let _e237 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e226 * _e227), _e229, vec2<f32>(_e230.x, _e232.x), _e235, _e236, _e237, second, fraction, dx, dy);
+                    let _e241 = from_1;
+                    let _e243 = spacing;
+                    from_1.x = (_e241.x - _e243);
+                    let _e247 = row_1;
+                    let _e248 = middle_1;
+                    let _e250 = from_1;
+                    let _e251 = x_5;
+                    let _e253 = slope_x;
+                    let _e256 = window_1;
+                    let _e257 = band_2;
+                    let _e258 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e247 * _e248), _e250, vec2<f32>(_e251.y, _e253.y), _e256, _e257, _e258, second, fraction, dx, dy);
+                    let _e262 = from_1;
+                    let _e264 = spacing;
+                    from_1.x = (_e262.x - _e264);
+                    let _e268 = row_1;
+                    let _e269 = right;
+                    let _e271 = from_1;
+                    let _e272 = x_5;
+                    let _e274 = slope_x;
+                    let _e277 = window_1;
+                    let _e278 = band_2;
+                    let _e279 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e268 * _e269), _e271, vec2<f32>(_e272.z, _e274.z), _e277, _e278, _e279, second, fraction, dx, dy);
                 }
                 continuing {
-                    let _e154 = j_2;
-                    j_2 = (_e154 + 1i);
+                    let _e173 = j_2;
+                    j_2 = (_e173 + 1i);
                 }
             }
-            let _e276 = band_2;
+            let _e282 = band_2;
             if false {
                 local_23 = 1f;
             } else {
                 local_23 = 1.125f;
             }
-            let _e288 = local_23;
-            scale_2 = (_e276.amplitude / (1459955300000000000000000000f * _e288));
-            let _e293 = water;
-            let _e295 = scale_2;
-            let _e296 = sum_7;
-            water.height = (_e293.height + (_e295 * _e296.height));
-            let _e301 = water;
-            let _e303 = scale_2;
-            let _e304 = sum_7;
-            water.slope = (_e301.slope + (_e303 * _e304.slope));
-            let _e309 = water;
-            let _e311 = scale_2;
-            let _e312 = sum_7;
-            water.shift = (_e309.shift + (_e311 * _e312.shift));
-            let _e316 = squeezed;
+            let _e294 = local_23;
+            scale_2 = (_e282.amplitude / (1459955300000000000000000000f * _e294));
+            let _e299 = water;
+            let _e301 = scale_2;
+            let _e302 = sum_7;
+            water.height = (_e299.height + (_e301 * _e302.height));
+            let _e307 = water;
+            let _e309 = scale_2;
+            let _e310 = sum_7;
+            water.slope = (_e307.slope + (_e309 * _e310.slope));
+            let _e315 = water;
             let _e317 = scale_2;
-            let _e318 = squeeze_1;
-            squeezed = (_e316 + (_e317 * _e318));
-            let _e322 = water;
-            let _e324 = sum_7;
+            let _e318 = sum_7;
+            water.shift = (_e315.shift + (_e317 * _e318.shift));
+            let _e322 = squeezed;
+            let _e323 = scale_2;
+            let _e324 = squeeze_1;
+            squeezed = (_e322 + (_e323 * _e324));
+            let _e328 = water;
+            let _e330 = sum_7;
             if false {
                 local_24 = 1f;
             } else {
                 local_24 = 1.125f;
             }
-            let _e335 = local_24;
+            let _e341 = local_24;
             if false {
                 local_25 = 1f;
             } else {
                 local_25 = 1.125f;
             }
-            let _e345 = local_25;
-            water.lost = (_e322.lost + (_e324.lost / vec3((_e335 * _e345))));
+            let _e351 = local_25;
+            water.lost = (_e328.lost + (_e330.lost / vec3((_e341 * _e351))));
         }
         continuing {
             let _e32 = i_1;
             i_1 = (_e32 + 1i);
         }
     }
-    let _e352 = squeezed;
-    let _e356 = squeezed;
-    let _e360 = squeezed;
+    let _e358 = squeezed;
     let _e362 = squeezed;
-    water.fold = (((1f - _e352.x) * (1f - _e356.y)) - (_e360.z * _e362.z));
-    let _e366 = heading_2;
-    let _e367 = heading_2;
-    let _e368 = (_e366 * _e367);
-    let _e369 = heading_2;
-    let _e371 = heading_2;
-    along_1 = vec3<f32>(_e368.x, _e368.y, (_e369.x * _e371.y));
-    let _e378 = along_1;
-    let _e379 = _e378.yx;
-    let _e380 = along_1;
-    across_1 = vec3<f32>(_e379.x, _e379.y, -(_e380.z));
-    let _e388 = water;
-    let _e392 = along_1;
-    let _e396 = across_1;
-    water.lost = (_e388.lost + ((ocean.tail.x * _e392) + (ocean.tail.y * _e396)));
-    let _e400 = water;
-    return _e400;
+    let _e366 = squeezed;
+    let _e368 = squeezed;
+    water.fold = (((1f - _e358.x) * (1f - _e362.y)) - (_e366.z * _e368.z));
+    let _e372 = heading_2;
+    let _e373 = heading_2;
+    let _e374 = (_e372 * _e373);
+    let _e375 = heading_2;
+    let _e377 = heading_2;
+    along_1 = vec3<f32>(_e374.x, _e374.y, (_e375.x * _e377.y));
+    let _e384 = along_1;
+    let _e385 = _e384.yx;
+    let _e386 = along_1;
+    across_1 = vec3<f32>(_e385.x, _e385.y, -(_e386.z));
+    let _e394 = water;
+    let _e398 = along_1;
+    let _e402 = across_1;
+    water.lost = (_e394.lost + ((ocean.tail.x * _e398) + (ocean.tail.y * _e402)));
+    let _e406 = water;
+    return _e406;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
