@@ -6,7 +6,8 @@
 //     vec2 flow(vec2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)                              // vec2(0.0) if you call only gabor_field_waves
 //
-//     vec3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
+//     GaborField f = gabor_field_direction(gabor_place_at(p), 7u);    // noise along the map
+//     vec3 s = gabor_stripes_of(f, 2.0);                              // cosine, sine, intensity
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
@@ -50,9 +51,6 @@ struct GaborWaves {
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`.
-
-// vec3 gabor_stripes_direction(vec2 p, float sharpness, uint seed)
-//     Stripes along the map, like gabor_stripes.
 
 // ====================================================================================================================
 // Private implementation
@@ -111,10 +109,6 @@ GaborField gabor_field_direction(GaborPlace place, uint seed) {
     for (int i = 0; i < 9; ++i)
         waves.wave[i] = GABOR_DIRECTION(gabor_node_position(place, i));
     return gabor_field_waves(place, waves, seed);
-}
-
-vec3 gabor_stripes_direction(vec2 p, float sharpness, uint seed) {
-    return gabor_stripes_of(gabor_field_direction(gabor_place_at(p), seed), sharpness);
 }
 
 #endif // GABOR_DIRECTION_GLSL

@@ -12,9 +12,9 @@ namespace gabor::render {
 
 /// The materials of gabor_materials.glsl: the names of its functions without the prefix, with - in place of
 /// _.
-constexpr std::array<std::string_view, 12> materials{"wood",  "fabric",  "leather",       "marble",
-                                                     "sand",  "ripples", "brushed-metal", "scratches",
-                                                     "zebra", "bark",    "carbon-fibre",  "strata"};
+constexpr std::array<std::string_view, 11> materials{"wood", "fabric",        "leather",   "marble",
+                                                     "sand", "brushed-metal", "scratches", "zebra",
+                                                     "bark", "carbon-fibre",  "strata"};
 
 /// The parameters of the request's material or erosion, laid out like their struct in a std430 buffer. Holds
 /// the bits of integers.

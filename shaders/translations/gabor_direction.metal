@@ -8,7 +8,8 @@
 //     float2 flow(float2 p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)                              // float2(0.0) if you call only gabor_field_waves
 //
-//     float3 s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
+//     GaborField f = gabor_field_direction(gabor_place_at(p), 7u);    // noise along the map
+//     float3 s = gabor_stripes_of(f, 2.0);                              // cosine, sine, intensity
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
@@ -56,9 +57,6 @@ struct GaborWaves {
 
 // GaborField gabor_field_direction(GaborPlace place, uint seed)
 //     The noise, its quadrature, and their gradients at `place`.
-
-// float3 gabor_stripes_direction(float2 p, float sharpness, uint seed)
-//     Stripes along the map, like gabor_stripes.
 
 // ====================================================================================================================
 // Private implementation
@@ -117,10 +115,6 @@ inline GaborField gabor_field_direction(GaborPlace place, uint seed) {
     for (int i = 0; i < 9; ++i)
         waves.wave[i] = GABOR_DIRECTION(gabor_node_position(place, i));
     return gabor_field_waves(place, waves, seed);
-}
-
-inline float3 gabor_stripes_direction(float2 p, float sharpness, uint seed) {
-    return gabor_stripes_of(gabor_field_direction(gabor_place_at(p), seed), sharpness);
 }
 
 #endif // GABOR_DIRECTION_METAL

@@ -1,5 +1,5 @@
 // Generated from gabor_direction.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 1400ed57fc11c997.
+// naga 30.0.1 made it from GLSL with the digest 90fa3b2f560714e6.
 //
 // gabor_direction.wgsl: Gabor noise along a direction map, which it reads at the nodes of the lattice instead of at the
 // pixel.
@@ -9,7 +9,8 @@
 //     vec2f flow(vec2f p) { return 3.0 * texture(map, p / size).xy; }   // your map: a wave vector at each p
 //     #define GABOR_DIRECTION(p) flow(p)                              // vec2f(0.0) if you call only gabor_field_waves
 //
-//     vec3f s = gabor_stripes_direction(p, 2.0, 7u);                   // cosine, sine, intensity
+//     GaborField f = gabor_field_direction(gabor_place_at(p), 7u);    // noise along the map
+//     vec3f s = gabor_stripes_of(f, 2.0);                              // cosine, sine, intensity
 //
 // Elsewhere, noise takes the map's wave vector at the pixel: the noise jumps where the map jumps, and stripes crowd
 // around a vortex. Here each of the nine nodes around a point has its own wave vector, so stripes join across a jump
@@ -41,9 +42,6 @@ struct GaborWaves {
 
 // GaborField gabor_field_direction(GaborPlace place, u32 seed)
 //     The noise, its quadrature, and their gradients at `place`.
-
-// vec3f gabor_stripes_direction(vec2f p, f32 sharpness, u32 seed)
-//     Stripes along the map, like gabor_stripes.
 
 // ====================================================================================================================
 // Private implementation

@@ -87,20 +87,10 @@ GaborErosion GaborErosion_of(int octaves, float frequency, float strength, float
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
-// GaborTerrain gabor_terrain_filtered(float2 p, float2 dx, float2 dy, uint seed)
-// GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
-//     and dFdy(p), and slopes are derivatives for a pixel of that size.
-
-// GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed)
-// GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
-//     the hills.
-
-struct GaborTerrainPlace { // the position cell + local
+struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(int2(0), p, float2(0.0)) for a point
     int2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     float2 local;  // most precise in [0, 1)^2
-    float2 period; // 0 for none. With a period, cell + local is rounded to a float
+    float2 period; // exact, along x and y: at least 4, or 0 for none. Integers do not change the width of the hills
 };
 
 GaborTerrainPlace GaborTerrainPlace_of(int2 cell, float2 local, float2 period)
@@ -115,8 +105,10 @@ GaborTerrainPlace GaborTerrainPlace_of(int2 cell, float2 local, float2 period)
 // GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     The same with a period, a filter (unless dx and dy are float2(0.0)), or both. Without a period, the result is
-//     precise at any distance from the origin.
+//     The same with a period, a filter, or both. The filter leaves out features that are too fine for a pixel and keeps
+//     the mean height: dx and dy are dFdx(p) and dFdy(p), or float2(0.0) for no filter, and slopes are derivatives for a
+//     pixel of that size. Without a period, the result is precise at any distance from the origin; with one, cell +
+//     local is rounded to a float.
 
 // ====================================================================================================================
 // Private implementation
@@ -229,8 +221,8 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, float2 dx, float2 dy, ui
                               + second.y * along_x.y * along_y.y,
                           dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
     curvature *= float3(place.radius * place.radius.x, place.radius.y * place.radius.y);
-    float to_ridge = rsqrt(1.0 + height * height);
-    return GaborTerrain_of(0.33 * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33 * slope);
+    float to_ridge = rsqrt(1.0 + height * height), ridge = height * to_ridge;
+    return GaborTerrain_of(0.33 * height, slope, ridge, curvature, (1.0 - ridge * ridge) * to_ridge / 0.33 * slope);
 }
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
@@ -386,28 +378,12 @@ GaborErosion gabor_erosion() {
     return GaborErosion_of(5, 1.5, 0.12, 2.0, 0.5, 0.5, 1.5, 2.0, 0.1, 0.1, 0.5, 1.0);
 }
 
-GaborTerrain gabor_terrain_filtered(float2 p, float2 dx, float2 dy, uint seed) {
-    return gabor_terrain_at(GaborTerrainPlace_of((int2)(0), p, (float2)(0.0)), dx, dy, seed);
-}
-
 GaborTerrain gabor_terrain(float2 p, uint seed) {
-    return gabor_terrain_filtered(p, (float2)(0.0), (float2)(0.0), seed);
-}
-
-GaborTerrain gabor_terrain_tiled(float2 p, float2 period, uint seed) {
-    return gabor_terrain_at(GaborTerrainPlace_of((int2)(0), p, period), (float2)(0.0), (float2)(0.0), seed);
-}
-
-GaborTerrain gabor_eroded_filtered(float2 p, float2 dx, float2 dy, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_at(GaborTerrainPlace_of((int2)(0), p, (float2)(0.0)), dx, dy, base, erosion, seed);
+    return gabor_terrain_at(GaborTerrainPlace_of((int2)(0), p, (float2)(0.0)), (float2)(0.0), (float2)(0.0), seed);
 }
 
 GaborTerrain gabor_eroded(float2 p, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_filtered(p, (float2)(0.0), (float2)(0.0), base, erosion, seed);
-}
-
-GaborTerrain gabor_eroded_tiled(float2 p, float2 period, GaborTerrain base, GaborErosion erosion, uint seed) {
-    return gabor_eroded_at(GaborTerrainPlace_of((int2)(0), p, period), (float2)(0.0), (float2)(0.0), base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace_of((int2)(0), p, (float2)(0.0)), (float2)(0.0), (float2)(0.0), base, erosion, seed);
 }
 
 #endif // GABOR_EROSION_HLSL

@@ -61,27 +61,19 @@ struct GaborErosion {
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
-// GaborTerrain gabor_terrain_filtered(vec2 p, vec2 dx, vec2 dy, uint seed)
-// GaborTerrain gabor_eroded_filtered(vec2 p, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
-//     and dFdy(p), and slopes are derivatives for a pixel of that size.
-
-// GaborTerrain gabor_terrain_tiled(vec2 p, vec2 period, uint seed)
-// GaborTerrain gabor_eroded_tiled(vec2 p, vec2 period, GaborTerrain base, GaborErosion erosion, uint seed)
-//     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
-//     the hills.
-
-struct GaborTerrainPlace { // the position cell + local
+struct GaborTerrainPlace { // the position cell + local: GaborTerrainPlace(ivec2(0), p, vec2(0.0)) for a point
     gabor_ivec2 cell;  // any integers: the world wraps around after 2^32 cells along each axis
     gabor_vec2 local;  // most precise in [0, 1)^2
-    gabor_vec2 period; // 0 for none. With a period, cell + local is rounded to a float
+    gabor_vec2 period; // exact, along x and y: at least 4, or 0 for none. Integers do not change the width of the hills
 };
 
 // GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint seed)
 // GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, GaborTerrain base, GaborErosion erosion,
 //                              uint seed)
-//     The same with a period, a filter (unless dx and dy are vec2(0.0)), or both. Without a period, the result is
-//     precise at any distance from the origin.
+//     The same with a period, a filter, or both. The filter leaves out features that are too fine for a pixel and keeps
+//     the mean height: dx and dy are dFdx(p) and dFdy(p), or vec2(0.0) for no filter, and slopes are derivatives for a
+//     pixel of that size. Without a period, the result is precise at any distance from the origin; with one, cell +
+//     local is rounded to a float.
 
 // ====================================================================================================================
 // Private implementation
@@ -182,8 +174,8 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
                               + second.y * along_x.y * along_y.y,
                           gabor_cpp_dot(first, hills.curvature_yy) + along_y.y * (2.0f * second.x * along_y.x + second.y * along_y.y));
     curvature *= gabor_vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
-    float to_ridge = gabor_cpp_inversesqrt(1.0f + height * height);
-    return GaborTerrain{0.33f * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33f * slope};
+    float to_ridge = gabor_cpp_inversesqrt(1.0f + height * height), ridge = height * to_ridge;
+    return GaborTerrain{0.33f * height, slope, ridge, curvature, (1.0f - ridge * ridge) * to_ridge / 0.33f * slope};
 }
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
@@ -329,28 +321,12 @@ GABOR_INLINE GaborErosion gabor_erosion() {
     return GaborErosion{5, 1.5f, 0.12f, 2.0f, 0.5f, 0.5f, 1.5f, 2.0f, 0.1f, 0.1f, 0.5f, 1.0f};
 }
 
-GABOR_INLINE GaborTerrain gabor_terrain_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_terrain_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, dx, dy, seed);
-}
-
 GABOR_INLINE GaborTerrain gabor_terrain(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_terrain_filtered(p, gabor_vec2(0.0f), gabor_vec2(0.0f), seed);
-}
-
-GABOR_INLINE GaborTerrain gabor_terrain_tiled(gabor_vec2 p, gabor_vec2 period, std::uint32_t seed) {
-    return gabor_terrain_at(GaborTerrainPlace{gabor_ivec2(0), p, period}, gabor_vec2(0.0f), gabor_vec2(0.0f), seed);
-}
-
-GABOR_INLINE GaborTerrain gabor_eroded_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
-    return gabor_eroded_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, dx, dy, base, erosion, seed);
+    return gabor_terrain_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, gabor_vec2(0.0f), gabor_vec2(0.0f), seed);
 }
 
 GABOR_INLINE GaborTerrain gabor_eroded(gabor_vec2 p, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
-    return gabor_eroded_filtered(p, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
-}
-
-GABOR_INLINE GaborTerrain gabor_eroded_tiled(gabor_vec2 p, gabor_vec2 period, GaborTerrain base, GaborErosion erosion, std::uint32_t seed) {
-    return gabor_eroded_at(GaborTerrainPlace{gabor_ivec2(0), p, period}, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
+    return gabor_eroded_at(GaborTerrainPlace{gabor_ivec2(0), p, gabor_vec2(0.0f)}, gabor_vec2(0.0f), gabor_vec2(0.0f), base, erosion, seed);
 }
 
 #endif // GABOR_EROSION_HPP

@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 652037aacf7a66c1.
+// naga 30.0.1 made it from GLSL with the digest b0522cc28c927615.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -50,16 +50,6 @@ struct GaborErosion {
 //     rms error is 0.45 times the rms slope. The returned curvature and ridge_slope are 0: to erode the result again,
 //     draw it as a heightmap first, which has its curvature in nine texels.
 
-// GaborTerrain gabor_terrain_filtered(vec2f p, vec2f dx, vec2f dy, u32 seed)
-// GaborTerrain gabor_eroded_filtered(vec2f p, vec2f dx, vec2f dy, GaborTerrain base, GaborErosion erosion, u32 seed)
-//     The same without features that are too fine for a pixel; the mean height does not change. dx and dy are dFdx(p)
-//     and dFdy(p), and slopes are derivatives for a pixel of that size.
-
-// GaborTerrain gabor_terrain_tiled(vec2f p, vec2f period, u32 seed)
-// GaborTerrain gabor_eroded_tiled(vec2f p, vec2f period, GaborTerrain base, GaborErosion erosion, u32 seed)
-//     The same with an exact period along x and y, at least 4 units of p. Integer periods do not change the width of
-//     the hills.
-
 struct GaborTerrainPlace {
     cell: vec2<i32>,
     local: vec2<f32>,
@@ -69,8 +59,10 @@ struct GaborTerrainPlace {
 // GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2f dx, vec2f dy, u32 seed)
 // GaborTerrain gabor_eroded_at(GaborTerrainPlace ground, vec2f dx, vec2f dy, GaborTerrain base, GaborErosion erosion,
 //                              u32 seed)
-//     The same with a period, a filter (unless dx and dy are vec2f(0.0)), or both. Without a period, the result is
-//     precise at any distance from the origin.
+//     The same with a period, a filter, or both. The filter leaves out features that are too fine for a pixel and keeps
+//     the mean height: dx and dy are dFdx(p) and dFdy(p), or vec2f(0.0) for no filter, and slopes are derivatives for a
+//     pixel of that size. Without a period, the result is precise at any distance from the origin; with one, cell +
+//     local is rounded to a f32.
 
 // ====================================================================================================================
 // Private implementation
@@ -252,6 +244,7 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     var slope_7: vec2<f32>;
     var curvature_1: vec3<f32>;
     var to_ridge: f32;
+    var ridge: f32;
     let _e5 = gabor_impl_ground(ground, 1f);
     place_4 = _e5;
     let _e7 = place_4;
@@ -395,16 +388,18 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     let _e372 = height;
     let _e373 = height;
     to_ridge = inverseSqrt((1f + (_e372 * _e373)));
-    let _e379 = height;
-    let _e381 = slope_7;
-    let _e382 = height;
-    let _e383 = to_ridge;
-    let _e385 = curvature_1;
-    let _e386 = to_ridge;
-    let _e387 = to_ridge;
-    let _e389 = to_ridge;
-    let _e393 = slope_7;
-    return GaborTerrain((0.33f * _e379), _e381, (_e382 * _e383), _e385, ((((_e386 * _e387) * _e389) / 0.33f) * _e393));
+    let _e378 = height;
+    let _e379 = to_ridge;
+    ridge = (_e378 * _e379);
+    let _e383 = height;
+    let _e385 = slope_7;
+    let _e386 = ridge;
+    let _e387 = curvature_1;
+    let _e389 = ridge;
+    let _e390 = ridge;
+    let _e393 = to_ridge;
+    let _e397 = slope_7;
+    return GaborTerrain((0.33f * _e383), _e385, _e386, _e387, ((((1f - (_e389 * _e390)) * _e393) / 0.33f) * _e397));
 }
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
@@ -598,7 +593,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var steer_x: vec2<f32>;
     var steer_y: vec2<f32>;
     var gully: f32;
-    var ridge: f32;
+    var ridge_1: f32;
     var sum_8: f32 = 0f;
     var gully_slope: vec2<f32>;
     var sum_slope: vec2<f32> = vec2(0f);
@@ -645,7 +640,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     steer_x = base.curvature.xy;
     steer_y = base.curvature.yz;
     gully = base.ridge;
-    ridge = base.ridge;
+    ridge_1 = base.ridge;
     gully_slope = base.ridge_slope;
     frequency_6 = erosion.frequency;
     depth = (erosion.strength / erosion.frequency);
@@ -802,10 +797,10 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
             let _e342 = crest;
             let _e343 = mask;
             gully = mix(_e341, _e342, _e343);
-            let _e345 = ridge;
+            let _e345 = ridge_1;
             let _e346 = z_1;
             let _e348 = mask;
-            ridge = mix(_e345, _e346.x, _e348);
+            ridge_1 = mix(_e345, _e346.x, _e348);
             let _e350 = sum_8;
             let _e351 = depth;
             let _e352 = gully;
@@ -906,7 +901,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     let _e531 = sum_slope;
     let _e534 = sum_8;
     let _e535 = open_slope;
-    let _e538 = ridge;
+    let _e538 = ridge_1;
     return GaborTerrain((base.height + (_e525 * _e526)), ((base.slope + (_e530 * _e531)) + (_e534 * _e535)), _e538, vec3(0f), vec2(0f));
 }
 
@@ -916,33 +911,13 @@ fn gabor_erosion() -> GaborErosion {
     return GaborErosion(5i, 1.5f, 0.12f, 2f, 0.5f, 0.5f, 1.5f, 2f, 0.1f, 0.1f, 0.5f, 1f);
 }
 
-fn gabor_terrain_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e9 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), dx, dy, seed);
-    return _e9;
-}
-
 fn gabor_terrain(p: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e6 = gabor_terrain_filtered(p, vec2(0f), vec2(0f), seed);
-    return _e6;
-}
-
-fn gabor_terrain_tiled(p: vec2<f32>, period: vec2<f32>, seed: u32) -> GaborTerrain {
-    let _e10 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, period), vec2(0f), vec2(0f), seed);
-    return _e10;
-}
-
-fn gabor_eroded_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e11 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), dx, dy, base, erosion, seed);
+    let _e11 = gabor_terrain_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), vec2(0f), vec2(0f), seed);
     return _e11;
 }
 
 fn gabor_eroded(p: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e8 = gabor_eroded_filtered(p, vec2(0f), vec2(0f), base, erosion, seed);
-    return _e8;
-}
-
-fn gabor_eroded_tiled(p: vec2<f32>, period: vec2<f32>, base: GaborTerrain, erosion: GaborErosion, seed: u32) -> GaborTerrain {
-    let _e12 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, period), vec2(0f), vec2(0f), base, erosion, seed);
-    return _e12;
+    let _e13 = gabor_eroded_at(GaborTerrainPlace(vec2(0i), p, vec2(0f)), vec2(0f), vec2(0f), base, erosion, seed);
+    return _e13;
 }
 

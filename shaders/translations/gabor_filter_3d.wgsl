@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest c0154207ae6d89f7.
+// naga 30.0.1 made it from GLSL with the digest 13e371b7e8e2df15.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
 //

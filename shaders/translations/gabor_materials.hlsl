@@ -1,6 +1,6 @@
 // Generated from gabor_materials.glsl by tools/translate, for HLSL, shader model 5.0 and up: change that file, not this one.
 //
-// gabor_materials.hlsl: twelve materials from Gabor noise.
+// gabor_materials.hlsl: eleven materials from Gabor noise.
 //
 // Paste or include this file after gabor_noise.hlsl, gabor_spectrum.hlsl and, for the filtered forms,
 // gabor_filter.hlsl.
@@ -184,30 +184,6 @@ GaborSand GaborSand_of(float3 trough, float3 crest, float ripples, float relief,
     made.ripples = ripples;
     made.relief = relief;
     made.grain = grain;
-    made.roughness = roughness;
-    return made;
-}
-
-// Water under a light wind [14 noises; period 8 x 8].
-struct GaborRipples {
-    float3 deep;       // colour of the troughs
-    float3 shallow;    // colour of the crests
-    float waves;     // number of the longest waves per unit, 0.1 to 5
-    float direction; // direction of the wind, -6.2832 to 6.2832 radians
-    float spread;    // range of the waves' directions, 0 to 6.2832 radians
-    float relief;    // height of the longest waves, in units, 0 to 0.2
-    float roughness; // 0 to 1
-};
-
-GaborRipples GaborRipples_of(float3 deep, float3 shallow, float waves, float direction, float spread, float relief, float roughness)
-{
-    GaborRipples made;
-    made.deep = deep;
-    made.shallow = shallow;
-    made.waves = waves;
-    made.direction = direction;
-    made.spread = spread;
-    made.relief = relief;
     made.roughness = roughness;
     return made;
 }
@@ -1309,45 +1285,6 @@ GaborMaterial gabor_sand_at(float2 p, float2 period, GaborSand sand, uint seed) 
     return gabor_impl_sand(sand, ripples, of);
 }
 
-// ---- Ripples -------------------------------------------------------------------------------------------------------
-//
-// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
-// the filter removed does not change the mean of the harmonic.
-
-GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborRipples ripples, uint seed) {
-    float density = ripples.waves * exp2(0.27 * float(i)) / 2.2;
-    float angle = ripples.direction + ripples.spread * (frac(0.618034 * float(i) + 0.1) - 0.5);
-    return gabor_impl_waves_layer(0, gabor_impl_unwarped(pixel), (float2)(density), 2.2, angle, seed, i);
-}
-
-// Adds a wave: the first sum is the height, the second a noise.
-void gabor_impl_add_ripple(inout GaborPair sum, int i, GaborPair wave) {
-    float amplitude = exp2(-0.351 * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0 - wave.removed;
-    float harmonic = 0.2 * kept; // a filter damps a wave of twice the frequency by the fourth power, x^2 by the square
-    sum.first += amplitude * float3(x + harmonic * (x * x - y * y),
-                                  (1.0 + 2.0 * harmonic * x) * wave.first.yz - 2.0 * harmonic * y * wave.second.yz);
-    sum.second += amplitude * wave.first;
-    sum.removed += amplitude * amplitude * wave.removed;
-    // The derivatives of x and y are in proportion to -y and x.
-    float harmonics = x * x + y * y + 1.0 - kept + kept * kept * (1.0 + kept);
-    sum.lost += amplitude * amplitude * (1.0 + 1.6 * x + 0.64 * harmonics) * wave.lost;
-}
-
-GaborMaterial gabor_impl_ripples(GaborRipples ripples, GaborPair sum) {
-    const float power = 2.592656; // of all waves
-    float light = gabor_impl_above(rsqrt(power) * sum.second, sum.removed / power, 0.5, 1.0).x;
-    return gabor_impl_material(lerp(ripples.deep, ripples.shallow, light), ripples.relief * sum.first,
-                               ripples.relief * ripples.relief * sum.lost, ripples.roughness, 0.0);
-}
-
-GaborMaterial gabor_ripples_at(float2 p, float2 period, GaborRipples ripples, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, (float2)(0.0), (float2)(0.0), period);
-    GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 14; ++i)
-        gabor_impl_add_ripple(sum, i, gabor_impl_waves_pair(gabor_impl_ripples_layer(i, pixel, ripples, seed)));
-    return gabor_impl_ripples(ripples, sum);
-}
-
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 GaborLayer gabor_impl_streaks_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, uint seed) {
@@ -1639,16 +1576,6 @@ GaborMaterial gabor_sand_filtered_at(float2 p, float2 dx, float2 dy, float2 peri
     return gabor_impl_sand(sand, ripples, of);
 }
 
-GaborMaterial gabor_ripples_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborRipples ripples, uint seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 14; ++i) {
-        GaborLayer layer = gabor_impl_ripples_layer(i, pixel, ripples, seed);
-        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(layer, pixel));
-    }
-    return gabor_impl_ripples(ripples, sum);
-}
-
 GaborMaterial gabor_brushed_metal_filtered_at(float2 p, float2 dx, float2 dy, float2 period, GaborBrushedMetal metal,
                                               uint seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
@@ -1727,9 +1654,6 @@ GaborMarble gabor_marble_default() {
 GaborSand gabor_sand_default() {
     return GaborSand_of(float3(0.43, 0.30, 0.17), float3(0.60, 0.44, 0.265), 3.87, 0.055, 0.16, 0.9);
 }
-GaborRipples gabor_ripples_default() {
-    return GaborRipples_of(float3(0.004, 0.06, 0.085), float3(0.03, 0.25, 0.27), 0.6, 0.8726646, 1.0471976, 0.035, 0.1);
-}
 GaborBrushedMetal gabor_brushed_metal_default() {
     return GaborBrushedMetal_of(float3(0.55, 0.555, 0.565), 9.0, 0.09, 0.0012, 0.36);
 }
@@ -1767,9 +1691,6 @@ GaborMaterial gabor_marble(float2 p, uint seed) {
 GaborMaterial gabor_sand(float2 p, uint seed) {
     return gabor_sand_at(p, (float2)(0.0), gabor_sand_default(), seed);
 }
-GaborMaterial gabor_ripples(float2 p, uint seed) {
-    return gabor_ripples_at(p, (float2)(0.0), gabor_ripples_default(), seed);
-}
 GaborMaterial gabor_brushed_metal(float2 p, uint seed) {
     return gabor_brushed_metal_at(p, (float2)(0.0), gabor_brushed_metal_default(), seed);
 }
@@ -1804,9 +1725,6 @@ GaborMaterial gabor_marble_filtered(float2 p, float2 dx, float2 dy, uint seed) {
 }
 GaborMaterial gabor_sand_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_sand_filtered_at(p, dx, dy, (float2)(0.0), gabor_sand_default(), seed);
-}
-GaborMaterial gabor_ripples_filtered(float2 p, float2 dx, float2 dy, uint seed) {
-    return gabor_ripples_filtered_at(p, dx, dy, (float2)(0.0), gabor_ripples_default(), seed);
 }
 GaborMaterial gabor_brushed_metal_filtered(float2 p, float2 dx, float2 dy, uint seed) {
     return gabor_brushed_metal_filtered_at(p, dx, dy, (float2)(0.0), gabor_brushed_metal_default(), seed);

@@ -1,7 +1,7 @@
 // clang-format off
 // Generated from gabor_materials.glsl by tools/translate, for C++ on the CPU: change that file, not this one.
 //
-// gabor_materials.hpp: twelve materials from Gabor noise.
+// gabor_materials.hpp: eleven materials from Gabor noise.
 //
 // Paste or include this file after gabor_noise.hpp, gabor_spectrum.hpp and, for the filtered forms,
 // gabor_filter.hpp.
@@ -115,17 +115,6 @@ struct GaborSand {
     float ripples;   // ripples per unit, 1 to 20
     float relief;    // height of the ripples, in units, 0 to 0.2
     float grain;     // contrast of the grains, 0 to 0.25
-    float roughness; // 0 to 1
-};
-
-// Water under a light wind [14 noises; period 8 x 8].
-struct GaborRipples {
-    gabor_vec3 deep;       // colour of the troughs
-    gabor_vec3 shallow;    // colour of the crests
-    float waves;     // number of the longest waves per unit, 0.1 to 5
-    float direction; // direction of the wind, -6.2832 to 6.2832 radians
-    float spread;    // range of the waves' directions, 0 to 6.2832 radians
-    float relief;    // height of the longest waves, in units, 0 to 0.2
     float roughness; // 0 to 1
 };
 
@@ -1060,45 +1049,6 @@ GABOR_INLINE GaborMaterial gabor_sand_at(gabor_vec2 p, gabor_vec2 period, GaborS
     return gabor_impl_sand(sand, ripples, of);
 }
 
-// ---- Ripples -------------------------------------------------------------------------------------------------------
-//
-// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
-// the filter removed does not change the mean of the harmonic.
-
-GABOR_INLINE GaborLayer gabor_impl_ripples_layer(int i, GaborPixel pixel, GaborRipples ripples, std::uint32_t seed) {
-    float density = ripples.waves * gabor_cpp_exp2(0.27f * float(i)) / 2.2f;
-    float angle = ripples.direction + ripples.spread * (gabor_cpp_fract(0.618034f * float(i) + 0.1f) - 0.5f);
-    return gabor_impl_waves_layer(0, gabor_impl_unwarped(pixel), gabor_vec2(density), 2.2f, angle, seed, i);
-}
-
-// Adds a wave: the first sum is the height, the second a noise.
-GABOR_INLINE void gabor_impl_add_ripple(GaborPair& sum, int i, GaborPair wave) {
-    float amplitude = gabor_cpp_exp2(-0.351f * float(i)), x = wave.first.x, y = wave.second.x, kept = 1.0f - wave.removed;
-    float harmonic = 0.2f * kept; // a filter damps a wave of twice the frequency by the fourth power, x^2 by the square
-    sum.first += amplitude * gabor_vec3(x + harmonic * (x * x - y * y),
-                                  (1.0f + 2.0f * harmonic * x) * wave.first.yz() - 2.0f * harmonic * y * wave.second.yz());
-    sum.second += amplitude * wave.first;
-    sum.removed += amplitude * amplitude * wave.removed;
-    // The derivatives of x and y are in proportion to -y and x.
-    float harmonics = x * x + y * y + 1.0f - kept + kept * kept * (1.0f + kept);
-    sum.lost += amplitude * amplitude * (1.0f + 1.6f * x + 0.64f * harmonics) * wave.lost;
-}
-
-GABOR_INLINE GaborMaterial gabor_impl_ripples(GaborRipples ripples, GaborPair sum) {
-    const float power = 2.592656f; // of all waves
-    float light = gabor_impl_above(gabor_cpp_inversesqrt(power) * sum.second, sum.removed / power, 0.5f, 1.0f).x;
-    return gabor_impl_material(gabor_cpp_mix(ripples.deep, ripples.shallow, light), ripples.relief * sum.first,
-                               ripples.relief * ripples.relief * sum.lost, ripples.roughness, 0.0f);
-}
-
-GABOR_INLINE GaborMaterial gabor_ripples_at(gabor_vec2 p, gabor_vec2 period, GaborRipples ripples, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, gabor_vec2(0.0f), gabor_vec2(0.0f), period);
-    GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 14; ++i)
-        gabor_impl_add_ripple(sum, i, gabor_impl_waves_pair(gabor_impl_ripples_layer(i, pixel, ripples, seed)));
-    return gabor_impl_ripples(ripples, sum);
-}
-
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 GABOR_INLINE GaborLayer gabor_impl_streaks_layer(int i, GaborPixel pixel, GaborBrushedMetal metal, std::uint32_t seed) {
@@ -1390,16 +1340,6 @@ GABOR_INLINE GaborMaterial gabor_sand_filtered_at(gabor_vec2 p, gabor_vec2 dx, g
     return gabor_impl_sand(sand, ripples, of);
 }
 
-GABOR_INLINE GaborMaterial gabor_ripples_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborRipples ripples, std::uint32_t seed) {
-    GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
-    GaborPair sum = gabor_impl_no_pair();
-    for (int i = 0; i < 14; ++i) {
-        GaborLayer layer = gabor_impl_ripples_layer(i, pixel, ripples, seed);
-        gabor_impl_add_ripple(sum, i, gabor_impl_filtered_waves(layer, pixel));
-    }
-    return gabor_impl_ripples(ripples, sum);
-}
-
 GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered_at(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, gabor_vec2 period, GaborBrushedMetal metal,
                                               std::uint32_t seed) {
     GaborPixel pixel = gabor_impl_pixel_at(p, dx, dy, period);
@@ -1478,9 +1418,6 @@ GABOR_INLINE GaborMarble gabor_marble_default() {
 GABOR_INLINE GaborSand gabor_sand_default() {
     return GaborSand{gabor_vec3(0.43f, 0.30f, 0.17f), gabor_vec3(0.60f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f};
 }
-GABOR_INLINE GaborRipples gabor_ripples_default() {
-    return GaborRipples{gabor_vec3(0.004f, 0.06f, 0.085f), gabor_vec3(0.03f, 0.25f, 0.27f), 0.6f, 0.8726646f, 1.0471976f, 0.035f, 0.1f};
-}
 GABOR_INLINE GaborBrushedMetal gabor_brushed_metal_default() {
     return GaborBrushedMetal{gabor_vec3(0.55f, 0.555f, 0.565f), 9.0f, 0.09f, 0.0012f, 0.36f};
 }
@@ -1518,9 +1455,6 @@ GABOR_INLINE GaborMaterial gabor_marble(gabor_vec2 p, std::uint32_t seed) {
 GABOR_INLINE GaborMaterial gabor_sand(gabor_vec2 p, std::uint32_t seed) {
     return gabor_sand_at(p, gabor_vec2(0.0f), gabor_sand_default(), seed);
 }
-GABOR_INLINE GaborMaterial gabor_ripples(gabor_vec2 p, std::uint32_t seed) {
-    return gabor_ripples_at(p, gabor_vec2(0.0f), gabor_ripples_default(), seed);
-}
 GABOR_INLINE GaborMaterial gabor_brushed_metal(gabor_vec2 p, std::uint32_t seed) {
     return gabor_brushed_metal_at(p, gabor_vec2(0.0f), gabor_brushed_metal_default(), seed);
 }
@@ -1555,9 +1489,6 @@ GABOR_INLINE GaborMaterial gabor_marble_filtered(gabor_vec2 p, gabor_vec2 dx, ga
 }
 GABOR_INLINE GaborMaterial gabor_sand_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_sand_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_sand_default(), seed);
-}
-GABOR_INLINE GaborMaterial gabor_ripples_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
-    return gabor_ripples_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_ripples_default(), seed);
 }
 GABOR_INLINE GaborMaterial gabor_brushed_metal_filtered(gabor_vec2 p, gabor_vec2 dx, gabor_vec2 dy, std::uint32_t seed) {
     return gabor_brushed_metal_filtered_at(p, dx, dy, gabor_vec2(0.0f), gabor_brushed_metal_default(), seed);

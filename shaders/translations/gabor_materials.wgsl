@@ -1,7 +1,7 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 768cb06b57a83dd5.
+// naga 30.0.1 made it from GLSL with the digest b6df3f579291bc88.
 //
-// gabor_materials.wgsl: twelve materials from Gabor noise.
+// gabor_materials.wgsl: eleven materials from Gabor noise.
 //
 // Paste or include this file after gabor_noise.wgsl, gabor_spectrum.wgsl and, for the filtered forms,
 // gabor_filter.wgsl.
@@ -104,17 +104,6 @@ struct GaborSand {
     ripples: f32,
     relief: f32,
     grain: f32,
-    roughness: f32,
-}
-
-// Water under a light wind [14 noises; period 8 x 8].
-struct GaborRipples {
-    deep: vec3<f32>,
-    shallow: vec3<f32>,
-    waves: f32,
-    direction: f32,
-    spread: f32,
-    relief: f32,
     roughness: f32,
 }
 
@@ -2903,124 +2892,13 @@ fn gabor_sand_at(p: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) ->
     return _e48;
 }
 
-// ---- Ripples -------------------------------------------------------------------------------------------------------
-//
-// A sum of waves with their second harmonics, after Stokes: crests are sharp and troughs flat. The part of a wave that
-// the filter removed does not change the mean of the harmonic.
-
-fn gabor_impl_ripples_layer(i: i32, pixel: GaborPixel, ripples: GaborRipples, seed: u32) -> GaborLayer {
-    var density_7: f32;
-    var angle_1: f32;
-    density_7 = ((ripples.waves * exp2((0.27f * f32(i)))) / 2.2f);
-    angle_1 = (ripples.direction + (ripples.spread * (fract(((0.618034f * f32(i)) + 0.1f)) - 0.5f)));
-    let _e27 = gabor_impl_unwarped(pixel);
-    let _e28 = density_7;
-    let _e31 = angle_1;
-    let _e32 = gabor_impl_waves_layer(0i, _e27, vec2(_e28), 2.2f, _e31, seed, i);
-    return _e32;
-}
-
-// Adds a wave: the first sum is the height, the second a noise.
-fn gabor_impl_add_ripple(sum: ptr<function, GaborPair>, i: i32, wave: GaborPair) {
-    var amplitude_8: f32;
-    var x_29: f32;
-    var y_21: f32;
-    var kept_6: f32;
-    var harmonic: f32;
-    var harmonics: f32;
-    amplitude_8 = exp2((-0.351f * f32(i)));
-    x_29 = wave.first.x;
-    y_21 = wave.second.x;
-    kept_6 = (1f - wave.removed);
-    let _e20 = kept_6;
-    harmonic = (0.2f * _e20);
-    let _e24 = (*sum);
-    let _e26 = amplitude_8;
-    let _e27 = x_29;
-    let _e28 = harmonic;
-    let _e29 = x_29;
-    let _e30 = x_29;
-    let _e32 = y_21;
-    let _e33 = y_21;
-    let _e40 = harmonic;
-    let _e42 = x_29;
-    let _e49 = harmonic;
-    let _e51 = y_21;
-    let _e56 = (((1f + ((2f * _e40) * _e42)) * wave.first.yz) - (((2f * _e49) * _e51) * wave.second.yz));
-    (*sum).first = (_e24.first + (_e26 * vec3<f32>((_e27 + (_e28 * ((_e29 * _e30) - (_e32 * _e33)))), _e56.x, _e56.y)));
-    let _e63 = (*sum);
-    let _e65 = amplitude_8;
-    (*sum).second = (_e63.second + (_e65 * wave.first));
-    let _e70 = (*sum);
-    let _e72 = amplitude_8;
-    let _e73 = amplitude_8;
-    (*sum).removed = (_e70.removed + ((_e72 * _e73) * wave.removed));
-    let _e78 = x_29;
-    let _e79 = x_29;
-    let _e81 = y_21;
-    let _e82 = y_21;
-    let _e87 = kept_6;
-    let _e89 = kept_6;
-    let _e90 = kept_6;
-    let _e93 = kept_6;
-    harmonics = (((((_e78 * _e79) + (_e81 * _e82)) + 1f) - _e87) + ((_e89 * _e90) * (1f + _e93)));
-    let _e99 = (*sum);
-    let _e101 = amplitude_8;
-    let _e102 = amplitude_8;
-    let _e106 = x_29;
-    let _e110 = harmonics;
-    (*sum).lost = (_e99.lost + (((_e101 * _e102) * ((1f + (1.6f * _e106)) + (0.64f * _e110))) * wave.lost));
-    return;
-}
-
-fn gabor_impl_ripples(ripples: GaborRipples, sum: GaborPair) -> GaborMaterial {
-    var power_8: f32 = 2.592656f;
-    var light_1: f32;
-    let _e4 = power_8;
-    let _e9 = power_8;
-    let _e13 = gabor_impl_above((inverseSqrt(_e4) * sum.second), (sum.removed / _e9), 0.5f, 1f);
-    light_1 = _e13.x;
-    let _e18 = light_1;
-    let _e31 = gabor_impl_material(mix(ripples.deep, ripples.shallow, vec3(_e18)), (ripples.relief * sum.first), ((ripples.relief * ripples.relief) * sum.lost), ripples.roughness, 0f);
-    return _e31;
-}
-
-fn gabor_ripples_at(p: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed: u32) -> GaborMaterial {
-    var pixel_29: GaborPixel;
-    var sum_23: GaborPair;
-    var i_23: i32 = 0i;
-    let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_29 = _e8;
-    let _e10 = gabor_impl_no_pair();
-    sum_23 = _e10;
-    loop {
-        let _e14 = i_23;
-        if !((_e14 < 14i)) {
-            break;
-        }
-        let _e22 = i_23;
-        let _e23 = i_23;
-        let _e24 = pixel_29;
-        let _e25 = gabor_impl_ripples_layer(_e23, _e24, ripples, seed);
-        let _e26 = gabor_impl_waves_pair(_e25);
-        gabor_impl_add_ripple((&sum_23), _e22, _e26);
-        continuing {
-            let _e18 = i_23;
-            i_23 = (_e18 + 1i);
-        }
-    }
-    let _e28 = sum_23;
-    let _e29 = gabor_impl_ripples(ripples, _e28);
-    return _e29;
-}
-
 // ---- Brushed metal -------------------------------------------------------------------------------------------------
 
 fn gabor_impl_streaks_layer(i: i32, pixel: GaborPixel, metal: GaborBrushedMetal, seed: u32) -> GaborLayer {
-    var density_8: vec2<f32>;
-    density_8 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
+    var density_7: vec2<f32>;
+    density_7 = vec2<f32>((0.3f + (0.12f * exp2(f32(i)))), (metal.streaks * exp2(f32(i))));
     let _e17 = gabor_impl_unwarped(pixel);
-    let _e18 = density_8;
+    let _e18 = density_7;
     let _e19 = gabor_impl_spots_layer(0i, _e17, _e18, seed, i);
     return _e19;
 }
@@ -3054,30 +2932,30 @@ fn gabor_impl_brushed_metal(metal: GaborBrushedMetal, sum: GaborPair) -> GaborMa
 }
 
 fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_31: GaborPixel;
-    var sum_26: GaborPair;
-    var i_26: i32 = 0i;
+    var pixel_29: GaborPixel;
+    var sum_23: GaborPair;
+    var i_23: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_31 = _e8;
+    pixel_29 = _e8;
     let _e10 = gabor_impl_no_pair();
-    sum_26 = _e10;
+    sum_23 = _e10;
     loop {
-        let _e14 = i_26;
+        let _e14 = i_23;
         if !((_e14 < 5i)) {
             break;
         }
-        let _e22 = i_26;
-        let _e23 = i_26;
-        let _e24 = pixel_31;
+        let _e22 = i_23;
+        let _e23 = i_23;
+        let _e24 = pixel_29;
         let _e25 = gabor_impl_streaks_layer(_e23, _e24, metal, seed);
         let _e26 = gabor_impl_spots_pair(_e25);
-        gabor_impl_add_streaks((&sum_26), _e22, _e26);
+        gabor_impl_add_streaks((&sum_23), _e22, _e26);
         continuing {
-            let _e18 = i_26;
-            i_26 = (_e18 + 1i);
+            let _e18 = i_23;
+            i_23 = (_e18 + 1i);
         }
     }
-    let _e28 = sum_26;
+    let _e28 = sum_23;
     let _e29 = gabor_impl_brushed_metal(metal, _e28);
     return _e29;
 }
@@ -3087,11 +2965,11 @@ fn gabor_brushed_metal_at(p: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMe
 // Scratches are the peaks of noise with very long and narrow kernels, in many directions.
 
 fn gabor_impl_scratches_layer(i: i32, pixel: GaborPixel, scratches: GaborScratches, seed: u32) -> GaborLayer {
-    var angle_2: f32;
+    var angle_1: f32;
     var at_10: GaborWarped;
-    angle_2 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
+    angle_1 = (scratches.direction + (scratches.spread * (fract((0.0955f + (0.763932f * f32(i)))) - 0.5f)));
     let _e17 = gabor_impl_unwarped(pixel);
-    let _e18 = angle_2;
+    let _e18 = angle_1;
     let _e19 = gabor_impl_turned(_e17, _e18);
     at_10 = _e19;
     let _e21 = at_10;
@@ -3157,28 +3035,28 @@ fn gabor_impl_scratches(scratches: GaborScratches, sum: GaborMaterial) -> GaborM
 }
 
 fn gabor_scratches_at(p: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_33: GaborPixel;
-    var sum_29: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
-    var i_29: i32 = 0i;
+    var pixel_31: GaborPixel;
+    var sum_26: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
+    var i_26: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_33 = _e8;
+    pixel_31 = _e8;
     loop {
-        let _e23 = i_29;
+        let _e23 = i_26;
         if !((_e23 < 14i)) {
             break;
         }
-        let _e31 = i_29;
-        let _e32 = i_29;
-        let _e33 = pixel_33;
+        let _e31 = i_26;
+        let _e32 = i_26;
+        let _e33 = pixel_31;
         let _e34 = gabor_impl_scratches_layer(_e32, _e33, scratches, seed);
         let _e35 = gabor_impl_spots_pair(_e34);
-        gabor_impl_add_scratches((&sum_29), scratches, _e31, _e35);
+        gabor_impl_add_scratches((&sum_26), scratches, _e31, _e35);
         continuing {
-            let _e27 = i_29;
-            i_29 = (_e27 + 1i);
+            let _e27 = i_26;
+            i_26 = (_e27 + 1i);
         }
     }
-    let _e37 = sum_29;
+    let _e37 = sum_26;
     let _e38 = gabor_impl_scratches(scratches, _e37);
     return _e38;
 }
@@ -3253,33 +3131,33 @@ fn gabor_impl_zebra(zebra: GaborZebra, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_zebra_at(p: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_37: GaborPixel;
+    var pixel_35: GaborPixel;
     var skin_4: GaborWarped;
     var direction_2: f32;
     var of_11: GaborPairs;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_37 = _e8;
-    let _e10 = pixel_37;
+    pixel_35 = _e8;
+    let _e10 = pixel_35;
     let _e11 = gabor_impl_hide(_e10, seed);
     skin_4 = _e11;
-    let _e13 = pixel_37;
+    let _e13 = pixel_35;
     let _e14 = gabor_impl_stripes_direction(_e13, zebra, seed);
     direction_2 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_11 = _e16;
-    let _e20 = pixel_37;
+    let _e20 = pixel_35;
     let _e21 = skin_4;
     let _e22 = direction_2;
     let _e23 = gabor_impl_zebra_layer(0i, _e20, _e21, _e22, zebra, seed);
     let _e24 = gabor_impl_spots_pair(_e23);
     of_11.a = _e24;
-    let _e27 = pixel_37;
+    let _e27 = pixel_35;
     let _e28 = skin_4;
     let _e29 = direction_2;
     let _e30 = gabor_impl_zebra_layer(1i, _e27, _e28, _e29, zebra, seed);
     let _e31 = gabor_impl_spots_pair(_e30);
     of_11.b = _e31;
-    let _e34 = pixel_37;
+    let _e34 = pixel_35;
     let _e35 = skin_4;
     let _e36 = direction_2;
     let _e37 = gabor_impl_zebra_layer(2i, _e34, _e35, _e36, zebra, seed);
@@ -3423,45 +3301,45 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_bark_at(p: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_40: GaborPixel;
+    var pixel_38: GaborPixel;
     var trunk_2: GaborWarped;
     var of_13: GaborPairs;
-    var i_32: i32 = 0i;
+    var i_29: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_40 = _e8;
-    let _e10 = pixel_40;
+    pixel_38 = _e8;
+    let _e10 = pixel_38;
     let _e11 = gabor_impl_trunk(_e10, seed);
     trunk_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
     of_13 = _e13;
     loop {
-        let _e17 = i_32;
+        let _e17 = i_29;
         if !((_e17 < 5i)) {
             break;
         }
         let _e25 = of_13;
-        let _e27 = i_32;
-        let _e28 = pixel_40;
+        let _e27 = i_29;
+        let _e28 = pixel_38;
         let _e29 = trunk_2;
         let _e30 = gabor_impl_bark_layer(_e27, _e28, _e29, bark, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
         of_13.a = _e31;
         continuing {
-            let _e21 = i_32;
-            i_32 = (_e21 + 1i);
+            let _e21 = i_29;
+            i_29 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_40;
+    let _e34 = pixel_38;
     let _e35 = trunk_2;
     let _e36 = gabor_impl_bark_layer(5i, _e34, _e35, bark, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_13.b = _e37;
-    let _e40 = pixel_40;
+    let _e40 = pixel_38;
     let _e41 = trunk_2;
     let _e42 = gabor_impl_bark_layer(6i, _e40, _e41, bark, seed);
     let _e43 = gabor_impl_waves_pair(_e42);
     of_13.c = _e43;
-    let _e46 = pixel_40;
+    let _e46 = pixel_38;
     let _e47 = trunk_2;
     let _e48 = gabor_impl_bark_layer(7i, _e46, _e47, bark, seed);
     let _e49 = gabor_impl_waves_pair(_e48);
@@ -3498,7 +3376,7 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
     var local_73: vec2<f32>;
     var local_74: vec2<f32>;
     var local_75: vec2<f32>;
-    var density_9: vec2<f32>;
+    var density_8: vec2<f32>;
     if (i < 4i) {
         let _e7 = gabor_impl_unwarped(pixel);
         let _e14 = gabor_lobe_seed(seed, 7i);
@@ -3523,8 +3401,8 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
         local_75 = _e37;
     }
     let _e39 = local_75;
-    density_9 = _e39;
-    let _e43 = density_9;
+    density_8 = _e39;
+    let _e43 = density_8;
     let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));
     return _e50;
 }
@@ -3573,50 +3451,50 @@ fn gabor_impl_strata(strata: GaborStrata, of_: GaborPairs) -> GaborMaterial {
 }
 
 fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_43: GaborPixel;
+    var pixel_41: GaborPixel;
     var rock_2: GaborWarped;
     var of_15: GaborPairs;
-    var i_34: i32 = 0i;
+    var i_31: i32 = 0i;
     let _e8 = gabor_impl_pixel_at(p, vec2(0f), vec2(0f), period);
-    pixel_43 = _e8;
-    let _e10 = pixel_43;
+    pixel_41 = _e8;
+    let _e10 = pixel_41;
     let _e11 = gabor_impl_rock(_e10, strata, seed);
     rock_2 = _e11;
     let _e13 = gabor_impl_no_pairs();
     of_15 = _e13;
     loop {
-        let _e17 = i_34;
+        let _e17 = i_31;
         if !((_e17 < 4i)) {
             break;
         }
         let _e25 = of_15;
-        let _e27 = i_34;
-        let _e28 = pixel_43;
+        let _e27 = i_31;
+        let _e28 = pixel_41;
         let _e29 = rock_2;
         let _e30 = gabor_impl_strata_layer(_e27, _e28, _e29, strata, seed);
         let _e31 = gabor_impl_plus_octave(_e25.a, _e30);
         of_15.a = _e31;
         continuing {
-            let _e21 = i_34;
-            i_34 = (_e21 + 1i);
+            let _e21 = i_31;
+            i_31 = (_e21 + 1i);
         }
     }
-    let _e34 = pixel_43;
+    let _e34 = pixel_41;
     let _e35 = rock_2;
     let _e36 = gabor_impl_strata_layer(4i, _e34, _e35, strata, seed);
     let _e37 = gabor_impl_spots_pair(_e36);
     of_15.b = _e37;
-    let _e40 = pixel_43;
+    let _e40 = pixel_41;
     let _e41 = rock_2;
     let _e42 = gabor_impl_strata_layer(5i, _e40, _e41, strata, seed);
     let _e43 = gabor_impl_spots_pair(_e42);
     of_15.c = _e43;
-    let _e46 = pixel_43;
+    let _e46 = pixel_41;
     let _e47 = rock_2;
     let _e48 = gabor_impl_strata_layer(6i, _e46, _e47, strata, seed);
     let _e49 = gabor_impl_spots_pair(_e48);
     of_15.d = _e49;
-    let _e52 = pixel_43;
+    let _e52 = pixel_41;
     let _e53 = rock_2;
     let _e54 = gabor_impl_strata_layer(7i, _e52, _e53, strata, seed);
     let _e55 = gabor_impl_spots_pair(_e54);
@@ -3629,34 +3507,34 @@ fn gabor_strata_at(p: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u
 // ---- The same, filtered --------------------------------------------------------------------------------------------
 
 fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, wood: GaborWood, seed: u32) -> GaborMaterial {
-    var pixel_44: GaborPixel;
+    var pixel_42: GaborPixel;
     var board_5: GaborWarped;
     var of_16: GaborPairs;
-    var i_35: i32 = 0i;
+    var i_32: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_44 = _e6;
-    let _e8 = pixel_44;
+    pixel_42 = _e6;
+    let _e8 = pixel_42;
     let _e9 = gabor_impl_board(_e8, wood, seed);
     board_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_16 = _e11;
     loop {
-        let _e15 = i_35;
+        let _e15 = i_32;
         if !((_e15 < 3i)) {
             break;
         }
-        let _e23 = i_35;
-        let _e24 = pixel_44;
+        let _e23 = i_32;
+        let _e24 = pixel_42;
         let _e25 = board_5;
         let _e26 = gabor_impl_wood_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_44;
+        let _e27 = pixel_42;
         gabor_impl_add_filtered_spots((&of_16), _e26, _e27);
         continuing {
-            let _e19 = i_35;
-            i_35 = (_e19 + 1i);
+            let _e19 = i_32;
+            i_32 = (_e19 + 1i);
         }
     }
-    let _e29 = pixel_44;
+    let _e29 = pixel_42;
     let _e30 = board_5;
     let _e31 = of_16;
     let _e32 = gabor_impl_wood(_e29, _e30, wood, _e31, seed);
@@ -3664,38 +3542,38 @@ fn gabor_wood_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fabric: GaborFabric, seed: u32) -> GaborMaterial {
-    var pixel_45: GaborPixel;
+    var pixel_43: GaborPixel;
     var cloth_6: GaborWarped;
     var count_8: vec2<f32>;
     var of_17: GaborPairs;
-    var i_36: i32 = 0i;
+    var i_33: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_45 = _e6;
-    let _e8 = pixel_45;
+    pixel_43 = _e6;
+    let _e8 = pixel_43;
     let _e9 = gabor_impl_cloth(_e8, fabric, seed);
     cloth_6 = _e9;
-    let _e11 = pixel_45;
+    let _e11 = pixel_43;
     let _e14 = gabor_impl_repeated(_e11, fabric.threads, 2f);
     count_8 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_17 = _e16;
     loop {
-        let _e20 = i_36;
+        let _e20 = i_33;
         if !((_e20 < 4i)) {
             break;
         }
-        let _e28 = i_36;
+        let _e28 = i_33;
         let _e29 = cloth_6;
         let _e30 = count_8;
         let _e31 = gabor_impl_fabric_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_45;
+        let _e32 = pixel_43;
         gabor_impl_add_filtered_spots((&of_17), _e31, _e32);
         continuing {
-            let _e24 = i_36;
-            i_36 = (_e24 + 1i);
+            let _e24 = i_33;
+            i_33 = (_e24 + 1i);
         }
     }
-    let _e34 = pixel_45;
+    let _e34 = pixel_43;
     let _e35 = cloth_6;
     let _e36 = count_8;
     let _e37 = of_17;
@@ -3704,38 +3582,38 @@ fn gabor_fabric_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
 }
 
 fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, fibres: GaborCarbonFibre, seed: u32) -> GaborMaterial {
-    var pixel_46: GaborPixel;
+    var pixel_44: GaborPixel;
     var cloth_7: GaborWarped;
     var count_9: vec2<f32>;
     var of_18: GaborPairs;
-    var i_37: i32 = 0i;
+    var i_34: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_46 = _e6;
-    let _e8 = pixel_46;
+    pixel_44 = _e6;
+    let _e8 = pixel_44;
     let _e9 = gabor_impl_twill(_e8, seed);
     cloth_7 = _e9;
-    let _e11 = pixel_46;
+    let _e11 = pixel_44;
     let _e14 = gabor_impl_repeated(_e11, fibres.tows, 4f);
     count_9 = _e14;
     let _e16 = gabor_impl_no_pairs();
     of_18 = _e16;
     loop {
-        let _e20 = i_37;
+        let _e20 = i_34;
         if !((_e20 < 2i)) {
             break;
         }
-        let _e28 = i_37;
+        let _e28 = i_34;
         let _e29 = cloth_7;
         let _e30 = count_9;
         let _e31 = gabor_impl_tow_layer(_e28, _e29, _e30, seed);
-        let _e32 = pixel_46;
+        let _e32 = pixel_44;
         gabor_impl_add_filtered_spots((&of_18), _e31, _e32);
         continuing {
-            let _e24 = i_37;
-            i_37 = (_e24 + 1i);
+            let _e24 = i_34;
+            i_34 = (_e24 + 1i);
         }
     }
-    let _e34 = pixel_46;
+    let _e34 = pixel_44;
     let _e35 = cloth_7;
     let _e36 = count_9;
     let _e37 = of_18;
@@ -3744,49 +3622,49 @@ fn gabor_carbon_fibre_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, pe
 }
 
 fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, leather: GaborLeather, seed: u32) -> GaborMaterial {
-    var pixel_47: GaborPixel;
+    var pixel_45: GaborPixel;
     var skin_5: GaborWarped;
     var of_19: GaborPairs;
-    var i_38: i32 = 0i;
-    var i_39: i32 = 4i;
+    var i_35: i32 = 0i;
+    var i_36: i32 = 4i;
     var pair_4: GaborPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_47 = _e6;
-    let _e8 = pixel_47;
+    pixel_45 = _e6;
+    let _e8 = pixel_45;
     let _e9 = gabor_impl_skin(_e8, leather, seed);
     skin_5 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_19 = _e11;
     loop {
-        let _e15 = i_38;
+        let _e15 = i_35;
         if !((_e15 < 4i)) {
             break;
         }
-        let _e23 = i_38;
-        let _e24 = pixel_47;
+        let _e23 = i_35;
+        let _e24 = pixel_45;
         let _e25 = skin_5;
         let _e26 = gabor_impl_leather_layer(_e23, _e24, _e25, leather, seed);
-        let _e27 = pixel_47;
+        let _e27 = pixel_45;
         gabor_impl_add_filtered_spots((&of_19), _e26, _e27);
         continuing {
-            let _e19 = i_38;
-            i_38 = (_e19 + 1i);
+            let _e19 = i_35;
+            i_35 = (_e19 + 1i);
         }
     }
     loop {
-        let _e31 = i_39;
+        let _e31 = i_36;
         if !((_e31 < 6i)) {
             break;
         }
         {
-            let _e38 = i_39;
-            let _e39 = pixel_47;
+            let _e38 = i_36;
+            let _e39 = pixel_45;
             let _e40 = skin_5;
             let _e41 = gabor_impl_leather_layer(_e38, _e39, _e40, leather, seed);
-            let _e42 = pixel_47;
+            let _e42 = pixel_45;
             let _e43 = gabor_impl_filtered_waves(_e41, _e42);
             pair_4 = _e43;
-            let _e45 = i_39;
+            let _e45 = i_36;
             if (_e45 == 4i) {
                 let _e49 = pair_4;
                 of_19.c = _e49;
@@ -3796,8 +3674,8 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
             }
         }
         continuing {
-            let _e35 = i_39;
-            i_39 = (_e35 + 1i);
+            let _e35 = i_36;
+            i_36 = (_e35 + 1i);
         }
     }
     let _e52 = of_19;
@@ -3806,34 +3684,34 @@ fn gabor_leather_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period:
 }
 
 fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, marble: GaborMarble, seed: u32) -> GaborMaterial {
-    var pixel_48: GaborPixel;
+    var pixel_46: GaborPixel;
     var stone_4: GaborWarped;
     var of_20: GaborPairs;
-    var i_40: i32 = 0i;
+    var i_37: i32 = 0i;
     var material_1: GaborMaterial;
-    var i_41: i32 = 4i;
+    var i_38: i32 = 4i;
     var layer_9: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_48 = _e6;
-    let _e8 = pixel_48;
+    pixel_46 = _e6;
+    let _e8 = pixel_46;
     let _e9 = gabor_impl_stone(_e8, marble, seed);
     stone_4 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_20 = _e11;
     loop {
-        let _e15 = i_40;
+        let _e15 = i_37;
         if !((_e15 < 4i)) {
             break;
         }
-        let _e23 = i_40;
-        let _e24 = pixel_48;
+        let _e23 = i_37;
+        let _e24 = pixel_46;
         let _e25 = stone_4;
         let _e26 = gabor_impl_marble_layer(_e23, _e24, _e25, seed);
-        let _e27 = pixel_48;
+        let _e27 = pixel_46;
         gabor_impl_add_filtered_spots((&of_20), _e26, _e27);
         continuing {
-            let _e19 = i_40;
-            i_40 = (_e19 + 1i);
+            let _e19 = i_37;
+            i_37 = (_e19 + 1i);
         }
     }
     let _e29 = of_20;
@@ -3841,25 +3719,25 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
     let _e33 = gabor_impl_marble(marble, _e29.a, _e31.b);
     material_1 = _e33;
     loop {
-        let _e37 = i_41;
+        let _e37 = i_38;
         if !((_e37 < 8i)) {
             break;
         }
         {
-            let _e44 = i_41;
-            let _e45 = pixel_48;
+            let _e44 = i_38;
+            let _e45 = pixel_46;
             let _e46 = stone_4;
             let _e47 = gabor_impl_marble_layer(_e44, _e45, _e46, seed);
             layer_9 = _e47;
-            let _e50 = i_41;
+            let _e50 = i_38;
             let _e51 = layer_9;
-            let _e52 = pixel_48;
+            let _e52 = pixel_46;
             let _e53 = gabor_impl_filtered_waves(_e51, _e52);
             gabor_impl_add_veins((&material_1), marble, _e50, _e53);
         }
         continuing {
-            let _e41 = i_41;
-            i_41 = (_e41 + 1i);
+            let _e41 = i_38;
+            i_38 = (_e41 + 1i);
         }
     }
     let _e55 = material_1;
@@ -3867,184 +3745,149 @@ fn gabor_marble_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: 
 }
 
 fn gabor_sand_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, sand: GaborSand, seed: u32) -> GaborMaterial {
-    var pixel_49: GaborPixel;
+    var pixel_47: GaborPixel;
     var dune_3: GaborWarped;
     var of_21: GaborPairs;
-    var i_42: i32 = 0i;
-    var ripples_5: GaborLayer;
+    var i_39: i32 = 0i;
+    var ripples_2: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_49 = _e6;
-    let _e8 = pixel_49;
+    pixel_47 = _e6;
+    let _e8 = pixel_47;
     let _e9 = gabor_impl_dune(_e8, seed);
     dune_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_21 = _e11;
     loop {
-        let _e15 = i_42;
+        let _e15 = i_39;
         if !((_e15 < 4i)) {
             break;
         }
-        let _e23 = i_42;
-        let _e24 = pixel_49;
+        let _e23 = i_39;
+        let _e24 = pixel_47;
         let _e25 = dune_3;
         let _e26 = gabor_impl_sand_layer(_e23, _e24, _e25, sand, seed);
-        let _e27 = pixel_49;
+        let _e27 = pixel_47;
         gabor_impl_add_filtered_spots((&of_21), _e26, _e27);
         continuing {
-            let _e19 = i_42;
-            i_42 = (_e19 + 1i);
+            let _e19 = i_39;
+            i_39 = (_e19 + 1i);
         }
     }
-    let _e30 = pixel_49;
+    let _e30 = pixel_47;
     let _e31 = dune_3;
     let _e32 = gabor_impl_sand_layer(4i, _e30, _e31, sand, seed);
-    ripples_5 = _e32;
-    let _e35 = ripples_5;
-    let _e36 = pixel_49;
+    ripples_2 = _e32;
+    let _e35 = ripples_2;
+    let _e36 = pixel_47;
     let _e37 = gabor_impl_filtered_waves(_e35, _e36);
     of_21.c = _e37;
-    let _e38 = ripples_5;
+    let _e38 = ripples_2;
     let _e39 = of_21;
     let _e40 = gabor_impl_sand(sand, _e38, _e39);
     return _e40;
 }
 
-fn gabor_ripples_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, ripples: GaborRipples, seed: u32) -> GaborMaterial {
-    var pixel_50: GaborPixel;
-    var sum_30: GaborPair;
-    var i_43: i32 = 0i;
+fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
+    var pixel_48: GaborPixel;
+    var sum_27: GaborPair;
+    var i_40: i32 = 0i;
     var layer_10: GaborLayer;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_50 = _e6;
+    pixel_48 = _e6;
     let _e8 = gabor_impl_no_pair();
-    sum_30 = _e8;
+    sum_27 = _e8;
     loop {
-        let _e12 = i_43;
-        if !((_e12 < 14i)) {
-            break;
-        }
-        {
-            let _e19 = i_43;
-            let _e20 = pixel_50;
-            let _e21 = gabor_impl_ripples_layer(_e19, _e20, ripples, seed);
-            layer_10 = _e21;
-            let _e24 = i_43;
-            let _e25 = layer_10;
-            let _e26 = pixel_50;
-            let _e27 = gabor_impl_filtered_waves(_e25, _e26);
-            gabor_impl_add_ripple((&sum_30), _e24, _e27);
-        }
-        continuing {
-            let _e16 = i_43;
-            i_43 = (_e16 + 1i);
-        }
-    }
-    let _e29 = sum_30;
-    let _e30 = gabor_impl_ripples(ripples, _e29);
-    return _e30;
-}
-
-fn gabor_brushed_metal_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, metal: GaborBrushedMetal, seed: u32) -> GaborMaterial {
-    var pixel_51: GaborPixel;
-    var sum_31: GaborPair;
-    var i_44: i32 = 0i;
-    var layer_11: GaborLayer;
-    let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_51 = _e6;
-    let _e8 = gabor_impl_no_pair();
-    sum_31 = _e8;
-    loop {
-        let _e12 = i_44;
+        let _e12 = i_40;
         if !((_e12 < 5i)) {
             break;
         }
         {
-            let _e19 = i_44;
-            let _e20 = pixel_51;
+            let _e19 = i_40;
+            let _e20 = pixel_48;
             let _e21 = gabor_impl_streaks_layer(_e19, _e20, metal, seed);
-            layer_11 = _e21;
-            let _e24 = i_44;
-            let _e25 = layer_11;
-            let _e26 = pixel_51;
+            layer_10 = _e21;
+            let _e24 = i_40;
+            let _e25 = layer_10;
+            let _e26 = pixel_48;
             let _e27 = gabor_impl_filtered_spots(_e25, _e26);
-            gabor_impl_add_streaks((&sum_31), _e24, _e27);
+            gabor_impl_add_streaks((&sum_27), _e24, _e27);
         }
         continuing {
-            let _e16 = i_44;
-            i_44 = (_e16 + 1i);
+            let _e16 = i_40;
+            i_40 = (_e16 + 1i);
         }
     }
-    let _e29 = sum_31;
+    let _e29 = sum_27;
     let _e30 = gabor_impl_brushed_metal(metal, _e29);
     return _e30;
 }
 
 fn gabor_scratches_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, scratches: GaborScratches, seed: u32) -> GaborMaterial {
-    var pixel_52: GaborPixel;
-    var sum_32: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
-    var i_45: i32 = 0i;
+    var pixel_49: GaborPixel;
+    var sum_28: GaborMaterial = GaborMaterial(vec3(1f), 0f, vec2(0f), 0f, 0f, vec3(0f));
+    var i_41: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_52 = _e6;
+    pixel_49 = _e6;
     loop {
-        let _e21 = i_45;
+        let _e21 = i_41;
         if !((_e21 < 14i)) {
             break;
         }
-        let _e29 = i_45;
-        let _e30 = i_45;
-        let _e31 = pixel_52;
+        let _e29 = i_41;
+        let _e30 = i_41;
+        let _e31 = pixel_49;
         let _e32 = gabor_impl_scratches_layer(_e30, _e31, scratches, seed);
-        let _e33 = pixel_52;
+        let _e33 = pixel_49;
         let _e34 = gabor_impl_filtered_spots(_e32, _e33);
-        gabor_impl_add_scratches((&sum_32), scratches, _e29, _e34);
+        gabor_impl_add_scratches((&sum_28), scratches, _e29, _e34);
         continuing {
-            let _e25 = i_45;
-            i_45 = (_e25 + 1i);
+            let _e25 = i_41;
+            i_41 = (_e25 + 1i);
         }
     }
-    let _e36 = sum_32;
+    let _e36 = sum_28;
     let _e37 = gabor_impl_scratches(scratches, _e36);
     return _e37;
 }
 
 fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, zebra: GaborZebra, seed: u32) -> GaborMaterial {
-    var pixel_53: GaborPixel;
+    var pixel_50: GaborPixel;
     var skin_6: GaborWarped;
     var direction_3: f32;
     var of_22: GaborPairs;
-    var i_46: i32 = 0i;
+    var i_42: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_53 = _e6;
-    let _e8 = pixel_53;
+    pixel_50 = _e6;
+    let _e8 = pixel_50;
     let _e9 = gabor_impl_hide(_e8, seed);
     skin_6 = _e9;
-    let _e11 = pixel_53;
+    let _e11 = pixel_50;
     let _e12 = gabor_impl_stripes_direction(_e11, zebra, seed);
     direction_3 = _e12;
     let _e14 = gabor_impl_no_pairs();
     of_22 = _e14;
     loop {
-        let _e18 = i_46;
+        let _e18 = i_42;
         if !((_e18 < 2i)) {
             break;
         }
-        let _e26 = i_46;
-        let _e27 = pixel_53;
+        let _e26 = i_42;
+        let _e27 = pixel_50;
         let _e28 = skin_6;
         let _e29 = direction_3;
         let _e30 = gabor_impl_zebra_layer(_e26, _e27, _e28, _e29, zebra, seed);
-        let _e31 = pixel_53;
+        let _e31 = pixel_50;
         gabor_impl_add_filtered_spots((&of_22), _e30, _e31);
         continuing {
-            let _e22 = i_46;
-            i_46 = (_e22 + 1i);
+            let _e22 = i_42;
+            i_42 = (_e22 + 1i);
         }
     }
-    let _e35 = pixel_53;
+    let _e35 = pixel_50;
     let _e36 = skin_6;
     let _e37 = direction_3;
     let _e38 = gabor_impl_zebra_layer(2i, _e35, _e36, _e37, zebra, seed);
-    let _e39 = pixel_53;
+    let _e39 = pixel_50;
     let _e40 = gabor_impl_filtered_waves(_e38, _e39);
     of_22.c = _e40;
     let _e41 = of_22;
@@ -4053,49 +3896,49 @@ fn gabor_zebra_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: v
 }
 
 fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, bark: GaborBark, seed: u32) -> GaborMaterial {
-    var pixel_54: GaborPixel;
+    var pixel_51: GaborPixel;
     var trunk_3: GaborWarped;
     var of_23: GaborPairs;
-    var i_47: i32 = 0i;
-    var i_48: i32 = 6i;
+    var i_43: i32 = 0i;
+    var i_44: i32 = 6i;
     var pair_5: GaborPair;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_54 = _e6;
-    let _e8 = pixel_54;
+    pixel_51 = _e6;
+    let _e8 = pixel_51;
     let _e9 = gabor_impl_trunk(_e8, seed);
     trunk_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_23 = _e11;
     loop {
-        let _e15 = i_47;
+        let _e15 = i_43;
         if !((_e15 < 6i)) {
             break;
         }
-        let _e23 = i_47;
-        let _e24 = pixel_54;
+        let _e23 = i_43;
+        let _e24 = pixel_51;
         let _e25 = trunk_3;
         let _e26 = gabor_impl_bark_layer(_e23, _e24, _e25, bark, seed);
-        let _e27 = pixel_54;
+        let _e27 = pixel_51;
         gabor_impl_add_filtered_spots((&of_23), _e26, _e27);
         continuing {
-            let _e19 = i_47;
-            i_47 = (_e19 + 1i);
+            let _e19 = i_43;
+            i_43 = (_e19 + 1i);
         }
     }
     loop {
-        let _e31 = i_48;
+        let _e31 = i_44;
         if !((_e31 < 8i)) {
             break;
         }
         {
-            let _e38 = i_48;
-            let _e39 = pixel_54;
+            let _e38 = i_44;
+            let _e39 = pixel_51;
             let _e40 = trunk_3;
             let _e41 = gabor_impl_bark_layer(_e38, _e39, _e40, bark, seed);
-            let _e42 = pixel_54;
+            let _e42 = pixel_51;
             let _e43 = gabor_impl_filtered_waves(_e41, _e42);
             pair_5 = _e43;
-            let _e45 = i_48;
+            let _e45 = i_44;
             if (_e45 == 6i) {
                 let _e49 = pair_5;
                 of_23.c = _e49;
@@ -4105,8 +3948,8 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
             }
         }
         continuing {
-            let _e35 = i_48;
-            i_48 = (_e35 + 1i);
+            let _e35 = i_44;
+            i_44 = (_e35 + 1i);
         }
     }
     let _e52 = of_23;
@@ -4115,31 +3958,31 @@ fn gabor_bark_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: ve
 }
 
 fn gabor_strata_filtered_at(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, period: vec2<f32>, strata: GaborStrata, seed: u32) -> GaborMaterial {
-    var pixel_55: GaborPixel;
+    var pixel_52: GaborPixel;
     var rock_3: GaborWarped;
     var of_24: GaborPairs;
-    var i_49: i32 = 0i;
+    var i_45: i32 = 0i;
     let _e6 = gabor_impl_pixel_at(p, dx, dy, period);
-    pixel_55 = _e6;
-    let _e8 = pixel_55;
+    pixel_52 = _e6;
+    let _e8 = pixel_52;
     let _e9 = gabor_impl_rock(_e8, strata, seed);
     rock_3 = _e9;
     let _e11 = gabor_impl_no_pairs();
     of_24 = _e11;
     loop {
-        let _e15 = i_49;
+        let _e15 = i_45;
         if !((_e15 < 8i)) {
             break;
         }
-        let _e23 = i_49;
-        let _e24 = pixel_55;
+        let _e23 = i_45;
+        let _e24 = pixel_52;
         let _e25 = rock_3;
         let _e26 = gabor_impl_strata_layer(_e23, _e24, _e25, strata, seed);
-        let _e27 = pixel_55;
+        let _e27 = pixel_52;
         gabor_impl_add_filtered_spots((&of_24), _e26, _e27);
         continuing {
-            let _e19 = i_49;
-            i_49 = (_e19 + 1i);
+            let _e19 = i_45;
+            i_45 = (_e19 + 1i);
         }
     }
     let _e29 = of_24;
@@ -4171,9 +4014,6 @@ fn gabor_marble_default() -> GaborMarble {
 }
 fn gabor_sand_default() -> GaborSand {
     return GaborSand(vec3<f32>(0.43f, 0.3f, 0.17f), vec3<f32>(0.6f, 0.44f, 0.265f), 3.87f, 0.055f, 0.16f, 0.9f);
-}
-fn gabor_ripples_default() -> GaborRipples {
-    return GaborRipples(vec3<f32>(0.004f, 0.06f, 0.085f), vec3<f32>(0.03f, 0.25f, 0.27f), 0.6f, 0.8726646f, 1.0471976f, 0.035f, 0.1f);
 }
 fn gabor_brushed_metal_default() -> GaborBrushedMetal {
     return GaborBrushedMetal(vec3<f32>(0.55f, 0.555f, 0.565f), 9f, 0.09f, 0.0012f, 0.36f);
@@ -4217,11 +4057,6 @@ fn gabor_marble(p: vec2<f32>, seed: u32) -> GaborMaterial {
 fn gabor_sand(p: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e4 = gabor_sand_default();
     let _e5 = gabor_sand_at(p, vec2(0f), _e4, seed);
-    return _e5;
-}
-fn gabor_ripples(p: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e4 = gabor_ripples_default();
-    let _e5 = gabor_ripples_at(p, vec2(0f), _e4, seed);
     return _e5;
 }
 fn gabor_brushed_metal(p: vec2<f32>, seed: u32) -> GaborMaterial {
@@ -4278,11 +4113,6 @@ fn gabor_marble_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) 
 fn gabor_sand_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
     let _e6 = gabor_sand_default();
     let _e7 = gabor_sand_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
-    return _e7;
-}
-fn gabor_ripples_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {
-    let _e6 = gabor_ripples_default();
-    let _e7 = gabor_ripples_filtered_at(p, dx, dy, vec2(0f), _e6, seed);
     return _e7;
 }
 fn gabor_brushed_metal_filtered(p: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, seed: u32) -> GaborMaterial {

@@ -104,9 +104,6 @@ struct GaborLobes {
 // because a filter removed variance or stripes fork, the profile is averaged over a range of phases whose mean vector
 // has that length. So a phase of t turns, averaged over w turns, is sin(pi w) / (pi w) float2(cos(2 pi t), sin(2 pi t)).
 
-// float gabor_profile_sine(float2 stripes)
-//     A sine wave from 0 at phase 0 to 1 at half a turn.
-
 // float gabor_profile_triangle(float2 stripes)
 //     Straight lines from 0 at phase 0 to 1 at half a turn and back.
 
@@ -321,10 +318,6 @@ float3 gabor_impl_ends_at(float phase, float span) {
 float3 gabor_impl_ends(float2 stripes) {
     float2 phasor = gabor_phasor(stripes);
     return gabor_impl_ends_at(phasor.x, phasor.y);
-}
-
-float gabor_profile_sine(float2 stripes) {
-    return 0.5 - 0.5 * stripes.x;
 }
 
 float gabor_impl_triangle_integral(float x) {

@@ -97,9 +97,6 @@ struct GaborLobes {
 // because a filter removed variance or stripes fork, the profile is averaged over a range of phases whose mean vector
 // has that length. So a phase of t turns, averaged over w turns, is sin(pi w) / (pi w) vec2(cos(2 pi t), sin(2 pi t)).
 
-// float gabor_profile_sine(vec2 stripes)
-//     A sine wave from 0 at phase 0 to 1 at half a turn.
-
 // float gabor_profile_triangle(vec2 stripes)
 //     Straight lines from 0 at phase 0 to 1 at half a turn and back.
 
@@ -303,10 +300,6 @@ GABOR_INLINE gabor_vec3 gabor_impl_ends_at(float phase, float span) {
 GABOR_INLINE gabor_vec3 gabor_impl_ends(gabor_vec2 stripes) {
     gabor_vec2 phasor = gabor_phasor(stripes);
     return gabor_impl_ends_at(phasor.x, phasor.y);
-}
-
-GABOR_INLINE float gabor_profile_sine(gabor_vec2 stripes) {
-    return 0.5f - 0.5f * stripes.x;
 }
 
 GABOR_INLINE float gabor_impl_triangle_integral(float x) {

@@ -1,5 +1,5 @@
 // Generated from gabor_spectrum.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 56f14911fd17b6e4.
+// naga 30.0.1 made it from GLSL with the digest 118a975dc3c3517b.
 //
 // gabor_spectrum.wgsl: Gabor noise with any power spectrum, isotropic noise, and profiles of stripes.
 //
@@ -79,9 +79,6 @@ struct GaborLobes {
 // They take the (cosine, sine) of stripes. The profile is sharp where this vector has length 1. Where it is shorter,
 // because a filter removed variance or stripes fork, the profile is averaged over a range of phases whose mean vector
 // has that length. So a phase of t turns, averaged over w turns, is sin(pi w) / (pi w) vec2f(cos(2 pi t), sin(2 pi t)).
-
-// f32 gabor_profile_sine(vec2f stripes)
-//     A sine wave from 0 at phase 0 to 1 at half a turn.
 
 // f32 gabor_profile_triangle(vec2f stripes)
 //     Straight lines from 0 at phase 0 to 1 at half a turn and back.
@@ -598,10 +595,6 @@ fn gabor_impl_ends(stripes: vec2<f32>) -> vec3<f32> {
     let _e5 = phasor;
     let _e7 = gabor_impl_ends_at(_e3.x, _e5.y);
     return _e7;
-}
-
-fn gabor_profile_sine(stripes: vec2<f32>) -> f32 {
-    return (0.5f - (0.5f * stripes.x));
 }
 
 fn gabor_impl_triangle_integral(x: f32) -> f32 {

@@ -35,8 +35,8 @@ PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileab
             "--view=slice --depth=1.3 --scale=6 --filter --gradient", "--view=sphere --scale=6",
             "--view=torus --solid --scale=6 --yaw=20", "--preset=figure6 --filter --scale=8",
             "--lobes=lobes.json --scale=9", "--lobes=lobes.json --scale=2 --tileable --time=0.3 --filter",
-            "--material=ripples --scale=8 --tileable --light-elevation=20", "--material=ripples --view=horizon --scale=12",
-            "--material=brushed-metal --view=sphere --scale=6", "--material=ripples --view=torus --scale=6 --pitch=60"]
+            "--material=leather --scale=8 --tileable --light-elevation=20", "--material=leather --view=horizon --scale=12",
+            "--material=brushed-metal --view=sphere --scale=6", "--material=sand --view=torus --scale=6 --pitch=60"]
 TOLERANCES = {"gradient": 2 * np.pi * FREQUENCY * 4e-5, "phase": 1e-3, "all": 6e-4}
 
 

@@ -110,7 +110,7 @@ class Help(ProgramTest):
 
     def test_materials_and_their_options(self):
         materials = self.succeed("materials").split()
-        self.assertEqual(len(materials), 12)
+        self.assertEqual(len(materials), 11)
         for material in materials:
             options = re.findall(r"(?m)^--(\S+) +[A-Z].*\[\S+\]$", self.succeed("materials", material))
             self.assertTrue(5 <= len(options) <= 8, material)

@@ -306,7 +306,7 @@ class Program(unittest.TestCase):
         lacking = []
         for path in translate.copies.DROP_INS:
             functions = {item.name.text for item in translate.shader(path).items if item.kind in ("function", "struct")}
-            self.assertGreater(len(functions), 5)
+            self.assertGreater(len(functions), 3)
             for ending in LANGUAGES:
                 words = {token.text for token in glsl.tokens((ROOT / "shaders" / "translations" / f"{path.stem}.{ending}").read_text())}
                 lacking += [(ending, function) for function in sorted(functions - words)]

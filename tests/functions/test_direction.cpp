@@ -106,7 +106,8 @@ TEST_CASE("noise along a direction map agrees with the reference in any cell, wi
                 n.gabor_field_direction(place_of(n, place), s.seed), expected, tight, loose, s);
         }
         if (!is_ambiguous(here))
-            see(of["gabor_stripes_direction"], n.gabor_stripes_direction(s.p, s.sharpness, s.seed),
+            see(of["its stripes"],
+                n.gabor_stripes_of(n.gabor_field_direction(place_of(n, here), s.seed), s.sharpness),
                 noise::lattice_stripes(along_map(here, s.seed).value, s.sharpness),
                 tight * std::max(1.0f, s.sharpness), s);
     }

@@ -63,8 +63,6 @@ const Material materials[]{
     MADE(GaborLeather, gabor_leather, 1e-3f, 0.1, 0.23, Ranges{{2, 30}, {0, 3}, {0, 3}, {0, 0.7f}}),
     MADE(GaborMarble, gabor_marble, 1e-4f, 0.01, 0.02, Ranges{{0, 1.3f}, {0, 2}, {0, 1}, {0, 1}}),
     MADE(GaborSand, gabor_sand, 1e-3f, 0.08, 0.08, Ranges{{1, 20}, {0, 0.2f}, {0, 0.25f}, {0, 1}}),
-    MADE(GaborRipples, gabor_ripples, 1e-3f, 0.01, 0.28,
-         Ranges{{0.1f, 5}, {-6, 6}, {0, 6}, {0, 0.2f}, {0, 1}}),
     MADE(GaborBrushedMetal, gabor_brushed_metal, 5e-5f, 0.01, 0.03,
          Ranges{{1, 50}, {0, 0.5f}, {0, 0.01f}, {0, 1}}),
     MADE(GaborScratches, gabor_scratches, 1e-4f, 0.01, 0.06,

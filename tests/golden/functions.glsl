@@ -298,14 +298,12 @@ void see_all(int i) {
     vec2 blurred = 0.4f * vec2(s.direction.x, s.direction.y);
     vec3 stripes = gabor_stripes(s.p, uneven, 2.0f, s.seed); // just below length 1, rounding changes profiles
     vec2 sharp = vec2(stripes.x, stripes.y);
-    SEE(gabor_profile_sine(blurred))
     SEE(gabor_profile_triangle(blurred))
     SEE(gabor_profile_sawtooth(blurred))
     SEE(gabor_profile_pulse(blurred, 0.3f))
     SEE(gabor_profile_ridges(blurred))
-    SEE(0.1f * gabor_profile_sine(sharp))
-    SEE(0.1f * gabor_profile_triangle(sharp))
-    SEE(0.1f * gabor_profile_ridges(sharp))
+    SEE(0.01f * gabor_profile_triangle(sharp))
+    SEE(0.01f * gabor_profile_ridges(sharp))
 #endif
 #if defined GOLDEN_DIRECTION
     vec2 p = i / 4 % 4 == 3 ? 1.0e-3f * s.p : s.p; // the map's frequencies grow with p
@@ -316,7 +314,7 @@ void see_all(int i) {
     SEE(kept(gabor_field_waves(place, waves, s.seed)))
     SEE(kept(gabor_field_direction(place, s.seed)))
     SEE(kept(gabor_field_direction(gabor_place_tiled(p, s.period), s.seed)))
-    SEE(kept(gabor_stripes_direction(p, 2.0f, s.seed)))
+    SEE(kept(gabor_stripes_of(gabor_field_direction(gabor_place_at(p), s.seed), 2.0f)))
     SEE(kept(gabor_stripes_of(gabor_field_direction(place, s.seed), 2.0f)))
 #endif
 #if defined GOLDEN_NOISE_3D
@@ -374,13 +372,9 @@ void see_all(int i) {
     ground.period = i % 2 == 0 ? vec2(0.0f, 0.0f) : vec2(4.0f, 7.5f) + s.period;
     if (i % 2 == 1) ground.cell = ivec2(i, -i);
     SEE(kept(base))
-    SEE(kept(gabor_terrain_tiled(s.p, vec2(4.0f, 7.5f) + s.period, s.seed)))
-    SEE(kept(gabor_terrain_filtered(s.p, s.dx, s.dy, s.seed)))
     SEE(kept(gabor_terrain_at(ground, s.dx, s.dy, s.seed)))
     SEE(kept(gabor_eroded(s.p, base, erosion, s.seed)))
     SEE(kept(gabor_eroded(s.p, slope, erosion, s.seed)))
-    SEE(kept(gabor_eroded_tiled(s.p, vec2(4.0f, 7.5f) + s.period, slope, erosion, s.seed)))
-    SEE(kept(gabor_eroded_filtered(s.p, s.dx, s.dy, slope, erosion, s.seed)))
     SEE(kept(gabor_eroded_at(ground, s.dx, s.dy, slope, erosion, s.seed)))
 #endif
 #if defined GOLDEN_OCEAN
@@ -407,7 +401,6 @@ void see_all(int i) {
     MATERIAL(gabor_leather, gabor_leather_filtered, gabor_leather_default, gabor_leather_at, gabor_leather_filtered_at)
     MATERIAL(gabor_marble, gabor_marble_filtered, gabor_marble_default, gabor_marble_at, gabor_marble_filtered_at)
     MATERIAL(gabor_sand, gabor_sand_filtered, gabor_sand_default, gabor_sand_at, gabor_sand_filtered_at)
-    MATERIAL(gabor_ripples, gabor_ripples_filtered, gabor_ripples_default, gabor_ripples_at, gabor_ripples_filtered_at)
     MATERIAL(gabor_brushed_metal, gabor_brushed_metal_filtered, gabor_brushed_metal_default, gabor_brushed_metal_at, gabor_brushed_metal_filtered_at)
     MATERIAL(gabor_scratches, gabor_scratches_filtered, gabor_scratches_default, gabor_scratches_at, gabor_scratches_filtered_at)
     MATERIAL(gabor_zebra, gabor_zebra_filtered, gabor_zebra_default, gabor_zebra_at, gabor_zebra_filtered_at)

@@ -79,7 +79,6 @@ const Material materials[]{
     made<GaborLeather, gabor_leather_default, gabor_leather_at, gabor_leather_filtered_at>("leather"),
     made<GaborMarble, gabor_marble_default, gabor_marble_at, gabor_marble_filtered_at>("marble"),
     made<GaborSand, gabor_sand_default, gabor_sand_at, gabor_sand_filtered_at>("sand"),
-    made<GaborRipples, gabor_ripples_default, gabor_ripples_at, gabor_ripples_filtered_at>("ripples"),
     made<GaborBrushedMetal, gabor_brushed_metal_default, gabor_brushed_metal_at,
          gabor_brushed_metal_filtered_at>("brushed-metal"),
     made<GaborScratches, gabor_scratches_default, gabor_scratches_at, gabor_scratches_filtered_at>(

@@ -65,7 +65,6 @@ std::vector<Kernel> material_kernels() {
             GABOR_KERNEL(leather, GaborLeather),
             GABOR_KERNEL(marble, GaborMarble),
             GABOR_KERNEL(sand, GaborSand),
-            GABOR_KERNEL(ripples, GaborRipples),
             GABOR_KERNEL(brushed_metal, GaborBrushedMetal),
             GABOR_KERNEL(scratches, GaborScratches),
             GABOR_KERNEL(zebra, GaborZebra),

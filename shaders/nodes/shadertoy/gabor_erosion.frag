@@ -16,7 +16,8 @@ GaborTerrain ground(vec2 p, float pixel) {
     GaborErosion erosion = gabor_erosion();
     erosion.octaves = 7;
     erosion.detail = 3.0;
-    return gabor_eroded_filtered(p, vec2(pixel, 0.0), vec2(0.0, pixel), gabor_terrain(p, seed), erosion, seed);
+    GaborTerrainPlace here = GaborTerrainPlace(ivec2(0), p, vec2(0.0));
+    return gabor_eroded_at(here, vec2(pixel, 0.0), vec2(0.0, pixel), gabor_terrain(p, seed), erosion, seed);
 }
 
 // A lower bound on a point's height above the ground. Erosion adds at most 0.16 to the hills, which are cheap to compute.

@@ -1,4 +1,4 @@
-"""Draws water up to the horizon under a low lamp, one picture below the other: lost.py PICTURE.npy WIDTH HEIGHT
+"""Draws a sea up to the horizon under a low lamp, one picture below the other: lost.py PICTURE.npy WIDTH HEIGHT
 
 Without what the filter removed of the slopes; with it, by the recipe of docs/materials.md; and the mean of 256 samples a pixel."""
 
@@ -10,7 +10,7 @@ import numpy as np
 from draw import drawn
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-DROP_INS = [(ROOT / "shaders" / f"gabor_{name}.glsl").read_text() for name in ("noise", "spectrum", "filter", "materials")]
+DROP_INS = [(ROOT / "shaders" / f"gabor_{name}.glsl").read_text() for name in ("noise", "spectrum", "filter", "materials", "ocean")]
 RECIPE = re.search(r"(?ms)^```glsl\n(.*?)^```", (ROOT / "docs" / "materials.md").read_text())[1]
 FRAGMENT = """
 out vec4 result;
@@ -22,10 +22,14 @@ vec3 lit(GaborMaterial m, vec3 eye) {
     return m.colour * (l + 0.15) + 3.0 * l * fresnel * facets(m, h) / (4.0 * mix(l, 1.0, k) * mix(e, 1.0, k));
 }
 
-// The place on the plane that a camera two units above it sees, and the direction to the camera.
+GaborMaterial sea(GaborWater w) {
+    return GaborMaterial(vec3(0.01, 0.1, 0.13), w.height, w.slope, 0.1, 0.0, w.lost);
+}
+
+// The place on the plane that a camera 12 m above it sees, and the direction to the camera.
 vec2 seen(vec2 pixel, out vec3 eye) {
     eye = -normalize(vec3((2.0 * pixel - size) / size.y + vec2(0.0, -0.9), 2.2).xzy);
-    return -2.0 * eye.xy / eye.z;
+    return -12.0 * eye.xy / eye.z;
 }
 
 void main() {
@@ -35,14 +39,15 @@ void main() {
         result = vec4(0.5, 0.6, 0.75, 1.0);
         return;
     }
-    GaborMaterial m = gabor_ripples_filtered(p, seen(gl_FragCoord.xy + vec2(1.0, 0.0), beside) - p,
-                                             seen(gl_FragCoord.xy + vec2(0.0, 1.0), beside) - p, 7u);
+    GaborOcean ocean = gabor_ocean_of(7.0, 0.8, 2.0e4);
+    GaborMaterial m = sea(gabor_water_filtered(p, seen(gl_FragCoord.xy + vec2(1.0, 0.0), beside) - p,
+                                               seen(gl_FragCoord.xy + vec2(0.0, 1.0), beside) - p, 0.0, ocean, 7u));
     if (!with_lost)
         m.lost = vec3(0.0);
     vec3 colour = samples == 0 ? lit(m, eye) : vec3(0.0);
     for (int i = 0; i < samples * samples; ++i) {
         p = seen(gl_FragCoord.xy + (vec2(i / samples, i % samples) + 0.5) / float(samples) - 0.5, eye);
-        colour += lit(gabor_ripples(p, 7u), eye) / float(samples * samples);
+        colour += lit(sea(gabor_water_filtered(p, vec2(0.0), vec2(0.0), 0.0, ocean, 7u)), eye) / float(samples * samples);
     }
     result = vec4(pow(colour, vec3(1.0 / 2.2)), 1.0);
 }

@@ -14,7 +14,7 @@ material.onBeforeCompile = shader => {
             const float spacing = 8.0 / 511.0; // vertex spacing; gullies too fine for it fade out
             GaborTerrain ground(vec2 p) {
                 vec2 x = vec2(spacing, 0.0), y = vec2(0.0, spacing);
-                return gabor_eroded_filtered(p, x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u);
+                return gabor_eroded_at(GaborTerrainPlace(ivec2(0), p, vec2(0.0)), x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u);
             }`)
         .replace("#include <beginnormal_vertex>", `
             GaborTerrain here = ground(position.xz);

@@ -14,7 +14,7 @@ struct Corner {
 fn ground(p: vec2f) -> GaborTerrain {
     let x = vec2f(spacing, 0.0);
     let y = vec2f(0.0, spacing);
-    return gabor_eroded_filtered(p, x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u); // omits gullies too fine for the grid
+    return gabor_eroded_at(GaborTerrainPlace(vec2i(0), p, vec2f(0)), x, y, gabor_terrain(p, 7u), gabor_erosion(), 7u); // omits gullies too fine for the grid
 }
 
 @vertex fn lift(@builtin(vertex_index) index: u32) -> Corner {
