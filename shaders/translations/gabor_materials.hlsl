@@ -850,13 +850,18 @@ float3 gabor_impl_above(float3 noise, float removed, float threshold, float soft
     return float3(gabor_impl_below(x), 0.39894228 * scale * exp(-0.5 * min(x * x, 100.0)) * noise.yz);
 }
 
+// What the filter removed of a mean square: 0 without a filter, in spite of rounding.
+float gabor_impl_removed_square(float square, float mean, float removed) {
+    return removed > 0.0 ? max(square - mean * mean, 0.0) : 0.0;
+}
+
 // The covariance of its slopes that the filter removed.
 float3 gabor_impl_above_lost(float3 noise, float removed, float3 lost, float threshold, float softness) {
     float scale = rsqrt(softness * softness + removed), variance = 0.5 * softness * softness + removed;
     float d = (noise.x - threshold) * (noise.x - threshold);
     float mean = 0.39894228 * scale * exp(-0.5 * min(d * scale * scale, 100.0));
     float square = 0.11253954 / softness * rsqrt(variance) * exp(-0.5 * min(d / variance, 100.0));
-    return square * lost + (square - mean * mean) * gabor_impl_square(noise.yz);
+    return square * lost + gabor_impl_removed_square(square, mean, removed) * gabor_impl_square(noise.yz);
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
@@ -873,7 +878,7 @@ float3 gabor_impl_line_lost(float3 noise, float removed, float3 lost, float widt
     float square = sqrt(half_square / variance) * exp(-0.5 * min(noise.x * noise.x / variance, 100.0))
                  * (mean * mean + spread) / (4.0 * half_square * half_square);
     float3 slope = gabor_impl_line(float3(noise.x, 1.0, 0.0), removed, width);
-    return square * lost + (square - slope.y * slope.y) * gabor_impl_square(noise.yz);
+    return square * lost + gabor_impl_removed_square(square, slope.y, removed) * gabor_impl_square(noise.yz);
 }
 
 // A factor of mean 1, exp(contrast noise - contrast^2 / 2), as its logarithm and the variance of the logarithm that the

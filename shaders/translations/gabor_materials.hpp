@@ -623,13 +623,18 @@ GABOR_INLINE gabor_vec3 gabor_impl_above(gabor_vec3 noise, float removed, float 
     return gabor_vec3(gabor_impl_below(x), 0.39894228f * scale * gabor_cpp_exp(-0.5f * gabor_cpp_min(x * x, 100.0f)) * noise.yz());
 }
 
+// What the filter removed of a mean square: 0 without a filter, in spite of rounding.
+GABOR_INLINE float gabor_impl_removed_square(float square, float mean, float removed) {
+    return removed > 0.0f ? gabor_cpp_max(square - mean * mean, 0.0f) : 0.0f;
+}
+
 // The covariance of its slopes that the filter removed.
 GABOR_INLINE gabor_vec3 gabor_impl_above_lost(gabor_vec3 noise, float removed, gabor_vec3 lost, float threshold, float softness) {
     float scale = gabor_cpp_inversesqrt(softness * softness + removed), variance = 0.5f * softness * softness + removed;
     float d = (noise.x - threshold) * (noise.x - threshold);
     float mean = 0.39894228f * scale * gabor_cpp_exp(-0.5f * gabor_cpp_min(d * scale * scale, 100.0f));
     float square = 0.11253954f / softness * gabor_cpp_inversesqrt(variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(d / variance, 100.0f));
-    return square * lost + (square - mean * mean) * gabor_impl_square(noise.yz());
+    return square * lost + gabor_impl_removed_square(square, mean, removed) * gabor_impl_square(noise.yz());
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
@@ -646,7 +651,7 @@ GABOR_INLINE gabor_vec3 gabor_impl_line_lost(gabor_vec3 noise, float removed, ga
     float square = gabor_cpp_sqrt(half_square / variance) * gabor_cpp_exp(-0.5f * gabor_cpp_min(noise.x * noise.x / variance, 100.0f))
                  * (mean * mean + spread) / (4.0f * half_square * half_square);
     gabor_vec3 slope = gabor_impl_line(gabor_vec3(noise.x, 1.0f, 0.0f), removed, width);
-    return square * lost + (square - slope.y * slope.y) * gabor_impl_square(noise.yz());
+    return square * lost + gabor_impl_removed_square(square, slope.y, removed) * gabor_impl_square(noise.yz());
 }
 
 // A factor of mean 1, exp(contrast noise - contrast^2 / 2), as its logarithm and the variance of the logarithm that the

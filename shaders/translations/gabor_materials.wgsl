@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b6df3f579291bc88.
+// naga 30.0.1 made it from GLSL with the digest d60fb88644c820f4.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //
@@ -1260,13 +1260,25 @@ fn gabor_impl_above(noise: vec3<f32>, removed: f32, threshold: f32, softness: f3
     return vec3<f32>(_e16, _e31.x, _e31.y);
 }
 
+// What the filter removed of a mean square: 0 without a filter, in spite of rounding.
+fn gabor_impl_removed_square(square: f32, mean: f32, removed: f32) -> f32 {
+    var local_35: f32;
+    if (removed > 0f) {
+        local_35 = max((square - (mean * mean)), 0f);
+    } else {
+        local_35 = 0f;
+    }
+    let _e11 = local_35;
+    return _e11;
+}
+
 // The covariance of its slopes that the filter removed.
 fn gabor_impl_above_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, threshold: f32, softness: f32) -> vec3<f32> {
     var scale_5: f32;
     var variance_2: f32;
     var d_6: f32;
-    var mean_2: f32;
-    var square: f32;
+    var mean_3: f32;
+    var square_1: f32;
     scale_5 = inverseSqrt(((softness * softness) + removed));
     variance_2 = (((0.5f * softness) * softness) + removed);
     d_6 = ((noise.x - threshold) * (noise.x - threshold));
@@ -1274,17 +1286,17 @@ fn gabor_impl_above_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, thresh
     let _e25 = d_6;
     let _e26 = scale_5;
     let _e28 = scale_5;
-    mean_2 = ((0.3989423f * _e21) * exp((-0.5f * min(((_e25 * _e26) * _e28), 100f))));
+    mean_3 = ((0.3989423f * _e21) * exp((-0.5f * min(((_e25 * _e26) * _e28), 100f))));
     let _e38 = variance_2;
     let _e43 = d_6;
     let _e44 = variance_2;
-    square = (((0.11253954f / softness) * inverseSqrt(_e38)) * exp((-0.5f * min((_e43 / _e44), 100f))));
-    let _e52 = square;
-    let _e54 = square;
-    let _e55 = mean_2;
-    let _e56 = mean_2;
-    let _e60 = gabor_impl_square(noise.yz);
-    return ((_e52 * lost) + ((_e54 - (_e55 * _e56)) * _e60));
+    square_1 = (((0.11253954f / softness) * inverseSqrt(_e38)) * exp((-0.5f * min((_e43 / _e44), 100f))));
+    let _e52 = square_1;
+    let _e54 = square_1;
+    let _e55 = mean_3;
+    let _e56 = gabor_impl_removed_square(_e54, _e55, removed);
+    let _e58 = gabor_impl_square(noise.yz);
+    return ((_e52 * lost) + (_e56 * _e58));
 }
 
 // A line along the zeros of the noise: exp(-noise^2 / (2 width^2)).
@@ -1305,36 +1317,36 @@ fn gabor_impl_line(noise: vec3<f32>, removed: f32, width: f32) -> vec3<f32> {
 fn gabor_impl_line_lost(noise: vec3<f32>, removed: f32, lost: vec3<f32>, width: f32) -> vec3<f32> {
     var half_square: f32;
     var variance_4: f32;
-    var mean_3: f32;
+    var mean_4: f32;
     var spread: f32;
-    var square_1: f32;
+    var square_2: f32;
     var slope_13: vec3<f32>;
     half_square = ((0.5f * width) * width);
     let _e8 = half_square;
     variance_4 = (_e8 + removed);
     let _e12 = half_square;
     let _e14 = variance_4;
-    mean_3 = ((noise.x * _e12) / _e14);
+    mean_4 = ((noise.x * _e12) / _e14);
     let _e17 = half_square;
     let _e19 = variance_4;
     spread = ((_e17 * removed) / _e19);
     let _e22 = half_square;
     let _e23 = variance_4;
     let _e31 = variance_4;
-    let _e38 = mean_3;
-    let _e39 = mean_3;
+    let _e38 = mean_4;
+    let _e39 = mean_4;
     let _e41 = spread;
     let _e45 = half_square;
     let _e47 = half_square;
-    square_1 = (((sqrt((_e22 / _e23)) * exp((-0.5f * min(((noise.x * noise.x) / _e31), 100f)))) * ((_e38 * _e39) + _e41)) / ((4f * _e45) * _e47));
+    square_2 = (((sqrt((_e22 / _e23)) * exp((-0.5f * min(((noise.x * noise.x) / _e31), 100f)))) * ((_e38 * _e39) + _e41)) / ((4f * _e45) * _e47));
     let _e55 = gabor_impl_line(vec3<f32>(noise.x, 1f, 0f), removed, width);
     slope_13 = _e55;
-    let _e57 = square_1;
-    let _e59 = square_1;
+    let _e57 = square_2;
+    let _e59 = square_2;
     let _e60 = slope_13;
-    let _e62 = slope_13;
-    let _e67 = gabor_impl_square(noise.yz);
-    return ((_e57 * lost) + ((_e59 - (_e60.y * _e62.y)) * _e67));
+    let _e62 = gabor_impl_removed_square(_e59, _e60.y, removed);
+    let _e64 = gabor_impl_square(noise.yz);
+    return ((_e57 * lost) + (_e62 * _e64));
 }
 
 // A factor of mean 1, exp(contrast noise - contrast^2 / 2), as its logarithm and the variance of the logarithm that the
@@ -1347,11 +1359,11 @@ fn gabor_impl_tone(noise: f32, removed: f32, contrast: f32) -> vec2<f32> {
 // distribution function, the mean of min(c X, 1) is c e^(m + r/2) P(d - sqrt(r)) + 1 - P(d), where d = -(ln c + m) /
 // sqrt(r). Where d > 3, this is nearly the mean of c X. Materials mix colours after this, so that means remain right.
 fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
-    var mean_4: vec3<f32>;
+    var mean_5: vec3<f32>;
     var s_9: f32;
     var d_7: vec3<f32>;
     var i_9: i32 = 0i;
-    mean_4 = (colour * exp((tone.x + (0.5f * tone.y))));
+    mean_5 = (colour * exp((tone.x + (0.5f * tone.y))));
     if (tone.y > 0f) {
         {
             s_9 = sqrt(tone.y);
@@ -1368,7 +1380,7 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
                     }
                     let _e47 = i_9;
                     let _e49 = i_9;
-                    let _e51 = mean_4[_e49];
+                    let _e51 = mean_5[_e49];
                     let _e52 = i_9;
                     let _e54 = d_7[_e52];
                     let _e55 = s_9;
@@ -1376,7 +1388,7 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
                     let _e61 = i_9;
                     let _e63 = d_7[_e61];
                     let _e64 = gabor_impl_below(_e63);
-                    mean_4[_e47] = (((_e51 * _e57) + 1f) - _e64);
+                    mean_5[_e47] = (((_e51 * _e57) + 1f) - _e64);
                     continuing {
                         let _e44 = i_9;
                         i_9 = (_e44 + 1i);
@@ -1385,7 +1397,7 @@ fn gabor_impl_toned(colour: vec3<f32>, tone: vec2<f32>) -> vec3<f32> {
             }
         }
     }
-    let _e66 = mean_4;
+    let _e66 = mean_5;
     return min(_e66, vec3(1f));
 }
 
@@ -1396,7 +1408,7 @@ fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     var turns_4: vec2<f32>;
     var t_10: vec2<f32>;
     var integral: vec2<f32>;
-    var mean_5: f32;
+    var mean_6: f32;
     var change_2: f32;
     var widen: f32;
     let _e4 = gabor_impl_ends_at(phase.x, span.x);
@@ -1414,7 +1426,7 @@ fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     let _e25 = ends_4;
     let _e27 = integral;
     let _e29 = integral;
-    mean_5 = (_e25.z * (_e27.y - _e29.x));
+    mean_6 = (_e25.z * (_e27.y - _e29.x));
     let _e34 = ends_4;
     let _e36 = t_10;
     let _e38 = t_10;
@@ -1426,10 +1438,10 @@ fn gabor_impl_rise(phase: vec3<f32>, span: vec3<f32>) -> vec3<f32> {
     let _e54 = t_10;
     let _e57 = t_10;
     let _e59 = t_10;
-    let _e64 = mean_5;
+    let _e64 = mean_6;
     let _e69 = ends_4;
     widen = ((_e49.z * ((0.5f * ((_e52.y * _e54.y) + (_e57.x * _e59.x))) - _e64)) * (-0.5f / (_e69.z * max((1f - span.x), 0.001f))));
-    let _e80 = mean_5;
+    let _e80 = mean_6;
     let _e81 = change_2;
     let _e84 = widen;
     let _e87 = ((_e81 * phase.yz) + (_e84 * span.yz));
@@ -1539,18 +1551,18 @@ fn gabor_impl_board(pixel: GaborPixel, wood: GaborWood, seed: u32) -> GaborWarpe
 
 // Pores, fibres and tone.
 fn gabor_impl_wood_layer(i: i32, pixel: GaborPixel, board: GaborWarped, seed: u32) -> GaborLayer {
-    var local_35: vec2<f32>;
+    var local_36: vec2<f32>;
     if (i == 2i) {
         let _e11 = gabor_impl_spots_layer(2i, board, vec2<f32>(3.5f, 0.35f), seed, 5i);
         return _e11;
     }
     let _e12 = gabor_impl_unwarped(pixel);
     if (i == 0i) {
-        local_35 = vec2<f32>(90f, 4.5f);
+        local_36 = vec2<f32>(90f, 4.5f);
     } else {
-        local_35 = vec2<f32>(150f, 2f);
+        local_36 = vec2<f32>(150f, 2f);
     }
-    let _e22 = local_35;
+    let _e22 = local_36;
     let _e25 = gabor_impl_spots_layer(i, _e12, _e22, seed, (3i + i));
     return _e25;
 }
@@ -1684,28 +1696,28 @@ fn gabor_impl_cloth(pixel: GaborPixel, fabric: GaborFabric, seed: u32) -> GaborW
 
 // The thickness and course of threads along y and x, and their fibres.
 fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
-    var local_36: vec2<f32>;
     var local_37: vec2<f32>;
     var local_38: vec2<f32>;
+    var local_39: vec2<f32>;
     var density_6: vec2<f32>;
     if (i == 0i) {
-        local_38 = vec2<f32>((0.7f * count.x), 1.1f);
+        local_39 = vec2<f32>((0.7f * count.x), 1.1f);
     } else {
         if (i == 1i) {
-            local_37 = vec2<f32>(1.1f, (0.7f * count.y));
+            local_38 = vec2<f32>(1.1f, (0.7f * count.y));
         } else {
             if (i == 2i) {
-                local_36 = (vec2<f32>(14f, 2f) * count);
+                local_37 = (vec2<f32>(14f, 2f) * count);
             } else {
-                local_36 = (vec2<f32>(2f, 14f) * count);
+                local_37 = (vec2<f32>(2f, 14f) * count);
             }
-            let _e29 = local_36;
-            local_37 = _e29;
+            let _e29 = local_37;
+            local_38 = _e29;
         }
-        let _e31 = local_37;
-        local_38 = _e31;
+        let _e31 = local_38;
+        local_39 = _e31;
     }
-    let _e33 = local_38;
+    let _e33 = local_39;
     density_6 = _e33;
     let _e35 = density_6;
     let _e38 = gabor_impl_spots_layer(i, cloth, _e35, seed, (1i + i));
@@ -1714,35 +1726,35 @@ fn gabor_impl_fabric_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u
 
 // The height of a thread: a circle of radius `thick`, which passes over the crossing thread if `bend` is 1, under if -1.
 fn gabor_impl_thread(across: vec3<f32>, thick: vec3<f32>, along: vec3<f32>, bend: f32) -> vec3<f32> {
-    var square_2: f32;
+    var square_3: f32;
     var side_2: f32;
     var turn_12: f32;
     var slope_15: vec2<f32>;
-    var local_39: f32;
-    var local_40: vec2<f32>;
-    square_2 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
-    let _e14 = square_2;
+    var local_40: f32;
+    var local_41: vec2<f32>;
+    square_3 = ((thick.x * thick.x) - ((4.2f * across.x) * across.x));
+    let _e14 = square_3;
     side_2 = sqrt(max(_e14, 0f));
     turn_12 = (3.1415927f * along.x);
     let _e32 = side_2;
     slope_15 = (((thick.x * thick.yz) - ((4.2f * across.x) * across.yz)) / vec2(max(_e32, 0.05f)));
     let _e38 = side_2;
-    let _e39 = square_2;
+    let _e39 = square_3;
     if (_e39 < 0f) {
-        local_39 = 2f;
+        local_40 = 2f;
     } else {
-        local_39 = 1f;
+        local_40 = 1f;
     }
-    let _e45 = local_39;
+    let _e45 = local_40;
     let _e49 = turn_12;
-    let _e53 = square_2;
+    let _e53 = square_3;
     if (_e53 < 0f) {
-        local_40 = vec2(0f);
+        local_41 = vec2(0f);
     } else {
         let _e58 = slope_15;
-        local_40 = _e58;
+        local_41 = _e58;
     }
-    let _e60 = local_40;
+    let _e60 = local_41;
     let _e63 = turn_12;
     let _e68 = (_e60 - (((1.727876f * bend) * sin(_e63)) * along.yz));
     return vec3<f32>(((_e38 - _e45) + ((0.55f * bend) * cos(_e49))), _e68.x, _e68.y);
@@ -1756,23 +1768,23 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     var x_27: vec3<f32>;
     var y_19: vec3<f32>;
     var kept_3: f32;
-    var local_41: f32;
+    var local_42: f32;
     var parity: f32;
     var along_y_6: vec3<f32>;
     var along_x_4: vec3<f32>;
     var first_3: bool;
-    var local_42: vec3<f32>;
-    var top: vec3<f32>;
     var local_43: vec3<f32>;
-    var fibre: vec3<f32>;
+    var top: vec3<f32>;
     var local_44: vec3<f32>;
+    var fibre: vec3<f32>;
+    var local_45: vec3<f32>;
     var lost_5: vec3<f32>;
-    var local_45: f32;
     var local_46: f32;
     var local_47: f32;
+    var local_48: f32;
     var tones_1: vec2<f32>;
     var light: f32;
-    var local_48: f32;
+    var local_49: f32;
     var colour_3: vec3<f32>;
     var height_2: vec3<f32>;
     var cords: f32;
@@ -1803,11 +1815,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e45 = x_27;
     let _e48 = y_19;
     if (fract((0.5f * (floor(_e45.x) + floor(_e48.x)))) > 0.25f) {
-        local_41 = -1f;
+        local_42 = -1f;
     } else {
-        local_41 = 1f;
+        local_42 = 1f;
     }
-    let _e60 = local_41;
+    let _e60 = local_42;
     parity = _e60;
     let _e63 = x_27;
     let _e65 = x_27;
@@ -1835,28 +1847,28 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e113 = first_3;
     if _e113 {
         let _e114 = along_y_6;
-        local_42 = _e114;
+        local_43 = _e114;
     } else {
         let _e115 = along_x_4;
-        local_42 = _e115;
+        local_43 = _e115;
     }
-    let _e117 = local_42;
+    let _e117 = local_43;
     top = _e117;
     let _e119 = first_3;
     if _e119 {
-        local_43 = of_.c.second;
+        local_44 = of_.c.second;
     } else {
-        local_43 = of_.d.second;
+        local_44 = of_.d.second;
     }
-    let _e125 = local_43;
+    let _e125 = local_44;
     fibre = _e125;
     let _e127 = first_3;
     if _e127 {
-        local_44 = of_.c.lost;
+        local_45 = of_.c.lost;
     } else {
-        local_44 = of_.d.lost;
+        local_45 = of_.d.lost;
     }
-    let _e133 = local_44;
+    let _e133 = local_45;
     lost_5 = _e133;
     let _e135 = top;
     if (_e135.x < -1.3f) {
@@ -1864,28 +1876,28 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     }
     let _e145 = first_3;
     if _e145 {
-        local_45 = of_.a.second.x;
+        local_46 = of_.a.second.x;
     } else {
-        local_45 = of_.b.second.x;
+        local_46 = of_.b.second.x;
     }
-    let _e153 = local_45;
+    let _e153 = local_46;
     let _e154 = first_3;
     if _e154 {
-        local_46 = of_.a.removed;
+        local_47 = of_.a.removed;
     } else {
-        local_46 = of_.b.removed;
+        local_47 = of_.b.removed;
     }
-    let _e160 = local_46;
+    let _e160 = local_47;
     let _e162 = uneven;
     let _e164 = gabor_impl_tone(_e153, _e160, (0.09f * _e162));
     let _e165 = fibre;
     let _e167 = first_3;
     if _e167 {
-        local_47 = of_.c.removed;
+        local_48 = of_.c.removed;
     } else {
-        local_47 = of_.d.removed;
+        local_48 = of_.d.removed;
     }
-    let _e173 = local_47;
+    let _e173 = local_48;
     let _e175 = gabor_impl_tone(_e165.x, _e173, 0.12f);
     tones_1 = (_e164 + _e175);
     let _e179 = uneven;
@@ -1899,11 +1911,11 @@ fn gabor_impl_fabric(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f32>, fa
     let _e201 = gabor_impl_toned(fabric.warp, _e200);
     let _e203 = first_3;
     if _e203 {
-        local_48 = 1f;
+        local_49 = 1f;
     } else {
-        local_48 = 0f;
+        local_49 = 0f;
     }
-    let _e207 = local_48;
+    let _e207 = local_49;
     let _e208 = kept_3;
     let _e214 = light;
     colour_3 = (mix(_e198, _e201, vec3(mix(0.5f, _e207, _e208))) * mix(0.18f, 1f, _e214));
@@ -2038,13 +2050,13 @@ fn gabor_impl_twill(pixel: GaborPixel, seed: u32) -> GaborWarped {
 
 // The fibres of tows along y and x.
 fn gabor_impl_tow_layer(i: i32, cloth: GaborWarped, count: vec2<f32>, seed: u32) -> GaborLayer {
-    var local_49: vec2<f32>;
+    var local_50: vec2<f32>;
     if (i == 0i) {
-        local_49 = vec2<f32>(20f, 0.6f);
+        local_50 = vec2<f32>(20f, 0.6f);
     } else {
-        local_49 = vec2<f32>(0.6f, 20f);
+        local_50 = vec2<f32>(0.6f, 20f);
     }
-    let _e13 = local_49;
+    let _e13 = local_50;
     let _e17 = gabor_impl_spots_layer(i, cloth, (_e13 * count), seed, (1i + i));
     return _e17;
 }
@@ -2057,20 +2069,20 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     var unit_6: f32;
     var turn_14: f32;
     var first_4: bool;
-    var local_50: vec3<f32>;
-    var fibre_1: vec3<f32>;
     var local_51: vec3<f32>;
-    var lost_6: vec3<f32>;
+    var fibre_1: vec3<f32>;
     var local_52: vec3<f32>;
-    var along_3: vec3<f32>;
+    var lost_6: vec3<f32>;
     var local_53: vec3<f32>;
+    var along_3: vec3<f32>;
+    var local_54: vec3<f32>;
     var across_3: vec3<f32>;
-    var local_54: f32;
+    var local_55: f32;
     var cube: f32;
     var arch: f32;
     var wave_17: vec2<f32>;
     var bulge: vec3<f32>;
-    var local_55: f32;
+    var local_56: f32;
     var tone_1: vec2<f32>;
     var colour_4: vec3<f32>;
     let _e6 = gabor_impl_along_x(cloth);
@@ -2095,48 +2107,48 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     first_4 = (_e52 < 1.5f);
     let _e56 = first_4;
     if _e56 {
-        local_50 = of_.a.first;
+        local_51 = of_.a.first;
     } else {
-        local_50 = of_.b.first;
+        local_51 = of_.b.first;
     }
-    let _e62 = local_50;
+    let _e62 = local_51;
     fibre_1 = _e62;
     let _e64 = first_4;
     if _e64 {
-        local_51 = of_.a.lost;
+        local_52 = of_.a.lost;
     } else {
-        local_51 = of_.b.lost;
+        local_52 = of_.b.lost;
     }
-    let _e70 = local_51;
+    let _e70 = local_52;
     lost_6 = _e70;
     let _e73 = first_4;
     if _e73 {
         let _e74 = y_20;
-        local_52 = _e74;
+        local_53 = _e74;
     } else {
         let _e75 = x_28;
-        local_52 = _e75;
+        local_53 = _e75;
     }
-    let _e77 = local_52;
+    let _e77 = local_53;
     along_3 = (0.5f * _e77);
     let _e81 = first_4;
     if _e81 {
         let _e82 = x_28;
-        local_53 = _e82;
+        local_54 = _e82;
     } else {
         let _e83 = y_20;
-        local_53 = _e83;
+        local_54 = _e83;
     }
-    let _e85 = local_53;
+    let _e85 = local_54;
     across_3 = (2f * _e85);
     let _e89 = along_3;
     let _e92 = turn_14;
     if (fract(((0.5f * _e92) + 0.25f)) < 0.5f) {
-        local_54 = 0f;
+        local_55 = 0f;
     } else {
-        local_54 = 0.5f;
+        local_55 = 0.5f;
     }
-    let _e102 = local_54;
+    let _e102 = local_55;
     along_3.x = (_e89.x + _e102);
     let _e105 = across_3;
     across_3.x = (_e105.x - 1f);
@@ -2165,11 +2177,11 @@ fn gabor_impl_carbon_fibre(pixel: GaborPixel, cloth: GaborWarped, count: vec2<f3
     let _e169 = fibre_1;
     let _e171 = first_4;
     if _e171 {
-        local_55 = of_.a.removed;
+        local_56 = of_.a.removed;
     } else {
-        local_55 = of_.b.removed;
+        local_56 = of_.b.removed;
     }
-    let _e177 = local_55;
+    let _e177 = local_56;
     let _e179 = gabor_impl_tone(_e169.x, _e177, fibres.contrast);
     tone_1 = _e179;
     let _e183 = bulge;
@@ -2245,7 +2257,7 @@ fn gabor_impl_skin(pixel: GaborPixel, leather: GaborLeather, seed: u32) -> Gabor
 
 // Three octaves of fine grain, the tone, and the first two waves.
 fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leather: GaborLeather, seed: u32) -> GaborLayer {
-    var local_56: f32;
+    var local_57: f32;
     if (i < 3i) {
         let _e7 = gabor_impl_unwarped(pixel);
         let _e13 = gabor_lobe_seed(seed, 4i);
@@ -2258,11 +2270,11 @@ fn gabor_impl_leather_layer(i: i32, pixel: GaborPixel, skin: GaborWarped, leathe
         return _e22;
     }
     if (i == 4i) {
-        local_56 = 0.2f;
+        local_57 = 0.2f;
     } else {
-        local_56 = 2.2944f;
+        local_57 = 2.2944f;
     }
-    let _e35 = local_56;
+    let _e35 = local_57;
     let _e38 = gabor_impl_waves_layer((i - 2i), skin, vec2((leather.cells / 1.6f)), 1.6f, _e35, seed, (i - 2i));
     return _e38;
 }
@@ -2471,12 +2483,12 @@ fn gabor_impl_stone(pixel: GaborPixel, marble: GaborMarble, seed: u32) -> GaborW
 
 // Three octaves of clouds, crystals, and four sizes of veins: middle, large, thin, hair.
 fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: u32) -> GaborLayer {
-    var local_57: vec3<f32>;
     var local_58: vec3<f32>;
     var local_59: vec3<f32>;
+    var local_60: vec3<f32>;
     var vein: vec3<f32>;
-    var local_60: i32;
     var local_61: i32;
+    var local_62: i32;
     if (i < 3i) {
         let _e11 = gabor_lobe_seed(seed, 8i);
         let _e12 = gabor_impl_octave(stone, vec2(1.5f), i, 3i, 0.6f, _e11);
@@ -2488,39 +2500,39 @@ fn gabor_impl_marble_layer(i: i32, pixel: GaborPixel, stone: GaborWarped, seed: 
         return _e20;
     }
     if (i == 4i) {
-        local_59 = vec3<f32>(1.9f, 0.95f, -0.45f);
+        local_60 = vec3<f32>(1.9f, 0.95f, -0.45f);
     } else {
         if (i == 5i) {
-            local_58 = vec3<f32>(0.95f, 0.85f, 0.65f);
+            local_59 = vec3<f32>(0.95f, 0.85f, 0.65f);
         } else {
             if (i == 6i) {
-                local_57 = vec3<f32>(4.5f, 0.95f, 0.95f);
+                local_58 = vec3<f32>(4.5f, 0.95f, 0.95f);
             } else {
-                local_57 = vec3<f32>(13f, 0.9f, 0.2f);
+                local_58 = vec3<f32>(13f, 0.9f, 0.2f);
             }
-            let _e45 = local_57;
-            local_58 = _e45;
+            let _e45 = local_58;
+            local_59 = _e45;
         }
-        let _e47 = local_58;
-        local_59 = _e47;
+        let _e47 = local_59;
+        local_60 = _e47;
     }
-    let _e49 = local_59;
+    let _e49 = local_60;
     vein = _e49;
     let _e52 = vein;
     let _e55 = vein;
     let _e57 = vein;
     if (i == 4i) {
-        local_61 = 5i;
+        local_62 = 5i;
     } else {
         if (i == 5i) {
-            local_60 = 4i;
+            local_61 = 4i;
         } else {
-            local_60 = i;
+            local_61 = i;
         }
-        let _e66 = local_60;
-        local_61 = _e66;
+        let _e66 = local_61;
+        local_62 = _e66;
     }
-    let _e68 = local_61;
+    let _e68 = local_62;
     let _e69 = gabor_impl_waves_layer(2i, stone, vec2(_e52.x), _e55.y, _e57.z, seed, _e68);
     return _e69;
 }
@@ -2542,72 +2554,72 @@ fn gabor_impl_marble(marble: GaborMarble, cloud: GaborPair, crystal: GaborPair) 
 // Adds veins of layer i: lines along the zeros of a noise, drawn only where the other exceeds a threshold, so they have
 // ends. Each vein has a core in the middle of a halo. Widths and strengths are (halo, core).
 fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble, i: i32, vein: GaborPair) {
-    var local_62: f32;
-    var local_63: vec2<f32>;
+    var local_63: f32;
     var local_64: vec2<f32>;
-    var width_8: vec2<f32>;
     var local_65: vec2<f32>;
+    var width_8: vec2<f32>;
     var local_66: vec2<f32>;
+    var local_67: vec2<f32>;
     var strength: vec2<f32>;
-    var local_67: f32;
     var local_68: f32;
     var local_69: f32;
+    var local_70: f32;
     var open: f32;
     var halo: vec3<f32>;
-    var local_70: f32;
     var local_71: f32;
     var local_72: f32;
+    var local_73: f32;
     var core: vec3<f32>;
     if (i == 4i) {
-        local_64 = vec2<f32>(0.25f, 0.035f);
+        local_65 = vec2<f32>(0.25f, 0.035f);
     } else {
         if (i == 5i) {
-            local_63 = vec2<f32>(0.35f, 0.05f);
+            local_64 = vec2<f32>(0.35f, 0.05f);
         } else {
             if (i == 6i) {
-                local_62 = 0.04f;
+                local_63 = 0.04f;
             } else {
-                local_62 = 0.05f;
+                local_63 = 0.05f;
             }
-            let _e20 = local_62;
-            local_63 = vec2<f32>(1f, _e20);
+            let _e20 = local_63;
+            local_64 = vec2<f32>(1f, _e20);
         }
-        let _e23 = local_63;
-        local_64 = _e23;
+        let _e23 = local_64;
+        local_65 = _e23;
     }
-    let _e25 = local_64;
+    let _e25 = local_65;
     width_8 = _e25;
     if (i == 4i) {
-        local_66 = vec2<f32>(0.6f, 0.6f);
+        local_67 = vec2<f32>(0.6f, 0.6f);
     } else {
         if (i == 5i) {
-            local_65 = vec2<f32>(0.55f, 0.75f);
+            local_66 = vec2<f32>(0.55f, 0.75f);
         } else {
-            local_65 = vec2<f32>(0f, 0.45f);
+            local_66 = vec2<f32>(0f, 0.45f);
         }
-        let _e42 = local_65;
-        local_66 = _e42;
+        let _e42 = local_66;
+        local_67 = _e42;
     }
-    let _e44 = local_66;
+    let _e44 = local_67;
     strength = (marble.veins * _e44);
     if (i == 4i) {
-        local_69 = 0.5f;
+        local_70 = 0.5f;
     } else {
         if (i == 5i) {
-            local_68 = -0.4f;
+            local_69 = -0.4f;
         } else {
             if (i == 6i) {
-                local_67 = 0.8f;
+                local_68 = 0.8f;
             } else {
-                local_67 = 1.1f;
+                local_68 = 1.1f;
             }
-            let _e61 = local_67;
-            local_68 = _e61;
+            let _e61 = local_68;
+            local_69 = _e61;
         }
-        let _e63 = local_68;
-        local_69 = _e63;
+        let _e63 = local_69;
+        local_70 = _e63;
     }
-    let _e65 = local_69;
+    let _e65 = local_70;
     let _e67 = gabor_impl_above(vein.second, vein.removed, _e65, 0.5f);
     open = _e67.x;
     let _e71 = strength;
@@ -2623,23 +2635,23 @@ fn gabor_impl_add_veins(stone: ptr<function, GaborMaterial>, marble: GaborMarble
     strength.x = (_e83.x * ((_e85 * _e90.x) - _e93.y));
     halo = mix(marble.stone, marble.vein, vec3(0.65f));
     if (i == 4i) {
-        local_72 = 0.9f;
+        local_73 = 0.9f;
     } else {
         if (i == 5i) {
-            local_71 = 1f;
+            local_72 = 1f;
         } else {
             if (i == 6i) {
-                local_70 = 0.65f;
+                local_71 = 0.65f;
             } else {
-                local_70 = 0.45f;
+                local_71 = 0.45f;
             }
-            let _e116 = local_70;
-            local_71 = _e116;
+            let _e116 = local_71;
+            local_72 = _e116;
         }
-        let _e118 = local_71;
-        local_72 = _e118;
+        let _e118 = local_72;
+        local_73 = _e118;
     }
-    let _e120 = local_72;
+    let _e120 = local_73;
     core = mix(marble.stone, marble.vein, vec3(_e120));
     let _e125 = (*stone);
     let _e127 = strength;
@@ -2766,7 +2778,7 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     var height_4: vec3<f32>;
     var wave_19: vec2<f32>;
     var bent: vec3<f32>;
-    var square_3: vec3<f32>;
+    var square_4: vec3<f32>;
     var lost_8: vec3<f32>;
     z_1 = vec2<f32>(of_.c.first.x, of_.c.second.x);
     let _e11 = z_1;
@@ -2829,13 +2841,13 @@ fn gabor_impl_sand(sand: GaborSand, ripples: GaborLayer, of_: GaborPairs) -> Gab
     let _e210 = gabor_impl_square(_e209);
     let _e211 = bent;
     let _e216 = gabor_impl_turned_square(_e211, ripples.at.x, ripples.at.y);
-    square_3 = (_e210 + _e216);
+    square_4 = (_e210 + _e216);
     let _e219 = tall;
     let _e221 = tall;
     let _e224 = phase_9;
     let _e226 = span_3;
     let _e228 = gabor_impl_rise_lost(_e224.x, _e226, 0.9f);
-    let _e230 = square_3;
+    let _e230 = square_4;
     lost_8 = (((((_e219.x * _e221.x) * _e228) * _e230) + (0.0009f * of_.a.lost)) + (((0.0000765625f * sand.grain) * sand.grain) * of_.b.lost));
     let _e247 = colour_7;
     let _e248 = height_4;
@@ -3207,7 +3219,7 @@ fn gabor_impl_bark_layer(i: i32, pixel: GaborPixel, trunk: GaborWarped, bark: Ga
 
 fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     var shape: vec3<f32>;
-    var removed_6: f32;
+    var removed_7: f32;
     var whole_5: vec3<f32>;
     var risen_1: vec3<f32>;
     var plate: vec3<f32>;
@@ -3225,11 +3237,11 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     var both: f32;
     var lost_10: vec3<f32>;
     shape = (of_.c.first + (0.2f * of_.a.first));
-    removed_6 = (of_.c.removed + (0.04f * of_.a.removed));
+    removed_7 = (of_.c.removed + (0.04f * of_.a.removed));
     let _e28 = gabor_impl_line(of_.d.first, of_.d.removed, 0.13f);
     whole_5 = (vec3<f32>(1f, 0f, 0f) - (0.55f * _e28));
     let _e32 = shape;
-    let _e33 = removed_6;
+    let _e33 = removed_7;
     let _e37 = gabor_impl_above(_e32, _e33, -0.15f, 0.35f);
     risen_1 = _e37;
     let _e39 = risen_1;
@@ -3275,17 +3287,17 @@ fn gabor_impl_bark(bark: GaborBark, of_: GaborPairs) -> GaborMaterial {
     let _e160 = risen_1;
     let _e163 = risen_1;
     let _e166 = risen_1;
-    let _e170 = removed_6;
-    let _e172 = removed_6;
+    let _e170 = removed_7;
+    let _e172 = removed_7;
     rises = ((_e158.x * _e160.x) + (((_e163.x * (1f - _e166.x)) * _e170) / (_e172 + 0.18f)));
     let _e181 = whole_5;
     let _e184 = shape;
-    let _e189 = removed_6;
+    let _e189 = removed_7;
     let _e193 = gabor_impl_above(vec3<f32>(_e184.x, 1f, 0f), _e189, -0.15f, 0.35f);
     both = (((0.0072f * bark.depth) * _e181.x) * _e193.y);
     let _e200 = wholes;
     let _e201 = shape;
-    let _e202 = removed_6;
+    let _e202 = removed_7;
     let _e213 = gabor_impl_above_lost(_e201, _e202, (of_.c.lost + (0.04f * of_.a.lost)), -0.15f, 0.35f);
     let _e216 = rises;
     let _e225 = gabor_impl_line_lost(of_.d.first, of_.d.removed, of_.d.lost, 0.13f);
@@ -3373,9 +3385,9 @@ fn gabor_impl_rock(pixel: GaborPixel, strata: GaborStrata, seed: u32) -> GaborWa
 
 // Four octaves of grain, and four sizes of layers: broad, band, thin, lamina.
 fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata: GaborStrata, seed: u32) -> GaborLayer {
-    var local_73: vec2<f32>;
     var local_74: vec2<f32>;
     var local_75: vec2<f32>;
+    var local_76: vec2<f32>;
     var density_8: vec2<f32>;
     if (i < 4i) {
         let _e7 = gabor_impl_unwarped(pixel);
@@ -3384,23 +3396,23 @@ fn gabor_impl_strata_layer(i: i32, pixel: GaborPixel, rock: GaborWarped, strata:
         return _e15;
     }
     if (i == 4i) {
-        local_75 = vec2<f32>(0.1f, 0.33333334f);
+        local_76 = vec2<f32>(0.1f, 0.33333334f);
     } else {
         if (i == 5i) {
-            local_74 = vec2<f32>(0.14f, 1f);
+            local_75 = vec2<f32>(0.14f, 1f);
         } else {
             if (i == 6i) {
-                local_73 = vec2<f32>(0.25f, 2.8333333f);
+                local_74 = vec2<f32>(0.25f, 2.8333333f);
             } else {
-                local_73 = vec2<f32>(0.6f, 8.333333f);
+                local_74 = vec2<f32>(0.6f, 8.333333f);
             }
-            let _e35 = local_73;
-            local_74 = _e35;
+            let _e35 = local_74;
+            local_75 = _e35;
         }
-        let _e37 = local_74;
-        local_75 = _e37;
+        let _e37 = local_75;
+        local_76 = _e37;
     }
-    let _e39 = local_75;
+    let _e39 = local_76;
     density_8 = _e39;
     let _e43 = density_8;
     let _e50 = gabor_impl_spots_layer((i - 3i), rock, (_e43 * vec2<f32>(1f, strata.layers)), seed, (i - 1i));

@@ -94,7 +94,7 @@ class Rows {
                 const double difference = std::abs(row.sums[i] - expected);
                 const double scaled = difference / (i < numbers * 3 / 4 ? tolerance : far);
                 same &= scaled <= 1; // false for NaN
-                if (!(scaled <= largest)) {
+                if (!(scaled <= largest) && !std::isnan(largest)) {
                     largest = scaled;
                     where = line.substr(0, end) + ", number " + std::to_string(i);
                 }
