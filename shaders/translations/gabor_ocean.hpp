@@ -30,6 +30,7 @@
 // Waves from one wavelength to half of it. Frequencies are in units of 1 / 65536 Hz.
 struct GaborOceanBand {
     float amplitude; // rms height in metres
+    gabor_vec2 slopes;     // variance of the slopes along the wind and across it
     int exponent;    // the spacing of nodes is 2^exponent metres
     int low;         // the lowest frequency, 1 / sqrt(2) of the highest
     int quarter;     // a quarter of the range of frequencies
@@ -133,10 +134,11 @@ GABOR_INLINE GaborOcean gabor_ocean_of(float wind, float direction, float fetch)
         float fourth = a * a * a * (0.2f * a + 0.57142857f * b) // the mean of sin(d / 2)^4
                      + b * b * (0.66666667f * a * a + 0.36363636f * a * b + 0.076923077f * b * b);
         float along = 1.0f - 4.0f * variance + 4.0f * fourth; // the mean of cos^2 d
-        ocean.tail -= slopes * 16.195056f * gabor_vec2(along, 1.0f - along); // (4 pi^2 / g)^2
         float speed = gravity / (12.566371f * tick * low * 1.1892071f);
         GaborOceanBand band;
         band.amplitude = gabor_cpp_sqrt(sum);
+        band.slopes = slopes * 16.195056f * gabor_vec2(along, 1.0f - along); // (4 pi^2 / g)^2
+        ocean.tail -= band.slopes;
         band.exponent = 34 - 2 * power - i;
         band.low = int(low + 0.5f);
         band.quarter = int(width + 0.5f);
@@ -161,9 +163,9 @@ GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec3& squeeze, std
     bits ^= bits >> 15u;
     int draw = int(bits >> 22u), u = 16 * int(bits & 4095u) - 32760;
     int at = (draw < band.share.x ? 0 : 1) + (draw < band.share.y ? 0 : 1) + (draw < band.share.z ? 0 : 1);
-    int within = int((bits >> 12u) & 1023u); // of the quarter
+    int within = int(bits >> 12u) & 1023; // of the quarter
     int lean = at == 0 ? band.lean.x : at == 1 ? band.lean.y : at == 2 ? band.lean.z : band.lean.w;
-    within -= (lean * ((within * (1023 - within)) >> 4)) >> 16;
+    within -= (lean * ((within * (within ^ 1023)) >> 4)) >> 16;
     within += at << 10;
     int frequency = band.low + ((band.quarter * within) >> 10), ratio = 13777 + ((1427 * within) >> 10); // F / F0 in 2^-14
     int half_sine = (u * (band.spread.x + ((band.spread.y * ((u * u) >> 15)) >> 15))) >> 15;
@@ -174,7 +176,7 @@ GABOR_INLINE void gabor_impl_add_water(GaborWater& sum, gabor_vec3& squeeze, std
     gabor_vec2 across = gabor_vec2(float(cosine) / 32768.0f, 2.0f * s * gabor_cpp_sqrt(gabor_cpp_max(1.0f - s * s, 0.0f)));
     gabor_vec2 unit = gabor_vec2(across.x * heading.x - across.y * heading.y, across.x * heading.y + across.y * heading.x);
     gabor_vec2 k = 0.6383f * f * f * unit; // 2 pi / g, less 0.3 % for the slopes that the windows add
-    float turns = float((turning * second) & 0xffff) + float(turning) * fraction;
+    float turns = float(((turning & 0xffff) * (second & 0xffff)) & 0xffff) + float(turning) * fraction;
     gabor_vec2 z = gabor_impl_product(gabor_impl_amplitude(word), gabor_impl_wave(gabor_cpp_dot(k, from) - 1.52587890625e-5f * turns));
     gabor_vec2 steps = gabor_vec2(gabor_cpp_dot(k, dx), gabor_cpp_dot(k, dy));
     float kept = gabor_cpp_exp(-4.9348022f * gabor_cpp_dot(steps, steps)), window = window_x.x * window_y.x;
@@ -201,8 +203,16 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
     gabor_vec2 heading = gabor_impl_wave(0.15915494f * ocean.direction);
     GaborWater water = GaborWater{0.0f, gabor_vec2(0.0f), gabor_vec2(0.0f), 0.0f, gabor_vec3(0.0f)};
     gabor_vec3 squeezed = gabor_vec3(0.0f);
+    gabor_vec2 hidden = ocean.tail;
+    float area = dx.x * dy.y - dx.y * dy.x, sides = gabor_cpp_dot(dx, dx) + gabor_cpp_dot(dy, dy); // the pixel is an ellipse
+    float least = 2.0f * area * area / gabor_cpp_max(sides + gabor_cpp_sqrt(gabor_cpp_max(sides * sides - 4.0f * area * area, 0.0f)), 1.0e-30f);
     for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
         GaborOceanBand band = ocean.band[i];
+        float longest = 1.486e-10f * float(band.low) * float(band.low); // the smallest wave number, 2 pi f^2 / g
+        if (longest * longest * least > 1.6f) { // each wave would be below 1 / 2700 of its height
+            hidden += band.slopes;
+            continue;
+        }
         std::uint32_t salt = gabor_impl_salt(gabor_lobe_seed(seed, i));
         int whole_x, whole_y;
         float rest_x, rest_y;
@@ -239,7 +249,7 @@ GABOR_INLINE GaborWater gabor_water_at(gabor_ivec2 cell, gabor_vec2 local, int s
     }
     water.fold = (1.0f - squeezed.x) * (1.0f - squeezed.y) - squeezed.z * squeezed.z;
     gabor_vec3 along = gabor_vec3(heading * heading, heading.x * heading.y), across = gabor_vec3(along.yx(), -along.z);
-    water.lost += ocean.tail.x * along + ocean.tail.y * across;
+    water.lost += hidden.x * along + hidden.y * across;
     return water;
 }
 

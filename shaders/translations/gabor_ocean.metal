@@ -31,6 +31,7 @@ using namespace metal;
 // Waves from one wavelength to half of it. Frequencies are in units of 1 / 65536 Hz.
 struct GaborOceanBand {
     float amplitude; // rms height in metres
+    float2 slopes;     // variance of the slopes along the wind and across it
     int exponent;    // the spacing of nodes is 2^exponent metres
     int low;         // the lowest frequency, 1 / sqrt(2) of the highest
     int quarter;     // a quarter of the range of frequencies
@@ -134,10 +135,11 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
         float fourth = a * a * a * (0.2 * a + 0.57142857 * b) // the mean of sin(d / 2)^4
                      + b * b * (0.66666667 * a * a + 0.36363636 * a * b + 0.076923077 * b * b);
         float along = 1.0 - 4.0 * variance + 4.0 * fourth; // the mean of cos^2 d
-        ocean.tail -= slopes * 16.195056 * float2(along, 1.0 - along); // (4 pi^2 / g)^2
         float speed = gravity / (12.566371 * tick * low * 1.1892071);
         GaborOceanBand band;
         band.amplitude = sqrt(sum);
+        band.slopes = slopes * 16.195056 * float2(along, 1.0 - along); // (4 pi^2 / g)^2
+        ocean.tail -= band.slopes;
         band.exponent = 34 - 2 * power - i;
         band.low = int(low + 0.5);
         band.quarter = int(width + 0.5);
@@ -162,9 +164,9 @@ inline void gabor_impl_add_water(thread GaborWater& sum, thread float3& squeeze,
     bits ^= bits >> 15u;
     int draw = int(bits >> 22u), u = 16 * int(bits & 4095u) - 32760;
     int at = (draw < band.share.x ? 0 : 1) + (draw < band.share.y ? 0 : 1) + (draw < band.share.z ? 0 : 1);
-    int within = int((bits >> 12u) & 1023u); // of the quarter
+    int within = int(bits >> 12u) & 1023; // of the quarter
     int lean = at == 0 ? band.lean.x : at == 1 ? band.lean.y : at == 2 ? band.lean.z : band.lean.w;
-    within -= (lean * ((within * (1023 - within)) >> 4)) >> 16;
+    within -= (lean * ((within * (within ^ 1023)) >> 4)) >> 16;
     within += at << 10;
     int frequency = band.low + ((band.quarter * within) >> 10), ratio = 13777 + ((1427 * within) >> 10); // F / F0 in 2^-14
     int half_sine = (u * (band.spread.x + ((band.spread.y * ((u * u) >> 15)) >> 15))) >> 15;
@@ -175,7 +177,7 @@ inline void gabor_impl_add_water(thread GaborWater& sum, thread float3& squeeze,
     float2 across = float2(float(cosine) / 32768.0, 2.0 * s * sqrt(max(1.0 - s * s, 0.0)));
     float2 unit = float2(across.x * heading.x - across.y * heading.y, across.x * heading.y + across.y * heading.x);
     float2 k = 0.6383 * f * f * unit; // 2 pi / g, less 0.3 % for the slopes that the windows add
-    float turns = float((turning * second) & 0xffff) + float(turning) * fraction;
+    float turns = float(((turning & 0xffff) * (second & 0xffff)) & 0xffff) + float(turning) * fraction;
     float2 z = gabor_impl_product(gabor_impl_amplitude(word), gabor_impl_wave(dot(k, from) - 1.52587890625e-5 * turns));
     float2 steps = float2(dot(k, dx), dot(k, dy));
     float kept = exp(-4.9348022 * dot(steps, steps)), window = window_x.x * window_y.x;
@@ -202,8 +204,16 @@ inline GaborWater gabor_water_at(int2 cell, float2 local, int second, float frac
     float2 heading = gabor_impl_wave(0.15915494 * ocean.direction);
     GaborWater water = GaborWater{0.0, float2(0.0), float2(0.0), 0.0, float3(0.0)};
     float3 squeezed = float3(0.0);
+    float2 hidden = ocean.tail;
+    float area = dx.x * dy.y - dx.y * dy.x, sides = dot(dx, dx) + dot(dy, dy); // the pixel is an ellipse
+    float least = 2.0 * area * area / max(sides + sqrt(max(sides * sides - 4.0 * area * area, 0.0)), 1.0e-30);
     for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
         GaborOceanBand band = ocean.band[i];
+        float longest = 1.486e-10 * float(band.low) * float(band.low); // the smallest wave number, 2 pi f^2 / g
+        if (longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
+            hidden += band.slopes;
+            continue;
+        }
         uint salt = gabor_impl_salt(gabor_lobe_seed(seed, i));
         int whole_x, whole_y;
         float rest_x, rest_y;
@@ -240,7 +250,7 @@ inline GaborWater gabor_water_at(int2 cell, float2 local, int second, float frac
     }
     water.fold = (1.0 - squeezed.x) * (1.0 - squeezed.y) - squeezed.z * squeezed.z;
     float3 along = float3(heading * heading, heading.x * heading.y), across = float3(along.yx, -along.z);
-    water.lost += ocean.tail.x * along + ocean.tail.y * across;
+    water.lost += hidden.x * along + hidden.y * across;
     return water;
 }
 

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest e72441c42972b46f.
+// naga 30.0.1 made it from GLSL with the digest 16c365bd8048380e.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
 //
@@ -17,6 +17,7 @@
 // Waves from one wavelength to half of it. Frequencies are in units of 1 / 65536 Hz.
 struct GaborOceanBand {
     amplitude: f32,
+    slopes: vec2<f32>,
     exponent: i32,
     low: i32,
     quarter: i32,
@@ -286,49 +287,51 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
             let _e304 = variance;
             let _e308 = fourth_1;
             along = ((1f - (4f * _e304)) + (4f * _e308));
-            let _e313 = ocean;
-            let _e315 = slopes;
-            let _e318 = along;
-            let _e320 = along;
-            ocean.tail = (_e313.tail - ((_e315 * 16.195057f) * vec2<f32>(_e318, (1f - _e320))));
-            let _e325 = gravity;
-            let _e327 = tick;
-            let _e329 = low;
-            speed = (_e325 / (((12.566371f * _e327) * _e329) * 1.1892071f));
-            let _e337 = sum_5;
-            band.amplitude = sqrt(_e337);
-            let _e342 = power_1;
-            let _e345 = i;
-            band.exponent = ((34i - (2i * _e342)) - _e345);
-            let _e348 = low;
-            band.low = i32((_e348 + 0.5f));
-            let _e353 = width;
-            band.quarter = i32((_e353 + 0.5f));
-            let _e359 = sum_5;
-            let _e361 = sums_1;
-            band.share = vec3<i32>((((1024f / _e359) * _e361.xyz) + vec3(0.5f)));
-            let _e370 = leans;
-            band.lean = vec4<i32>(floor(((1024f * _e370) + vec4(0.5f))));
-            let _e379 = a_2;
-            let _e380 = b_2;
-            band.spread = vec2<i32>(floor(((32767f * vec2<f32>(_e379, _e380)) + vec2(0.5f))));
-            let _e390 = speed;
-            let _e392 = band;
-            let _e398 = heading;
-            band.drift = vec2<i32>(floor(((((32768f * _e390) * exp2(-(f32(_e392.exponent)))) * _e398) + vec2(0.5f))));
-            let _e405 = i;
-            let _e408 = band;
-            ocean.band[_e405] = _e408;
+            let _e312 = gravity;
+            let _e314 = tick;
+            let _e316 = low;
+            speed = (_e312 / (((12.566371f * _e314) * _e316) * 1.1892071f));
+            let _e324 = sum_5;
+            band.amplitude = sqrt(_e324);
+            let _e327 = slopes;
+            let _e330 = along;
+            let _e332 = along;
+            band.slopes = ((_e327 * 16.195057f) * vec2<f32>(_e330, (1f - _e332)));
+            let _e337 = ocean;
+            let _e339 = band;
+            ocean.tail = (_e337.tail - _e339.slopes);
+            let _e345 = power_1;
+            let _e348 = i;
+            band.exponent = ((34i - (2i * _e345)) - _e348);
+            let _e351 = low;
+            band.low = i32((_e351 + 0.5f));
+            let _e356 = width;
+            band.quarter = i32((_e356 + 0.5f));
+            let _e362 = sum_5;
+            let _e364 = sums_1;
+            band.share = vec3<i32>((((1024f / _e362) * _e364.xyz) + vec3(0.5f)));
+            let _e373 = leans;
+            band.lean = vec4<i32>(floor(((1024f * _e373) + vec4(0.5f))));
+            let _e382 = a_2;
+            let _e383 = b_2;
+            band.spread = vec2<i32>(floor(((32767f * vec2<f32>(_e382, _e383)) + vec2(0.5f))));
+            let _e393 = speed;
+            let _e395 = band;
+            let _e401 = heading;
+            band.drift = vec2<i32>(floor(((((32768f * _e393) * exp2(-(f32(_e395.exponent)))) * _e401) + vec2(0.5f))));
+            let _e408 = i;
+            let _e411 = band;
+            ocean.band[_e408] = _e411;
         }
         continuing {
             let _e83 = i;
             i = (_e83 + 1i);
         }
     }
-    let _e410 = ocean;
-    ocean.tail = max(_e410.tail, vec2(0f));
-    let _e415 = ocean;
-    return _e415;
+    let _e413 = ocean;
+    ocean.tail = max(_e413.tail, vec2(0f));
+    let _e418 = ocean;
+    return _e418;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
@@ -399,7 +402,7 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     let _e61 = local_15;
     at = ((_e44 + _e52) + _e61);
     let _e64 = bits;
-    within_1 = i32(((_e64 >> 12u) & 1023u));
+    within_1 = (i32((_e64 >> 12u)) & 1023i);
     let _e71 = at;
     if (_e71 == 0i) {
         local_18 = band.lean.x;
@@ -425,8 +428,8 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     let _e95 = within_1;
     let _e96 = lean;
     let _e97 = within_1;
-    let _e99 = within_1;
-    within_1 = (_e95 - ((_e96 * ((_e97 * (1023i - _e99)) >> 4u)) >> 16u));
+    let _e98 = within_1;
+    within_1 = (_e95 - ((_e96 * ((_e97 * (_e98 ^ 1023i)) >> 4u)) >> 16u));
     let _e110 = within_1;
     let _e111 = at;
     within_1 = (_e110 + (_e111 << 10u));
@@ -467,60 +470,60 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     let _e239 = unit;
     k = (((0.6383f * _e235) * _e237) * _e239);
     let _e242 = turning;
-    let _e247 = turning;
-    turns = (f32(((_e242 * second) & 65535i)) + (f32(_e247) * fraction));
-    let _e252 = gabor_impl_amplitude(word);
-    let _e253 = k;
-    let _e256 = turns;
-    let _e259 = gabor_impl_wave((dot(_e253, from_) - (0.000015258789f * _e256)));
-    let _e260 = gabor_impl_product(_e252, _e259);
-    z_1 = _e260;
-    let _e262 = k;
-    let _e264 = k;
-    steps = vec2<f32>(dot(_e262, dx), dot(_e264, dy));
-    let _e270 = steps;
-    let _e271 = steps;
-    kept = exp((-4.934802f * dot(_e270, _e271)));
+    let _e251 = turning;
+    turns = (f32((((_e242 & 65535i) * (second & 65535i)) & 65535i)) + (f32(_e251) * fraction));
+    let _e256 = gabor_impl_amplitude(word);
+    let _e257 = k;
+    let _e260 = turns;
+    let _e263 = gabor_impl_wave((dot(_e257, from_) - (0.000015258789f * _e260)));
+    let _e264 = gabor_impl_product(_e256, _e263);
+    z_1 = _e264;
+    let _e266 = k;
+    let _e268 = k;
+    steps = vec2<f32>(dot(_e266, dx), dot(_e268, dy));
+    let _e274 = steps;
+    let _e275 = steps;
+    kept = exp((-4.934802f * dot(_e274, _e275)));
     window = (window_x.x * window_y.x);
-    let _e280 = z_1;
-    let _e281 = kept;
-    z_1 = (_e280 * _e281);
-    let _e283 = window;
     let _e284 = z_1;
-    wave_5 = (_e283 * _e284);
-    let _e288 = k;
-    around = (6.2831855f * _e288);
-    let _e292 = (*sum);
-    let _e294 = wave_5;
-    (*sum).height = (_e292.height + _e294.y);
-    let _e298 = (*sum);
-    let _e300 = wave_5;
-    let _e302 = around;
-    let _e304 = z_1;
-    (*sum).slope = (_e298.slope + ((_e300.x * _e302) + (_e304.y * vec2<f32>((window_x.y * window_y.x), (window_x.x * window_y.y)))));
-    let _e317 = (*sum);
-    let _e319 = wave_5;
-    let _e321 = unit;
-    (*sum).shift = (_e317.shift + (_e319.x * _e321));
-    let _e324 = (*squeeze);
-    let _e325 = wave_5;
-    let _e327 = around;
-    let _e328 = unit;
-    let _e329 = (_e327 * _e328);
-    let _e330 = around;
+    let _e285 = kept;
+    z_1 = (_e284 * _e285);
+    let _e287 = window;
+    let _e288 = z_1;
+    wave_5 = (_e287 * _e288);
+    let _e292 = k;
+    around = (6.2831855f * _e292);
+    let _e296 = (*sum);
+    let _e298 = wave_5;
+    (*sum).height = (_e296.height + _e298.y);
+    let _e302 = (*sum);
+    let _e304 = wave_5;
+    let _e306 = around;
+    let _e308 = z_1;
+    (*sum).slope = (_e302.slope + ((_e304.x * _e306) + (_e308.y * vec2<f32>((window_x.y * window_y.x), (window_x.x * window_y.y)))));
+    let _e321 = (*sum);
+    let _e323 = wave_5;
+    let _e325 = unit;
+    (*sum).shift = (_e321.shift + (_e323.x * _e325));
+    let _e328 = (*squeeze);
+    let _e329 = wave_5;
+    let _e331 = around;
     let _e332 = unit;
-    (*squeeze) = (_e324 + (_e325.y * vec3<f32>(_e329.x, _e329.y, (_e330.x * _e332.y))));
-    let _e341 = (*sum);
-    let _e346 = window;
-    let _e348 = window;
-    let _e351 = kept;
-    let _e352 = kept;
-    let _e356 = around;
-    let _e357 = around;
-    let _e358 = (_e356 * _e357);
-    let _e359 = around;
+    let _e333 = (_e331 * _e332);
+    let _e334 = around;
+    let _e336 = unit;
+    (*squeeze) = (_e328 + (_e329.y * vec3<f32>(_e333.x, _e333.y, (_e334.x * _e336.y))));
+    let _e345 = (*sum);
+    let _e350 = window;
+    let _e352 = window;
+    let _e355 = kept;
+    let _e356 = kept;
+    let _e360 = around;
     let _e361 = around;
-    (*sum).lost = (_e341.lost + (((((band.amplitude * band.amplitude) * _e346) * _e348) * (1f - (_e351 * _e352))) * vec3<f32>(_e358.x, _e358.y, (_e359.x * _e361.y))));
+    let _e362 = (_e360 * _e361);
+    let _e363 = around;
+    let _e365 = around;
+    (*sum).lost = (_e345.lost + (((((band.amplitude * band.amplitude) * _e350) * _e352) * (1f - (_e355 * _e356))) * vec3<f32>(_e362.x, _e362.y, (_e363.x * _e365.y))));
     return;
 }
 
@@ -553,8 +556,13 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var heading_2: vec2<f32>;
     var water: GaborWater = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
     var squeezed: vec3<f32> = vec3(0f);
+    var hidden: vec2<f32>;
+    var area: f32;
+    var sides: f32;
+    var least: f32;
     var i_1: i32 = 0i;
     var band_2: GaborOceanBand;
+    var longest: f32;
     var salt_4: u32;
     var whole_x: i32;
     var whole_y: i32;
@@ -587,203 +595,230 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var across_1: vec3<f32>;
     let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
     heading_2 = _e11;
+    hidden = ocean.tail;
+    area = ((dx.x * dy.y) - (dx.y * dy.x));
+    sides = (dot(dx, dx) + dot(dy, dy));
+    let _e41 = area;
+    let _e43 = area;
+    let _e45 = sides;
+    let _e46 = sides;
+    let _e47 = sides;
+    let _e50 = area;
+    let _e52 = area;
+    least = (((2f * _e41) * _e43) / max((_e45 + sqrt(max(((_e46 * _e47) - ((4f * _e50) * _e52)), 0f))), 0.000000000000000000000000000001f));
     loop {
-        let _e28 = i_1;
-        if !((_e28 < 9i)) {
+        let _e65 = i_1;
+        if !((_e65 < 9i)) {
             break;
         }
         {
-            let _e35 = i_1;
-            band_2 = ocean.band[_e35];
-            let _e39 = i_1;
-            let _e40 = gabor_lobe_seed(seed, _e39);
-            let _e41 = gabor_impl_salt(_e40);
-            salt_4 = _e41;
-            let _e49 = band_2;
-            let _e51 = band_2;
-            gabor_impl_float_by(cell.x, local.x, _e49.exponent, _e51.drift.x, second, fraction, (&whole_x), (&rest_x));
-            let _e60 = band_2;
-            let _e62 = band_2;
-            gabor_impl_float_by(cell.y, local.y, _e60.exponent, _e62.drift.y, second, fraction, (&whole_y), (&rest_y));
-            let _e69 = rest_x;
-            let _e70 = rest_y;
-            zero_1 = floor((vec2<f32>(_e69, _e70) + vec2(0.5f)));
-            let _e77 = rest_x;
-            let _e78 = rest_y;
-            let _e80 = zero_1;
-            offset = clamp((vec2<f32>(_e77, _e78) - _e80), vec2(-0.5f), vec2(0.5f));
-            let _e89 = whole_x;
-            let _e90 = whole_y;
-            let _e92 = zero_1;
-            node = (vec2<i32>(_e89, _e90) + vec2<i32>(_e92));
-            let _e100 = offset;
-            gabor_impl_windows(_e100.x, (&x_5), (&slope_x));
-            let _e106 = offset;
-            gabor_impl_windows(_e106.y, (&y_4), (&slope_y));
-            let _e112 = band_2;
-            spacing = exp2(f32(_e112.exponent));
-            let _e117 = slope_x;
-            let _e122 = spacing;
-            slope_x = (_e117 / vec4((1.5f * _e122)));
-            let _e126 = slope_y;
-            let _e131 = spacing;
-            slope_y = (_e126 / vec4((1.5f * _e131)));
-            let _e135 = node;
-            let _e139 = salt_4;
-            let _e140 = gabor_impl_line_word((_e135.x - 1i), _e139);
-            left = _e140;
-            let _e142 = node;
-            let _e144 = salt_4;
-            let _e145 = gabor_impl_line_word(_e142.x, _e144);
-            middle_1 = _e145;
-            let _e147 = node;
-            let _e151 = salt_4;
-            let _e152 = gabor_impl_line_word((_e147.x + 1i), _e151);
-            right = _e152;
+            let _e72 = i_1;
+            band_2 = ocean.band[_e72];
+            let _e77 = band_2;
+            let _e81 = band_2;
+            longest = ((0.0000000001486f * f32(_e77.low)) * f32(_e81.low));
+            let _e86 = longest;
+            let _e87 = longest;
+            let _e89 = least;
+            if (((_e86 * _e87) * _e89) > 1.6f) {
+                {
+                    let _e93 = hidden;
+                    let _e94 = band_2;
+                    hidden = (_e93 + _e94.slopes);
+                    continue;
+                }
+            }
+            let _e97 = i_1;
+            let _e98 = gabor_lobe_seed(seed, _e97);
+            let _e99 = gabor_impl_salt(_e98);
+            salt_4 = _e99;
+            let _e107 = band_2;
+            let _e109 = band_2;
+            gabor_impl_float_by(cell.x, local.x, _e107.exponent, _e109.drift.x, second, fraction, (&whole_x), (&rest_x));
+            let _e118 = band_2;
+            let _e120 = band_2;
+            gabor_impl_float_by(cell.y, local.y, _e118.exponent, _e120.drift.y, second, fraction, (&whole_y), (&rest_y));
+            let _e127 = rest_x;
+            let _e128 = rest_y;
+            zero_1 = floor((vec2<f32>(_e127, _e128) + vec2(0.5f)));
+            let _e135 = rest_x;
+            let _e136 = rest_y;
+            let _e138 = zero_1;
+            offset = clamp((vec2<f32>(_e135, _e136) - _e138), vec2(-0.5f), vec2(0.5f));
+            let _e147 = whole_x;
+            let _e148 = whole_y;
+            let _e150 = zero_1;
+            node = (vec2<i32>(_e147, _e148) + vec2<i32>(_e150));
+            let _e158 = offset;
+            gabor_impl_windows(_e158.x, (&x_5), (&slope_x));
+            let _e164 = offset;
+            gabor_impl_windows(_e164.y, (&y_4), (&slope_y));
+            let _e170 = band_2;
+            spacing = exp2(f32(_e170.exponent));
+            let _e175 = slope_x;
+            let _e180 = spacing;
+            slope_x = (_e175 / vec4((1.5f * _e180)));
+            let _e184 = slope_y;
+            let _e189 = spacing;
+            slope_y = (_e184 / vec4((1.5f * _e189)));
+            let _e193 = node;
+            let _e197 = salt_4;
+            let _e198 = gabor_impl_line_word((_e193.x - 1i), _e197);
+            left = _e198;
+            let _e200 = node;
+            let _e202 = salt_4;
+            let _e203 = gabor_impl_line_word(_e200.x, _e202);
+            middle_1 = _e203;
+            let _e205 = node;
+            let _e209 = salt_4;
+            let _e210 = gabor_impl_line_word((_e205.x + 1i), _e209);
+            right = _e210;
             sum_7 = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
             squeeze_1 = vec3(0f);
             j_2 = 0i;
             loop {
-                let _e169 = j_2;
-                if !((_e169 < 3i)) {
+                let _e227 = j_2;
+                if !((_e227 < 3i)) {
                     break;
                 }
                 {
-                    let _e176 = node;
-                    let _e178 = j_2;
-                    let _e182 = salt_4;
-                    let _e185 = gabor_impl_line_word(((_e176.y + _e178) - 1i), (_e182 ^ 1540483477u));
-                    row_1 = _e185;
-                    let _e187 = j_2;
-                    if (_e187 == 0i) {
-                        let _e190 = y_4;
-                        let _e192 = slope_y;
-                        local_22 = vec2<f32>(_e190.x, _e192.x);
+                    let _e234 = node;
+                    let _e236 = j_2;
+                    let _e240 = salt_4;
+                    let _e243 = gabor_impl_line_word(((_e234.y + _e236) - 1i), (_e240 ^ 1540483477u));
+                    row_1 = _e243;
+                    let _e245 = j_2;
+                    if (_e245 == 0i) {
+                        let _e248 = y_4;
+                        let _e250 = slope_y;
+                        local_22 = vec2<f32>(_e248.x, _e250.x);
                     } else {
-                        let _e195 = j_2;
-                        if (_e195 == 1i) {
-                            let _e198 = y_4;
-                            let _e200 = slope_y;
-                            local_21 = vec2<f32>(_e198.y, _e200.y);
+                        let _e253 = j_2;
+                        if (_e253 == 1i) {
+                            let _e256 = y_4;
+                            let _e258 = slope_y;
+                            local_21 = vec2<f32>(_e256.y, _e258.y);
                         } else {
-                            let _e203 = y_4;
-                            let _e205 = slope_y;
-                            local_21 = vec2<f32>(_e203.z, _e205.z);
+                            let _e261 = y_4;
+                            let _e263 = slope_y;
+                            local_21 = vec2<f32>(_e261.z, _e263.z);
                         }
-                        let _e209 = local_21;
-                        local_22 = _e209;
+                        let _e267 = local_21;
+                        local_22 = _e267;
                     }
-                    let _e211 = local_22;
-                    window_1 = _e211;
-                    let _e213 = spacing;
-                    let _e214 = offset;
-                    let _e217 = j_2;
-                    from_1 = (_e213 * (_e214 + vec2<f32>(1f, (1f - f32(_e217)))));
-                    let _e226 = row_1;
-                    let _e227 = left;
-                    let _e229 = from_1;
-                    let _e230 = x_5;
-                    let _e232 = slope_x;
-                    let _e235 = window_1;
-                    let _e236 = band_2;
-                    let _e237 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e226 * _e227), _e229, vec2<f32>(_e230.x, _e232.x), _e235, _e236, _e237, second, fraction, dx, dy);
-                    let _e241 = from_1;
-                    let _e243 = spacing;
-                    from_1.x = (_e241.x - _e243);
-                    let _e247 = row_1;
-                    let _e248 = middle_1;
-                    let _e250 = from_1;
-                    let _e251 = x_5;
-                    let _e253 = slope_x;
-                    let _e256 = window_1;
-                    let _e257 = band_2;
-                    let _e258 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e247 * _e248), _e250, vec2<f32>(_e251.y, _e253.y), _e256, _e257, _e258, second, fraction, dx, dy);
-                    let _e262 = from_1;
-                    let _e264 = spacing;
-                    from_1.x = (_e262.x - _e264);
-                    let _e268 = row_1;
-                    let _e269 = right;
-                    let _e271 = from_1;
-                    let _e272 = x_5;
-                    let _e274 = slope_x;
-                    let _e277 = window_1;
-                    let _e278 = band_2;
-                    let _e279 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e268 * _e269), _e271, vec2<f32>(_e272.z, _e274.z), _e277, _e278, _e279, second, fraction, dx, dy);
+                    let _e269 = local_22;
+                    window_1 = _e269;
+                    let _e271 = spacing;
+                    let _e272 = offset;
+                    let _e275 = j_2;
+                    from_1 = (_e271 * (_e272 + vec2<f32>(1f, (1f - f32(_e275)))));
+                    let _e284 = row_1;
+                    let _e285 = left;
+                    let _e287 = from_1;
+                    let _e288 = x_5;
+                    let _e290 = slope_x;
+                    let _e293 = window_1;
+                    let _e294 = band_2;
+                    let _e295 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e284 * _e285), _e287, vec2<f32>(_e288.x, _e290.x), _e293, _e294, _e295, second, fraction, dx, dy);
+                    let _e299 = from_1;
+                    let _e301 = spacing;
+                    from_1.x = (_e299.x - _e301);
+                    let _e305 = row_1;
+                    let _e306 = middle_1;
+                    let _e308 = from_1;
+                    let _e309 = x_5;
+                    let _e311 = slope_x;
+                    let _e314 = window_1;
+                    let _e315 = band_2;
+                    let _e316 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e305 * _e306), _e308, vec2<f32>(_e309.y, _e311.y), _e314, _e315, _e316, second, fraction, dx, dy);
+                    let _e320 = from_1;
+                    let _e322 = spacing;
+                    from_1.x = (_e320.x - _e322);
+                    let _e326 = row_1;
+                    let _e327 = right;
+                    let _e329 = from_1;
+                    let _e330 = x_5;
+                    let _e332 = slope_x;
+                    let _e335 = window_1;
+                    let _e336 = band_2;
+                    let _e337 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e326 * _e327), _e329, vec2<f32>(_e330.z, _e332.z), _e335, _e336, _e337, second, fraction, dx, dy);
                 }
                 continuing {
-                    let _e173 = j_2;
-                    j_2 = (_e173 + 1i);
+                    let _e231 = j_2;
+                    j_2 = (_e231 + 1i);
                 }
             }
-            let _e282 = band_2;
+            let _e340 = band_2;
             if false {
                 local_23 = 1f;
             } else {
                 local_23 = 1.125f;
             }
-            let _e294 = local_23;
-            scale_2 = (_e282.amplitude / (1459955300000000000000000000f * _e294));
-            let _e299 = water;
-            let _e301 = scale_2;
-            let _e302 = sum_7;
-            water.height = (_e299.height + (_e301 * _e302.height));
-            let _e307 = water;
-            let _e309 = scale_2;
-            let _e310 = sum_7;
-            water.slope = (_e307.slope + (_e309 * _e310.slope));
-            let _e315 = water;
-            let _e317 = scale_2;
-            let _e318 = sum_7;
-            water.shift = (_e315.shift + (_e317 * _e318.shift));
-            let _e322 = squeezed;
-            let _e323 = scale_2;
-            let _e324 = squeeze_1;
-            squeezed = (_e322 + (_e323 * _e324));
-            let _e328 = water;
-            let _e330 = sum_7;
+            let _e352 = local_23;
+            scale_2 = (_e340.amplitude / (1459955300000000000000000000f * _e352));
+            let _e357 = water;
+            let _e359 = scale_2;
+            let _e360 = sum_7;
+            water.height = (_e357.height + (_e359 * _e360.height));
+            let _e365 = water;
+            let _e367 = scale_2;
+            let _e368 = sum_7;
+            water.slope = (_e365.slope + (_e367 * _e368.slope));
+            let _e373 = water;
+            let _e375 = scale_2;
+            let _e376 = sum_7;
+            water.shift = (_e373.shift + (_e375 * _e376.shift));
+            let _e380 = squeezed;
+            let _e381 = scale_2;
+            let _e382 = squeeze_1;
+            squeezed = (_e380 + (_e381 * _e382));
+            let _e386 = water;
+            let _e388 = sum_7;
             if false {
                 local_24 = 1f;
             } else {
                 local_24 = 1.125f;
             }
-            let _e341 = local_24;
+            let _e399 = local_24;
             if false {
                 local_25 = 1f;
             } else {
                 local_25 = 1.125f;
             }
-            let _e351 = local_25;
-            water.lost = (_e328.lost + (_e330.lost / vec3((_e341 * _e351))));
+            let _e409 = local_25;
+            water.lost = (_e386.lost + (_e388.lost / vec3((_e399 * _e409))));
         }
         continuing {
-            let _e32 = i_1;
-            i_1 = (_e32 + 1i);
+            let _e69 = i_1;
+            i_1 = (_e69 + 1i);
         }
     }
-    let _e358 = squeezed;
-    let _e362 = squeezed;
-    let _e366 = squeezed;
-    let _e368 = squeezed;
-    water.fold = (((1f - _e358.x) * (1f - _e362.y)) - (_e366.z * _e368.z));
-    let _e372 = heading_2;
-    let _e373 = heading_2;
-    let _e374 = (_e372 * _e373);
-    let _e375 = heading_2;
-    let _e377 = heading_2;
-    along_1 = vec3<f32>(_e374.x, _e374.y, (_e375.x * _e377.y));
-    let _e384 = along_1;
-    let _e385 = _e384.yx;
-    let _e386 = along_1;
-    across_1 = vec3<f32>(_e385.x, _e385.y, -(_e386.z));
-    let _e394 = water;
-    let _e398 = along_1;
-    let _e402 = across_1;
-    water.lost = (_e394.lost + ((ocean.tail.x * _e398) + (ocean.tail.y * _e402)));
-    let _e406 = water;
-    return _e406;
+    let _e416 = squeezed;
+    let _e420 = squeezed;
+    let _e424 = squeezed;
+    let _e426 = squeezed;
+    water.fold = (((1f - _e416.x) * (1f - _e420.y)) - (_e424.z * _e426.z));
+    let _e430 = heading_2;
+    let _e431 = heading_2;
+    let _e432 = (_e430 * _e431);
+    let _e433 = heading_2;
+    let _e435 = heading_2;
+    along_1 = vec3<f32>(_e432.x, _e432.y, (_e433.x * _e435.y));
+    let _e442 = along_1;
+    let _e443 = _e442.yx;
+    let _e444 = along_1;
+    across_1 = vec3<f32>(_e443.x, _e443.y, -(_e444.z));
+    let _e452 = water;
+    let _e454 = hidden;
+    let _e456 = along_1;
+    let _e458 = hidden;
+    let _e460 = across_1;
+    water.lost = (_e452.lost + ((_e454.x * _e456) + (_e458.y * _e460)));
+    let _e464 = water;
+    return _e464;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------
