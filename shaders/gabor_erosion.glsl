@@ -169,8 +169,8 @@ GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, vec2 dx, vec2 dy, uint s
                               + second.y * along_x.y * along_y.y,
                           dot(first, hills.curvature_yy) + along_y.y * (2.0 * second.x * along_y.x + second.y * along_y.y));
     curvature *= vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
-    float to_ridge = inversesqrt(1.0 + height * height), ridge = height * to_ridge;
-    return GaborTerrain(0.33 * height, slope, ridge, curvature, (1.0 - ridge * ridge) * to_ridge / 0.33 * slope);
+    float to_ridge = inversesqrt(1.0 + height * height);
+    return GaborTerrain(0.33 * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33 * slope);
 }
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a

@@ -79,7 +79,8 @@ Work make_work(const RenderOptions& options) {
     if (render::has_terrain(work.request) && !work.scaled) // show two hills
         work.request.scale = std::max(work.request.width / 8.0, render::parameter("scale").range.low);
     // Mip levels are filtered. Terrain, which has no filter, is refused below.
-    work.request.filter |= (options.texture || options.level) && !render::has_terrain(work.request);
+    work.request.filter |= (options.texture || options.level) && !render::has_terrain(work.request) &&
+                           !render::has_sea(work.request);
     render::check(work.request);
     if (options.level) {
         const image::Rect whole{0, 0, work.request.width, work.request.height};
@@ -164,6 +165,7 @@ render::Files files_of(const RenderOptions& options) {
 // What was drawn, as in "material wood".
 std::string subject(const render::Request& request) {
     return render::has_terrain(request)    ? "terrain"
+           : render::has_sea(request)      ? "ocean"
            : render::has_material(request) ? "material " + request.material
                                            : fmt::format("recipe {}", render::drawing_recipe(request).name);
 }
@@ -284,6 +286,7 @@ terrain's erosion. --no-FLAG takes back a flag of the noise or the view, as in -
     parameters("View and light", render::Parameter::Group::view);
     parameters("View and light", render::Parameter::Group::light);
     parameters("Terrain", render::Parameter::Group::terrain);
+    parameters("Ocean", render::Parameter::Group::sea);
     option("--heightmap", options->heightmap, "FILE",
            "Also write 16-bit heights to a PNG or .r16, with their scale in a .json file beside it");
     add_elevation_option(*command, options->elevation, "the full possible range");

@@ -42,7 +42,7 @@ float srgb(float light) {
 }
 
 Request frame_of(Request request, int frame, int frames) {
-    request.time += static_cast<double>(frame) / frames;
+    request.time += has_sea(request) ? frame / 25.0 : static_cast<double>(frame) / frames;
     return request;
 }
 
@@ -58,7 +58,8 @@ std::string software(const vulkan::Device& device) {
 }
 
 image::ExrHeader exr_header(const Request& request, const image::Rect& region, const std::string& software) {
-    // Materials and terrain are linear, a fit has the colour space of its photograph, and noise has none.
+    // Materials, terrain and seas are linear, a fit has the colour space of its photograph, and noise has
+    // none.
     const bool linear = has_material(request) || (request.colour && request.colour->linear);
     return {.picture = {0, 0, request.width, request.height},
             .window = region,

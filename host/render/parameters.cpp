@@ -34,13 +34,16 @@ const std::array named_views{NamedView{"flat", Plane()},
                              NamedView{"sphere", Body{Shape::sphere}},
                              NamedView{"torus", Body{Shape::torus}},
                              NamedView{"terrain", Terrain()},
-                             NamedView{"landscape", Terrain{.perspective = true}}};
+                             NamedView{"landscape", Terrain{.perspective = true}},
+                             NamedView{"ocean", Sea()}};
 
 std::string_view name_of(const View& view) {
     if (const Body* body = std::get_if<Body>(&view))
         return body->shape == Shape::sphere ? "sphere" : "torus";
     if (const Terrain* terrain = std::get_if<Terrain>(&view))
         return terrain->perspective ? "landscape" : "terrain";
+    if (std::holds_alternative<Sea>(view))
+        return "ocean";
     return named_views[view.index()].name; // the first three are in the order of View's types
 }
 
@@ -90,19 +93,25 @@ constexpr Constant paintable{"the flat view of a single lobe",
                              [](const Request& r) { return one_lobe.holds(r) && is_view<Plane>(r); }};
 constexpr Constant planar{"the flat or horizon view of noise",
                           [](const Request& r) { return is_noise(r) && is_view<Plane, Horizon>(r); }};
-constexpr Constant filtered{"noise or a material", [](const Request& r) { return !has_terrain(r); }};
+constexpr Constant filtered{"noise or a material",
+                            [](const Request& r) { return !has_terrain(r) && !has_sea(r); }};
+constexpr Constant scaled{"noise, a material or terrain", [](const Request& r) { return !has_sea(r); }};
+constexpr Constant timed{"noise or the ocean view",
+                         [](const Request& r) { return is_noise(r) || has_sea(r); }};
 constexpr Constant tiles{"the flat or terrain view", [](const Request& r) {
                              return is_view<Plane>(r) || (has_terrain(r) && !is_landscape(r));
                          }};
 constexpr Constant slices{"the slice view", is_view<Slice>};
 constexpr Constant bodies{"the sphere or torus view of noise",
                           [](const Request& r) { return is_noise(r) && is_view<Body>(r); }};
-constexpr Constant orbits{"the sphere, torus or landscape view",
-                          [](const Request& r) { return is_view<Body>(r) || is_landscape(r); }};
-constexpr Constant landscape{"the landscape view", is_landscape};
-constexpr Constant lit{"a material or terrain", has_material};
-constexpr Constant lamps{"a material", [](const Request& r) { return has_material(r) && !has_terrain(r); }};
+constexpr Constant orbits{"the sphere, torus, landscape or ocean view",
+                          [](const Request& r) { return is_view<Body, Sea>(r) || is_landscape(r); }};
+constexpr Constant cameras{"the landscape or ocean view",
+                           [](const Request& r) { return is_landscape(r) || has_sea(r); }};
+constexpr Constant lit{"a material, terrain or the ocean view", has_material};
+constexpr Constant lamps{"a material", [](const Request& r) { return r.material != no_material; }};
 constexpr Constant terrain{"the terrain or landscape view", has_terrain};
+constexpr Constant sea{"the ocean view", has_sea};
 
 } // namespace scopes
 
@@ -148,12 +157,13 @@ Place in_view(T OneView::*member) {
     return found_by([member](auto& request) { return member_of(request, member); });
 }
 
-// A value of two kinds of view.
-template <typename One, typename Other, typename T>
-Place in_views(T One::*member, T Other::*of_other) {
+// A value of several kinds of view.
+template <typename T, typename... OneView>
+Place in_views(T OneView::*... member) {
     return found_by([=](auto& request) {
-        auto* value = member_of(request, member);
-        return value ? value : member_of(request, of_other);
+        decltype((member_of(request, member), ...)) value = nullptr;
+        static_cast<void>(((value = member_of(request, member)) || ...));
+        return value;
     });
 }
 
@@ -222,7 +232,7 @@ std::vector<Parameter> noise_rows() {
             "height, roughness, metalness, slope.x, slope.y, and lit.R, lit.G, lit.B, which a PNG shows. "
             "`gabor materials NAME` lists the options of one material, such as --wood.rings",
             in_request(&Request::material), std::move(with_none)),
-        row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::all,
+        row("scale", Kind::number, "pixels per kernel radius", {2, 4096}, {2, 512}, scopes::scaled,
             "Scale of the noise. Unless given, pictures of terrain span 8 kernel radii, and maps of a "
             "material 4",
             in_request(&Request::scale)),
@@ -239,8 +249,8 @@ std::vector<Parameter> noise_rows() {
             "The power spectrum as a list of lobes, whose noises are added", in_request(&Request::lobes)),
         row("seed", Kind::integer, "", {0, 4294967295}, {0, 1000}, scopes::all,
             "Seed; each seed gives a different noise", in_request(&Request::seed)),
-        row("time", Kind::number, "periods", {-1e6, 1e6}, {0, 1}, scopes::noise,
-            "Time in an animation with period 1", in_request(&Request::time)),
+        row("time", Kind::number, "periods, or seconds at sea", {-1e9, 1e9}, {0, 1}, scopes::timed,
+            "Time in an animation with period 1, or at sea", in_request(&Request::time)),
         row("paint", Kind::text, "", none, none, scopes::paintable,
             "A map stretched over the picture. In a PNG, JPEG or TGA, red and green minus one half are the "
             "components, to the right and down, of a vector along the crests of the waves; --orientation "
@@ -261,7 +271,8 @@ std::vector<Parameter> view_rows() {
             "`horizon` is a plane in perspective, with the scale at its bottom row; `slice` cuts through "
             "noise in space; `sphere` and `torus` show noise on their surface; `terrain` shows eroded "
             "mountains from above and `landscape` in perspective. Terrain has channels R, G, B, height, "
-            "slope.x, slope.y, lit.R, lit.G, lit.B, ridge, erosion",
+            "slope.x, slope.y, lit.R, lit.G, lit.B, ridge, erosion. `ocean` shows a sea in perspective, with "
+            "the same channels, but fold and foam instead of the last two",
             by_name([](const Request& r) { return name_of(r.view); },
                     [](Request& r, const std::string& name) { r.view = view_of(name, r.view); }),
             names_of(named_views)),
@@ -272,14 +283,16 @@ std::vector<Parameter> view_rows() {
         row("solid", Kind::flag, "", none, none, scopes::bodies, "Cut the body from solid noise",
             in_view(&Body::solid)),
         row("yaw", Kind::angle, "degrees", {-36000, 36000}, {-180, 180}, scopes::orbits,
-            "Camera angle around the body or the landscape", in_views(&Body::yaw, &Terrain::yaw)),
+            "Camera angle around the body, the landscape or the vertical; the waves of a sea come from 180",
+            in_views(&Body::yaw, &Terrain::yaw, &Sea::yaw)),
         row("pitch", Kind::angle, "degrees", {-90, 90}, {-90, 90}, scopes::orbits,
-            "Camera angle above the equator or the ground", in_views(&Body::pitch, &Terrain::pitch)),
+            "Camera angle above the equator, the ground or the sea",
+            in_views(&Body::pitch, &Terrain::pitch, &Sea::pitch)),
         row("zoom", Kind::number, "", {0.1, 100}, {0.1, 10}, scopes::orbits,
-            "Zoom factor; 1 shows the whole body", in_views(&Body::zoom, &Terrain::zoom)),
-        row("focal_length", Kind::number, "longer sides of the picture", {0.1, 10}, {0.3, 3},
-            scopes::landscape, "Focal length of the camera: shorter is wider",
-            in_view(&Terrain::focal_length)),
+            "Zoom factor; 1 shows the whole body", in_views(&Body::zoom, &Terrain::zoom, &Sea::zoom)),
+        row("focal_length", Kind::number, "longer sides of the picture", {0.1, 10}, {0.3, 3}, scopes::cameras,
+            "Focal length of the camera: shorter is wider",
+            in_views(&Terrain::focal_length, &Sea::focal_length)),
         row("filter", Kind::flag, "", none, none, scopes::filtered,
             "Antialias with a Gaussian filter whose standard deviation is half a pixel. In the plane, this "
             "adds a channel `removed`: the share of the variance that the filter removes",
@@ -308,6 +321,16 @@ std::vector<Parameter> terrain_rows() {
     return {row("extent", Kind::number, "", {0, 1e9}, {0, 10000}, scopes::terrain,
                 "Width of the picture in the unit of heights; 0 gives heights in kernel radii",
                 in_view(&Terrain::extent))};
+}
+
+std::vector<Parameter> sea_rows() {
+    return {row("wind", Kind::number, "metres per second", {2, 30}, {2, 30}, scopes::sea,
+                "Wind that raises the sea, 10 m up", in_view(&Sea::wind)),
+            row("fetch", Kind::number, "kilometres", {1, 1000}, {1, 1000}, scopes::sea,
+                "Open water upwind: a few kilometres for a lake, 200 or more for a grown sea",
+                in_view(&Sea::fetch)),
+            row("altitude", Kind::number, "metres", {1, 1000}, {1, 200}, scopes::sea,
+                "Height of the camera above the sea; it stays above most waves", in_view(&Sea::altitude))};
 }
 
 // A member of a struct of a drop-in. Numbers and angles use only the first of the three defaults.
@@ -366,6 +389,7 @@ std::vector<Parameter> make_table() {
     add(Group::view, view_rows());
     add(Group::light, light_rows());
     add(Group::terrain, terrain_rows());
+    add(Group::sea, sea_rows());
     std::ranges::transform(of_structs, std::back_inserter(table), struct_row);
     return table;
 }
@@ -402,10 +426,7 @@ struct Exclusion {
 
 const std::array exclusions{
     Exclusion{"view", "material",
-              [](const Request& r) {
-                  return (std::holds_alternative<Slice>(r.view) || has_terrain(r)) &&
-                         r.material != no_material;
-              },
+              [](const Request& r) { return (is_view<Slice, Terrain, Sea>(r)) && r.material != no_material; },
               "only planes and bodies have materials"},
     Exclusion{"lobes", "recipe",
               [](const Request& r) {

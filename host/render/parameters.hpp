@@ -36,7 +36,7 @@ struct Place {
 struct Parameter {
     enum class Kind { flag, integer, number, angle, choice, text, lobes, colour };
     /// What a parameter describes. Those of materials are named MATERIAL.PARAMETER.
-    enum class Group { picture, noise, view, light, terrain, erosion, material };
+    enum class Group { picture, noise, view, light, terrain, sea, erosion, material };
 
     std::string_view name; ///< name in JSON; the command-line option has - instead of _
     Kind kind;

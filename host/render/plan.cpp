@@ -5,6 +5,7 @@
 
 #include "passes/line.h"
 #include "passes/material_interface.h"
+#include "passes/ocean_interface.h"
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
 #include "passes/terrain_interface.h"
@@ -346,6 +347,25 @@ void plan_terrain(Plan& plan, const Request& request, const Viewport& viewport) 
     plan.steps = {step_of("terrain", constants, push, passes::terrain_group)};
 }
 
+// ---- The sea ----
+
+void plan_sea(Plan& plan, const Request& request, const Viewport& viewport) {
+    const Sea& sea = std::get<Sea>(request.view);
+    const double second = std::floor(request.time), side = std::max(viewport.width, viewport.height);
+    auto push = push_of<passes::OceanPush>(viewport.region);
+    push.center = half(viewport);
+    push.yaw = direction(noise::radians(std::remainder(sea.yaw, 360.0)));
+    push.pitch = direction(noise::radians(sea.pitch));
+    push.sun = vec2_of(light_direction(request));
+    push.altitude = static_cast<float>(sea.altitude);
+    push.pixel = static_cast<float>(viewport.stride / (sea.zoom * sea.focal_length * side));
+    push.second = static_cast<int>(second);
+    push.fraction = static_cast<float>(request.time - second);
+    push.seed = request.seed;
+    plan.tables = {ocean_table(sea)};
+    plan.steps = {step_of("ocean", Constants{}, push, passes::ocean_group)};
+}
+
 } // namespace
 
 std::array<std::uint32_t, passes::window_id + 3> recipe_constants(const noise::Recipe& recipe) {
@@ -433,7 +453,9 @@ bool uses_blocks(const Request& request, const Viewport& viewport) {
 
 Plan plan(const Request& request, const Viewport& viewport, const Paint& paint, DeviceKind device) {
     Plan plan{channels(request, viewport.normals), viewport.region.width, viewport.region.height, {}, {}};
-    if (has_terrain(request))
+    if (has_sea(request))
+        plan_sea(plan, request, viewport);
+    else if (has_terrain(request))
         plan_terrain(plan, request, viewport);
     else if (has_material(request))
         plan_material(plan, request, viewport);

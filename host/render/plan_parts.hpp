@@ -1,6 +1,6 @@
 #pragma once
 
-// Shared by plan.cpp, bake.cpp and erosion.cpp.
+// Shared by plan.cpp, bake.cpp, erosion.cpp and ocean.cpp.
 
 #include "noise/spectrum.hpp"
 #include "render/plan.hpp"
@@ -36,6 +36,9 @@ Push push_of(const image::Rect& region) {
     push.height = region.height;
     return push;
 }
+
+/// A sea's GaborOcean, laid out as passes/ocean.comp reads it.
+std::vector<std::byte> ocean_table(const Sea& sea);
 
 /// What the plans of a picture need along an axis.
 struct Side {

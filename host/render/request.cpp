@@ -40,6 +40,8 @@ double erosion_reach(const Request& request) {
 }
 
 std::vector<std::string> channels(const Request& request, bool normals) {
+    if (has_sea(request))
+        return {passes::ocean_channels.begin(), passes::ocean_channels.end()};
     if (has_terrain(request))
         return {terrain_channels.begin(), terrain_channels.end()};
     if (has_material(request)) {

@@ -58,10 +58,22 @@ struct Terrain {
     bool operator==(const Terrain&) const = default;
 };
 
+/// A sea in perspective under a clear sky. Its waves go to the right of the unturned picture.
+struct Sea {
+    double wind = 10;          ///< metres per second
+    double fetch = 200;        ///< kilometres of open water upwind
+    double altitude = 8;       ///< of the camera, in metres
+    double yaw = 250;          ///< camera azimuth in degrees
+    double pitch = 6;          ///< angle by which the camera looks down, in degrees
+    double zoom = 1;           ///< factor of the focal length
+    double focal_length = 0.8; ///< of the camera, relative to the longer side of the picture
+    bool operator==(const Sea&) const = default;
+};
+
 /// What can surround a lit surface, as in shaders/passes/light.glsl.
 inline constexpr std::array<std::string_view, 3> environments{"room", "overcast", "dark"};
 
-using View = std::variant<Plane, Horizon, Slice, Body, Terrain>;
+using View = std::variant<Plane, Horizon, Slice, Body, Terrain, Sea>;
 
 /// The value of `material` that draws the noise itself.
 constexpr std::string_view no_material = "none";
@@ -77,7 +89,7 @@ struct Request {
     noise::Recipe recipe = noise::recipes().front();
     std::vector<noise::Lobe> lobes = std::vector<noise::Lobe>(1); ///< at least one
     std::uint32_t seed = 0;
-    double time = 0; ///< time in periods of the animation
+    double time = 0; ///< time in periods of the animation, or in seconds at sea
     View view = Plane();
     std::string material{no_material}; ///< drawn in place of the noise; see render/material.hpp
     std::map<std::string_view, std::array<double, 3>> look = {}; ///< parameters of the material or of erosion
@@ -130,9 +142,14 @@ inline bool has_terrain(const Request& request) {
     return std::holds_alternative<Terrain>(request.view);
 }
 
-/// Tells whether a material or terrain is drawn in place of the noise.
+/// Tells whether a sea is drawn in place of the noise.
+inline bool has_sea(const Request& request) {
+    return std::holds_alternative<Sea>(request.view);
+}
+
+/// Tells whether a material, terrain or a sea is drawn in place of the noise.
 inline bool has_material(const Request& request) {
-    return request.material != no_material || has_terrain(request);
+    return request.material != no_material || has_terrain(request) || has_sea(request);
 }
 
 /// Returns the same terrain from above instead of in perspective, or any other request unchanged.

@@ -306,10 +306,12 @@ bool App::frame(const FrameHook& hook) {
     if (hook && !hook(*this))
         return false;
     const ImGuiIO& io = ImGui::GetIO();
-    if (session_.playing && !render::has_material(session_.document().request)) {
-        double& time = session_.document().request.time;
-        time += double{io.DeltaTime} / double{session_.period};
-        time -= std::floor(time);
+    render::Request& request = session_.document().request;
+    if (session_.playing && render::has_sea(request)) {
+        request.time += double{io.DeltaTime};
+    } else if (session_.playing && !render::has_material(request)) {
+        request.time += double{io.DeltaTime} / double{session_.period};
+        request.time -= std::floor(request.time);
     }
     handle_input(session_, view_width(), io.DisplaySize.y);
     panels();

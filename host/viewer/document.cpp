@@ -36,6 +36,8 @@ void reset_orbit(render::View& view) {
     if (auto* terrain = std::get_if<render::Terrain>(&view))
         *terrain = {
             .perspective = terrain->perspective, .extent = terrain->extent, .tileable = terrain->tileable};
+    if (auto* sea = std::get_if<render::Sea>(&view))
+        *sea = {.wind = sea->wind, .fetch = sea->fetch};
 }
 
 void set_parameter(Document& document, std::string_view name, const render::Value& value) {

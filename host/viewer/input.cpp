@@ -39,6 +39,8 @@ std::optional<Orbit> orbit(render::View& view) {
         return Orbit{&body->yaw, &body->pitch, &body->zoom};
     if (auto* terrain = std::get_if<render::Terrain>(&view); terrain && terrain->perspective)
         return Orbit{&terrain->yaw, &terrain->pitch, &terrain->zoom};
+    if (auto* sea = std::get_if<render::Sea>(&view))
+        return Orbit{&sea->yaw, &sea->pitch, &sea->zoom};
     return {};
 }
 
@@ -63,7 +65,7 @@ void zoom(Session& session, double factor, double x, double y) {
 void drag(Session& session, double x, double y) {
     Document& document = session.document();
     if (const std::optional<Orbit> around = orbit(document.request.view)) {
-        const bool ground = render::has_terrain(document.request);
+        const bool ground = render::has_terrain(document.request) || render::has_sea(document.request);
         const double degrees_per_pixel = 0.4 / ((ground ? 1 : *around->zoom) * double{pixels_per_unit()});
         *around->yaw = std::remainder(*around->yaw + (ground ? 1 : -1) * degrees_per_pixel * x, 360.0);
         *around->pitch = std::clamp(*around->pitch + degrees_per_pixel * y, ground ? 0.0 : -89.0, 89.0);

@@ -232,6 +232,11 @@ void terrain_panel(Session& session) {
     controls_of(session, render::Parameter::Group::erosion);
 }
 
+void ocean_panel(Session& session) {
+    controls_of(session, render::Parameter::Group::sea);
+    control(session, "seed");
+}
+
 void animation_panel(Session& session) {
     if (ImGui::Button(session.playing ? "pause" : "play"))
         session.playing = !session.playing;
@@ -273,7 +278,7 @@ void view_panel(Session& session) {
 
 void light_panel(Session& session) {
     render::Request& request = session.document().request;
-    if (!render::has_terrain(request))
+    if (!render::has_terrain(request) && !render::has_sea(request))
         choose("environment", request.environment, render::environments, environment_tips);
     for (auto [name, angle] : {std::pair("light_azimuth", &render::Request::light_azimuth),
                                std::pair("light_elevation", &render::Request::light_elevation)}) {
@@ -393,7 +398,7 @@ void start_buttons(Session& session) {
 void side_panel(Session& session) {
     start_buttons(session);
     const render::Request& request = session.document().request;
-    const bool noise = !render::has_material(request), terrain = render::has_terrain(request);
+    const bool noise = !render::has_material(request), material = request.material != render::no_material;
     struct Section {
         const char* title;
         void (*panel)(Session&);
@@ -406,8 +411,9 @@ void side_panel(Session& session) {
                     controls(s, {"material", "scale", "seed"});
                 },
                 true, noise},
-        Section{"Material", material_panel, true, !noise && !terrain},
-        Section{"Terrain", terrain_panel, true, terrain},
+        Section{"Material", material_panel, true, material},
+        Section{"Terrain", terrain_panel, true, render::has_terrain(request)},
+        Section{"Ocean", ocean_panel, true, render::has_sea(request)},
         Section{"Photograph", photograph_panel, true, !session.fitter.path().empty()},
         Section{"Spectrum", waves_panel, true, noise},
         Section{"View", view_panel, true},

@@ -8,6 +8,7 @@
 #include "viewer/embedded.hpp"
 
 #include "passes/material_interface.h"
+#include "passes/ocean_interface.h"
 #include "passes/pixels_interface.h"
 #include "passes/solid_interface.h"
 #include "passes/terrain_interface.h"
@@ -310,6 +311,18 @@ std::string terrain_snippet(const View& view) {
                 push.yaw, push.pitch, push.center, push.pixel);
 }
 
+std::string sea_snippet(const View& view) {
+    const auto push = view.push<passes::OceanPush>();
+    const auto& sea = std::get<render::Sea>(view.request.view);
+    return fmt::format("#define GABOR_OCEAN_BANDS {}\n", GABOR_OCEAN_BANDS) + includes({"noise", "ocean"}) +
+           shaders({"seascape.glsl", "srgb.glsl"}) +
+           glsl("\n// The colour for the screen. Compute `sea` once.\n{}    Sea sea = "
+                "sea_of(gabor_ocean_of({}, 0.0, {}), {}u, {}, {}, {});\n"
+                "    return srgb(seen_at_sea_in_pixel(sea, {}, {}, {}, pixel - {}, {}).light);\n}}\n",
+                head(view, "vec3 colour"), sea.wind, 1000 * sea.fetch, push.seed, push.second, push.fraction,
+                push.sun, push.altitude, push.yaw, push.pitch, push.center, push.pixel);
+}
+
 std::string noise_snippet(const View& view) {
     const bool space = view.in_space(), filter = view.request.filter;
     const noise::Recipe recipe = render::drawing_recipe(view.request);
@@ -336,6 +349,7 @@ std::string snippet(const Document& document, Extent extent) {
     viewport.blocks = render::Blocks::none;
     view.plan = render::plan(drawing.request, viewport);
     const std::string text = render::has_terrain(view.request)    ? terrain_snippet(view)
+                             : render::has_sea(view.request)      ? sea_snippet(view)
                              : render::has_material(view.request) ? material_snippet(view)
                                                                   : noise_snippet(view);
     return glsl(

@@ -26,6 +26,15 @@
     CHANNEL(9, terrain_ridge, ("ridge"))                                                                     \
     CHANNEL(10, terrain_erosion, ("erosion"))
 
+// Height and the colours have the same indices as for a material. `fold` is that of GaborWater.
+#define GABOR_OCEAN_CHANNELS(CHANNEL)                                                                        \
+    CHANNEL(0, ocean_colour, ("R", "G", "B"))                                                                \
+    CHANNEL(3, ocean_height, ("height"))                                                                     \
+    CHANNEL(4, ocean_slope, ("slope.x", "slope.y"))                                                          \
+    CHANNEL(6, ocean_lit, ("lit.R", "lit.G", "lit.B"))                                                       \
+    CHANNEL(9, ocean_fold, ("fold"))                                                                         \
+    CHANNEL(10, ocean_foam, ("foam"))
+
 // An eroded map. `erosion` is the height that erosion added.
 #define GABOR_EROSION_CHANNELS(CHANNEL)                                                                      \
     CHANNEL(0, erosion_height, ("height"))                                                                   \
@@ -39,6 +48,7 @@ GABOR_INTERFACE_BEGIN
 
 GABOR_MATERIAL_CHANNELS(GABOR_CHANNEL_INDEX)
 GABOR_TERRAIN_CHANNELS(GABOR_CHANNEL_INDEX)
+GABOR_OCEAN_CHANNELS(GABOR_CHANNEL_INDEX)
 GABOR_EROSION_CHANNELS(GABOR_CHANNEL_INDEX)
 
 const int material_coverage = material_slope; // of bodies, named A
@@ -59,6 +69,8 @@ inline constexpr auto material_channels =
     std::to_array<std::string_view>({GABOR_MATERIAL_CHANNELS(GABOR_CHANNEL_NAMES)});
 inline constexpr auto terrain_channels =
     std::to_array<std::string_view>({GABOR_TERRAIN_CHANNELS(GABOR_CHANNEL_NAMES)});
+inline constexpr auto ocean_channels =
+    std::to_array<std::string_view>({GABOR_OCEAN_CHANNELS(GABOR_CHANNEL_NAMES)});
 inline constexpr auto erosion_channels =
     std::to_array<std::string_view>({GABOR_EROSION_CHANNELS(GABOR_CHANNEL_NAMES)});
 

@@ -174,8 +174,8 @@ GABOR_INLINE GaborTerrain gabor_terrain_at(GaborTerrainPlace ground, gabor_vec2 
                               + second.y * along_x.y * along_y.y,
                           gabor_cpp_dot(first, hills.curvature_yy) + along_y.y * (2.0f * second.x * along_y.x + second.y * along_y.y));
     curvature *= gabor_vec3(place.radius * place.radius.x, place.radius.y * place.radius.y);
-    float to_ridge = gabor_cpp_inversesqrt(1.0f + height * height), ridge = height * to_ridge;
-    return GaborTerrain{0.33f * height, slope, ridge, curvature, (1.0f - ridge * ridge) * to_ridge / 0.33f * slope};
+    float to_ridge = gabor_cpp_inversesqrt(1.0f + height * height);
+    return GaborTerrain{0.33f * height, slope, height * to_ridge, curvature, to_ridge * to_ridge * to_ridge / 0.33f * slope};
 }
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a

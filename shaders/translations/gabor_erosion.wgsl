@@ -1,5 +1,5 @@
 // Generated from gabor_erosion.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest b0522cc28c927615.
+// naga 30.0.1 made it from GLSL with the digest ee073d509d195089.
 //
 // gabor_erosion.wgsl: eroded mountains with branching gullies and ridges, evaluated point by point on any terrain.
 //
@@ -244,7 +244,6 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     var slope_7: vec2<f32>;
     var curvature_1: vec3<f32>;
     var to_ridge: f32;
-    var ridge: f32;
     let _e5 = gabor_impl_ground(ground, 1f);
     place_4 = _e5;
     let _e7 = place_4;
@@ -388,18 +387,16 @@ fn gabor_terrain_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, see
     let _e372 = height;
     let _e373 = height;
     to_ridge = inverseSqrt((1f + (_e372 * _e373)));
-    let _e378 = height;
-    let _e379 = to_ridge;
-    ridge = (_e378 * _e379);
-    let _e383 = height;
-    let _e385 = slope_7;
-    let _e386 = ridge;
-    let _e387 = curvature_1;
-    let _e389 = ridge;
-    let _e390 = ridge;
-    let _e393 = to_ridge;
-    let _e397 = slope_7;
-    return GaborTerrain((0.33f * _e383), _e385, _e386, _e387, ((((1f - (_e389 * _e390)) * _e393) / 0.33f) * _e397));
+    let _e379 = height;
+    let _e381 = slope_7;
+    let _e382 = height;
+    let _e383 = to_ridge;
+    let _e385 = curvature_1;
+    let _e386 = to_ridge;
+    let _e387 = to_ridge;
+    let _e389 = to_ridge;
+    let _e393 = slope_7;
+    return GaborTerrain((0.33f * _e379), _e381, (_e382 * _e383), _e385, ((((_e386 * _e387) * _e389) / 0.33f) * _e393));
 }
 
 // The complex noise (quadrature, noise), its derivatives along x and y, and its derivative as the wave vector moves in a
@@ -593,7 +590,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     var steer_x: vec2<f32>;
     var steer_y: vec2<f32>;
     var gully: f32;
-    var ridge_1: f32;
+    var ridge: f32;
     var sum_8: f32 = 0f;
     var gully_slope: vec2<f32>;
     var sum_slope: vec2<f32> = vec2(0f);
@@ -640,7 +637,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     steer_x = base.curvature.xy;
     steer_y = base.curvature.yz;
     gully = base.ridge;
-    ridge_1 = base.ridge;
+    ridge = base.ridge;
     gully_slope = base.ridge_slope;
     frequency_6 = erosion.frequency;
     depth = (erosion.strength / erosion.frequency);
@@ -797,10 +794,10 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
             let _e342 = crest;
             let _e343 = mask;
             gully = mix(_e341, _e342, _e343);
-            let _e345 = ridge_1;
+            let _e345 = ridge;
             let _e346 = z_1;
             let _e348 = mask;
-            ridge_1 = mix(_e345, _e346.x, _e348);
+            ridge = mix(_e345, _e346.x, _e348);
             let _e350 = sum_8;
             let _e351 = depth;
             let _e352 = gully;
@@ -901,7 +898,7 @@ fn gabor_eroded_at(ground: GaborTerrainPlace, dx: vec2<f32>, dy: vec2<f32>, base
     let _e531 = sum_slope;
     let _e534 = sum_8;
     let _e535 = open_slope;
-    let _e538 = ridge_1;
+    let _e538 = ridge;
     return GaborTerrain((base.height + (_e525 * _e526)), ((base.slope + (_e530 * _e531)) + (_e534 * _e535)), _e538, vec3(0f), vec2(0f));
 }
 

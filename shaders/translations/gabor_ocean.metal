@@ -26,7 +26,9 @@ using namespace metal;
 #error gabor_ocean.metal needs GABOR_TAPS 3
 #endif
 
-#define GABOR_OCEAN_BANDS 9 // octaves of wavelength, from above the longest waves: to 3 m at 12 m/s
+#ifndef GABOR_OCEAN_BANDS
+#define GABOR_OCEAN_BANDS 9 // octaves of wavelength, 1 to 12, from above the longest waves: 9 reach 0.8 m at 12 m/s
+#endif
 
 // Waves from one wavelength to half of it. Frequencies are in units of 1 / 65536 Hz.
 struct GaborOceanBand {
@@ -137,8 +139,9 @@ inline GaborOcean gabor_ocean_of(float wind, float direction, float fetch) {
         float along = 1.0 - 4.0 * variance + 4.0 * fourth; // the mean of cos^2 d
         float speed = gravity / (12.566371 * tick * low * 1.1892071);
         GaborOceanBand band;
-        band.amplitude = sqrt(sum);
-        band.slopes = slopes * 16.195056 * float2(along, 1.0 - along); // (4 pi^2 / g)^2
+        float shown = low > 262144.0 ? 0.0 : 1.0; // shorter waves than 0.1 m would overflow, and are capillary
+        band.amplitude = shown * sqrt(sum);
+        band.slopes = shown * slopes * 16.195056 * float2(along, 1.0 - along); // (4 pi^2 / g)^2
         ocean.tail -= band.slopes;
         band.exponent = 34 - 2 * power - i;
         band.low = int(low + 0.5);
@@ -210,7 +213,7 @@ inline GaborWater gabor_water_at(int2 cell, float2 local, int second, float frac
     for (int i = 0; i < GABOR_OCEAN_BANDS; ++i) {
         GaborOceanBand band = ocean.band[i];
         float longest = 1.486e-10 * float(band.low) * float(band.low); // the smallest wave number, 2 pi f^2 / g
-        if (longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
+        if (band.amplitude == 0.0 || longest * longest * least > 1.6) { // each wave would be below 1 / 2700 of its height
             hidden += band.slopes;
             continue;
         }

@@ -1,5 +1,5 @@
 // Generated from gabor_ocean.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 16c365bd8048380e.
+// naga 30.0.1 made it from GLSL with the digest 856733a53c0c5279.
 //
 // gabor_ocean.wgsl: a sea that never repeats, at any point and time, without textures or state, the same on CPU and GPU.
 //
@@ -134,6 +134,8 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
     var along: f32;
     var speed: f32;
     var band: GaborOceanBand;
+    var local_13: f32;
+    var shown: f32;
     ocean.wind = clamp(wind, 2f, 30f);
     ocean.direction = direction;
     ocean.fetch = clamp(fetch, 1000f, 1000000f);
@@ -291,47 +293,57 @@ fn gabor_ocean_of(wind: f32, direction: f32, fetch: f32) -> GaborOcean {
             let _e314 = tick;
             let _e316 = low;
             speed = (_e312 / (((12.566371f * _e314) * _e316) * 1.1892071f));
-            let _e324 = sum_5;
-            band.amplitude = sqrt(_e324);
-            let _e327 = slopes;
-            let _e330 = along;
-            let _e332 = along;
-            band.slopes = ((_e327 * 16.195057f) * vec2<f32>(_e330, (1f - _e332)));
-            let _e337 = ocean;
-            let _e339 = band;
-            ocean.tail = (_e337.tail - _e339.slopes);
-            let _e345 = power_1;
-            let _e348 = i;
-            band.exponent = ((34i - (2i * _e345)) - _e348);
-            let _e351 = low;
-            band.low = i32((_e351 + 0.5f));
-            let _e356 = width;
-            band.quarter = i32((_e356 + 0.5f));
-            let _e362 = sum_5;
-            let _e364 = sums_1;
-            band.share = vec3<i32>((((1024f / _e362) * _e364.xyz) + vec3(0.5f)));
-            let _e373 = leans;
-            band.lean = vec4<i32>(floor(((1024f * _e373) + vec4(0.5f))));
-            let _e382 = a_2;
-            let _e383 = b_2;
-            band.spread = vec2<i32>(floor(((32767f * vec2<f32>(_e382, _e383)) + vec2(0.5f))));
-            let _e393 = speed;
-            let _e395 = band;
-            let _e401 = heading;
-            band.drift = vec2<i32>(floor(((((32768f * _e393) * exp2(-(f32(_e395.exponent)))) * _e401) + vec2(0.5f))));
-            let _e408 = i;
-            let _e411 = band;
-            ocean.band[_e408] = _e411;
+            let _e323 = low;
+            if (_e323 > 262144f) {
+                local_13 = 0f;
+            } else {
+                local_13 = 1f;
+            }
+            let _e329 = local_13;
+            shown = _e329;
+            let _e332 = shown;
+            let _e333 = sum_5;
+            band.amplitude = (_e332 * sqrt(_e333));
+            let _e337 = shown;
+            let _e338 = slopes;
+            let _e342 = along;
+            let _e344 = along;
+            band.slopes = (((_e337 * _e338) * 16.195057f) * vec2<f32>(_e342, (1f - _e344)));
+            let _e349 = ocean;
+            let _e351 = band;
+            ocean.tail = (_e349.tail - _e351.slopes);
+            let _e357 = power_1;
+            let _e360 = i;
+            band.exponent = ((34i - (2i * _e357)) - _e360);
+            let _e363 = low;
+            band.low = i32((_e363 + 0.5f));
+            let _e368 = width;
+            band.quarter = i32((_e368 + 0.5f));
+            let _e374 = sum_5;
+            let _e376 = sums_1;
+            band.share = vec3<i32>((((1024f / _e374) * _e376.xyz) + vec3(0.5f)));
+            let _e385 = leans;
+            band.lean = vec4<i32>(floor(((1024f * _e385) + vec4(0.5f))));
+            let _e394 = a_2;
+            let _e395 = b_2;
+            band.spread = vec2<i32>(floor(((32767f * vec2<f32>(_e394, _e395)) + vec2(0.5f))));
+            let _e405 = speed;
+            let _e407 = band;
+            let _e413 = heading;
+            band.drift = vec2<i32>(floor(((((32768f * _e405) * exp2(-(f32(_e407.exponent)))) * _e413) + vec2(0.5f))));
+            let _e420 = i;
+            let _e423 = band;
+            ocean.band[_e420] = _e423;
         }
         continuing {
             let _e83 = i;
             i = (_e83 + 1i);
         }
     }
-    let _e413 = ocean;
-    ocean.tail = max(_e413.tail, vec2(0f));
-    let _e418 = ocean;
-    return _e418;
+    let _e425 = ocean;
+    ocean.tail = max(_e425.tail, vec2(0f));
+    let _e430 = ocean;
+    return _e430;
 }
 
 fn gabor_ocean(wind: f32) -> GaborOcean {
@@ -344,14 +356,14 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     var bits: u32;
     var draw: i32;
     var u_1: i32;
-    var local_13: i32;
     var local_14: i32;
     var local_15: i32;
+    var local_16: i32;
     var at: i32;
     var within_1: i32;
-    var local_16: i32;
     var local_17: i32;
     var local_18: i32;
+    var local_19: i32;
     var lean: i32;
     var frequency_6: i32;
     var ratio: i32;
@@ -381,49 +393,49 @@ fn gabor_impl_add_water(sum: ptr<function, GaborWater>, squeeze: ptr<function, v
     u_1 = ((16i * i32((_e29 & 4095u))) - 32760i);
     let _e37 = draw;
     if (_e37 < band.share.x) {
-        local_13 = 0i;
-    } else {
-        local_13 = 1i;
-    }
-    let _e44 = local_13;
-    let _e45 = draw;
-    if (_e45 < band.share.y) {
         local_14 = 0i;
     } else {
         local_14 = 1i;
     }
-    let _e52 = local_14;
-    let _e54 = draw;
-    if (_e54 < band.share.z) {
+    let _e44 = local_14;
+    let _e45 = draw;
+    if (_e45 < band.share.y) {
         local_15 = 0i;
     } else {
         local_15 = 1i;
     }
-    let _e61 = local_15;
+    let _e52 = local_15;
+    let _e54 = draw;
+    if (_e54 < band.share.z) {
+        local_16 = 0i;
+    } else {
+        local_16 = 1i;
+    }
+    let _e61 = local_16;
     at = ((_e44 + _e52) + _e61);
     let _e64 = bits;
     within_1 = (i32((_e64 >> 12u)) & 1023i);
     let _e71 = at;
     if (_e71 == 0i) {
-        local_18 = band.lean.x;
+        local_19 = band.lean.x;
     } else {
         let _e76 = at;
         if (_e76 == 1i) {
-            local_17 = band.lean.y;
+            local_18 = band.lean.y;
         } else {
             let _e81 = at;
             if (_e81 == 2i) {
-                local_16 = band.lean.z;
+                local_17 = band.lean.z;
             } else {
-                local_16 = band.lean.w;
+                local_17 = band.lean.w;
             }
-            let _e89 = local_16;
-            local_17 = _e89;
+            let _e89 = local_17;
+            local_18 = _e89;
         }
-        let _e91 = local_17;
-        local_18 = _e91;
+        let _e91 = local_18;
+        local_19 = _e91;
     }
-    let _e93 = local_18;
+    let _e93 = local_19;
     lean = _e93;
     let _e95 = within_1;
     let _e96 = lean;
@@ -583,14 +595,14 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
     var squeeze_1: vec3<f32>;
     var j_2: i32;
     var row_1: u32;
-    var local_21: vec2<f32>;
     var local_22: vec2<f32>;
+    var local_23: vec2<f32>;
     var window_1: vec2<f32>;
     var from_1: vec2<f32>;
-    var local_23: f32;
-    var scale_2: f32;
     var local_24: f32;
+    var scale_2: f32;
     var local_25: f32;
+    var local_26: f32;
     var along_1: vec3<f32>;
     var across_1: vec3<f32>;
     let _e11 = gabor_impl_wave((0.15915494f * ocean.direction));
@@ -617,208 +629,209 @@ fn gabor_water_at(cell: vec2<i32>, local: vec2<f32>, second: i32, fraction: f32,
             let _e77 = band_2;
             let _e81 = band_2;
             longest = ((0.0000000001486f * f32(_e77.low)) * f32(_e81.low));
-            let _e86 = longest;
-            let _e87 = longest;
-            let _e89 = least;
-            if (((_e86 * _e87) * _e89) > 1.6f) {
+            let _e86 = band_2;
+            let _e90 = longest;
+            let _e91 = longest;
+            let _e93 = least;
+            if ((_e86.amplitude == 0f) || (((_e90 * _e91) * _e93) > 1.6f)) {
                 {
-                    let _e93 = hidden;
-                    let _e94 = band_2;
-                    hidden = (_e93 + _e94.slopes);
+                    let _e98 = hidden;
+                    let _e99 = band_2;
+                    hidden = (_e98 + _e99.slopes);
                     continue;
                 }
             }
-            let _e97 = i_1;
-            let _e98 = gabor_lobe_seed(seed, _e97);
-            let _e99 = gabor_impl_salt(_e98);
-            salt_4 = _e99;
-            let _e107 = band_2;
-            let _e109 = band_2;
-            gabor_impl_float_by(cell.x, local.x, _e107.exponent, _e109.drift.x, second, fraction, (&whole_x), (&rest_x));
-            let _e118 = band_2;
-            let _e120 = band_2;
-            gabor_impl_float_by(cell.y, local.y, _e118.exponent, _e120.drift.y, second, fraction, (&whole_y), (&rest_y));
-            let _e127 = rest_x;
-            let _e128 = rest_y;
-            zero_1 = floor((vec2<f32>(_e127, _e128) + vec2(0.5f)));
-            let _e135 = rest_x;
-            let _e136 = rest_y;
-            let _e138 = zero_1;
-            offset = clamp((vec2<f32>(_e135, _e136) - _e138), vec2(-0.5f), vec2(0.5f));
-            let _e147 = whole_x;
-            let _e148 = whole_y;
-            let _e150 = zero_1;
-            node = (vec2<i32>(_e147, _e148) + vec2<i32>(_e150));
-            let _e158 = offset;
-            gabor_impl_windows(_e158.x, (&x_5), (&slope_x));
-            let _e164 = offset;
-            gabor_impl_windows(_e164.y, (&y_4), (&slope_y));
-            let _e170 = band_2;
-            spacing = exp2(f32(_e170.exponent));
-            let _e175 = slope_x;
-            let _e180 = spacing;
-            slope_x = (_e175 / vec4((1.5f * _e180)));
-            let _e184 = slope_y;
-            let _e189 = spacing;
-            slope_y = (_e184 / vec4((1.5f * _e189)));
-            let _e193 = node;
-            let _e197 = salt_4;
-            let _e198 = gabor_impl_line_word((_e193.x - 1i), _e197);
-            left = _e198;
-            let _e200 = node;
+            let _e102 = i_1;
+            let _e103 = gabor_lobe_seed(seed, _e102);
+            let _e104 = gabor_impl_salt(_e103);
+            salt_4 = _e104;
+            let _e112 = band_2;
+            let _e114 = band_2;
+            gabor_impl_float_by(cell.x, local.x, _e112.exponent, _e114.drift.x, second, fraction, (&whole_x), (&rest_x));
+            let _e123 = band_2;
+            let _e125 = band_2;
+            gabor_impl_float_by(cell.y, local.y, _e123.exponent, _e125.drift.y, second, fraction, (&whole_y), (&rest_y));
+            let _e132 = rest_x;
+            let _e133 = rest_y;
+            zero_1 = floor((vec2<f32>(_e132, _e133) + vec2(0.5f)));
+            let _e140 = rest_x;
+            let _e141 = rest_y;
+            let _e143 = zero_1;
+            offset = clamp((vec2<f32>(_e140, _e141) - _e143), vec2(-0.5f), vec2(0.5f));
+            let _e152 = whole_x;
+            let _e153 = whole_y;
+            let _e155 = zero_1;
+            node = (vec2<i32>(_e152, _e153) + vec2<i32>(_e155));
+            let _e163 = offset;
+            gabor_impl_windows(_e163.x, (&x_5), (&slope_x));
+            let _e169 = offset;
+            gabor_impl_windows(_e169.y, (&y_4), (&slope_y));
+            let _e175 = band_2;
+            spacing = exp2(f32(_e175.exponent));
+            let _e180 = slope_x;
+            let _e185 = spacing;
+            slope_x = (_e180 / vec4((1.5f * _e185)));
+            let _e189 = slope_y;
+            let _e194 = spacing;
+            slope_y = (_e189 / vec4((1.5f * _e194)));
+            let _e198 = node;
             let _e202 = salt_4;
-            let _e203 = gabor_impl_line_word(_e200.x, _e202);
-            middle_1 = _e203;
+            let _e203 = gabor_impl_line_word((_e198.x - 1i), _e202);
+            left = _e203;
             let _e205 = node;
-            let _e209 = salt_4;
-            let _e210 = gabor_impl_line_word((_e205.x + 1i), _e209);
-            right = _e210;
+            let _e207 = salt_4;
+            let _e208 = gabor_impl_line_word(_e205.x, _e207);
+            middle_1 = _e208;
+            let _e210 = node;
+            let _e214 = salt_4;
+            let _e215 = gabor_impl_line_word((_e210.x + 1i), _e214);
+            right = _e215;
             sum_7 = GaborWater(0f, vec2(0f), vec2(0f), 0f, vec3(0f));
             squeeze_1 = vec3(0f);
             j_2 = 0i;
             loop {
-                let _e227 = j_2;
-                if !((_e227 < 3i)) {
+                let _e232 = j_2;
+                if !((_e232 < 3i)) {
                     break;
                 }
                 {
-                    let _e234 = node;
-                    let _e236 = j_2;
-                    let _e240 = salt_4;
-                    let _e243 = gabor_impl_line_word(((_e234.y + _e236) - 1i), (_e240 ^ 1540483477u));
-                    row_1 = _e243;
-                    let _e245 = j_2;
-                    if (_e245 == 0i) {
-                        let _e248 = y_4;
-                        let _e250 = slope_y;
-                        local_22 = vec2<f32>(_e248.x, _e250.x);
+                    let _e239 = node;
+                    let _e241 = j_2;
+                    let _e245 = salt_4;
+                    let _e248 = gabor_impl_line_word(((_e239.y + _e241) - 1i), (_e245 ^ 1540483477u));
+                    row_1 = _e248;
+                    let _e250 = j_2;
+                    if (_e250 == 0i) {
+                        let _e253 = y_4;
+                        let _e255 = slope_y;
+                        local_23 = vec2<f32>(_e253.x, _e255.x);
                     } else {
-                        let _e253 = j_2;
-                        if (_e253 == 1i) {
-                            let _e256 = y_4;
-                            let _e258 = slope_y;
-                            local_21 = vec2<f32>(_e256.y, _e258.y);
-                        } else {
+                        let _e258 = j_2;
+                        if (_e258 == 1i) {
                             let _e261 = y_4;
                             let _e263 = slope_y;
-                            local_21 = vec2<f32>(_e261.z, _e263.z);
+                            local_22 = vec2<f32>(_e261.y, _e263.y);
+                        } else {
+                            let _e266 = y_4;
+                            let _e268 = slope_y;
+                            local_22 = vec2<f32>(_e266.z, _e268.z);
                         }
-                        let _e267 = local_21;
-                        local_22 = _e267;
+                        let _e272 = local_22;
+                        local_23 = _e272;
                     }
-                    let _e269 = local_22;
-                    window_1 = _e269;
-                    let _e271 = spacing;
-                    let _e272 = offset;
-                    let _e275 = j_2;
-                    from_1 = (_e271 * (_e272 + vec2<f32>(1f, (1f - f32(_e275)))));
-                    let _e284 = row_1;
-                    let _e285 = left;
-                    let _e287 = from_1;
-                    let _e288 = x_5;
-                    let _e290 = slope_x;
-                    let _e293 = window_1;
-                    let _e294 = band_2;
-                    let _e295 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e284 * _e285), _e287, vec2<f32>(_e288.x, _e290.x), _e293, _e294, _e295, second, fraction, dx, dy);
-                    let _e299 = from_1;
-                    let _e301 = spacing;
-                    from_1.x = (_e299.x - _e301);
-                    let _e305 = row_1;
-                    let _e306 = middle_1;
-                    let _e308 = from_1;
-                    let _e309 = x_5;
-                    let _e311 = slope_x;
-                    let _e314 = window_1;
-                    let _e315 = band_2;
-                    let _e316 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e305 * _e306), _e308, vec2<f32>(_e309.y, _e311.y), _e314, _e315, _e316, second, fraction, dx, dy);
-                    let _e320 = from_1;
-                    let _e322 = spacing;
-                    from_1.x = (_e320.x - _e322);
-                    let _e326 = row_1;
-                    let _e327 = right;
-                    let _e329 = from_1;
-                    let _e330 = x_5;
-                    let _e332 = slope_x;
-                    let _e335 = window_1;
-                    let _e336 = band_2;
-                    let _e337 = heading_2;
-                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e326 * _e327), _e329, vec2<f32>(_e330.z, _e332.z), _e335, _e336, _e337, second, fraction, dx, dy);
+                    let _e274 = local_23;
+                    window_1 = _e274;
+                    let _e276 = spacing;
+                    let _e277 = offset;
+                    let _e280 = j_2;
+                    from_1 = (_e276 * (_e277 + vec2<f32>(1f, (1f - f32(_e280)))));
+                    let _e289 = row_1;
+                    let _e290 = left;
+                    let _e292 = from_1;
+                    let _e293 = x_5;
+                    let _e295 = slope_x;
+                    let _e298 = window_1;
+                    let _e299 = band_2;
+                    let _e300 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e289 * _e290), _e292, vec2<f32>(_e293.x, _e295.x), _e298, _e299, _e300, second, fraction, dx, dy);
+                    let _e304 = from_1;
+                    let _e306 = spacing;
+                    from_1.x = (_e304.x - _e306);
+                    let _e310 = row_1;
+                    let _e311 = middle_1;
+                    let _e313 = from_1;
+                    let _e314 = x_5;
+                    let _e316 = slope_x;
+                    let _e319 = window_1;
+                    let _e320 = band_2;
+                    let _e321 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e310 * _e311), _e313, vec2<f32>(_e314.y, _e316.y), _e319, _e320, _e321, second, fraction, dx, dy);
+                    let _e325 = from_1;
+                    let _e327 = spacing;
+                    from_1.x = (_e325.x - _e327);
+                    let _e331 = row_1;
+                    let _e332 = right;
+                    let _e334 = from_1;
+                    let _e335 = x_5;
+                    let _e337 = slope_x;
+                    let _e340 = window_1;
+                    let _e341 = band_2;
+                    let _e342 = heading_2;
+                    gabor_impl_add_water((&sum_7), (&squeeze_1), (_e331 * _e332), _e334, vec2<f32>(_e335.z, _e337.z), _e340, _e341, _e342, second, fraction, dx, dy);
                 }
                 continuing {
-                    let _e231 = j_2;
-                    j_2 = (_e231 + 1i);
+                    let _e236 = j_2;
+                    j_2 = (_e236 + 1i);
                 }
             }
-            let _e340 = band_2;
-            if false {
-                local_23 = 1f;
-            } else {
-                local_23 = 1.125f;
-            }
-            let _e352 = local_23;
-            scale_2 = (_e340.amplitude / (1459955300000000000000000000f * _e352));
-            let _e357 = water;
-            let _e359 = scale_2;
-            let _e360 = sum_7;
-            water.height = (_e357.height + (_e359 * _e360.height));
-            let _e365 = water;
-            let _e367 = scale_2;
-            let _e368 = sum_7;
-            water.slope = (_e365.slope + (_e367 * _e368.slope));
-            let _e373 = water;
-            let _e375 = scale_2;
-            let _e376 = sum_7;
-            water.shift = (_e373.shift + (_e375 * _e376.shift));
-            let _e380 = squeezed;
-            let _e381 = scale_2;
-            let _e382 = squeeze_1;
-            squeezed = (_e380 + (_e381 * _e382));
-            let _e386 = water;
-            let _e388 = sum_7;
+            let _e345 = band_2;
             if false {
                 local_24 = 1f;
             } else {
                 local_24 = 1.125f;
             }
-            let _e399 = local_24;
+            let _e357 = local_24;
+            scale_2 = (_e345.amplitude / (1459955300000000000000000000f * _e357));
+            let _e362 = water;
+            let _e364 = scale_2;
+            let _e365 = sum_7;
+            water.height = (_e362.height + (_e364 * _e365.height));
+            let _e370 = water;
+            let _e372 = scale_2;
+            let _e373 = sum_7;
+            water.slope = (_e370.slope + (_e372 * _e373.slope));
+            let _e378 = water;
+            let _e380 = scale_2;
+            let _e381 = sum_7;
+            water.shift = (_e378.shift + (_e380 * _e381.shift));
+            let _e385 = squeezed;
+            let _e386 = scale_2;
+            let _e387 = squeeze_1;
+            squeezed = (_e385 + (_e386 * _e387));
+            let _e391 = water;
+            let _e393 = sum_7;
             if false {
                 local_25 = 1f;
             } else {
                 local_25 = 1.125f;
             }
-            let _e409 = local_25;
-            water.lost = (_e386.lost + (_e388.lost / vec3((_e399 * _e409))));
+            let _e404 = local_25;
+            if false {
+                local_26 = 1f;
+            } else {
+                local_26 = 1.125f;
+            }
+            let _e414 = local_26;
+            water.lost = (_e391.lost + (_e393.lost / vec3((_e404 * _e414))));
         }
         continuing {
             let _e69 = i_1;
             i_1 = (_e69 + 1i);
         }
     }
-    let _e416 = squeezed;
-    let _e420 = squeezed;
-    let _e424 = squeezed;
-    let _e426 = squeezed;
-    water.fold = (((1f - _e416.x) * (1f - _e420.y)) - (_e424.z * _e426.z));
-    let _e430 = heading_2;
-    let _e431 = heading_2;
-    let _e432 = (_e430 * _e431);
-    let _e433 = heading_2;
+    let _e421 = squeezed;
+    let _e425 = squeezed;
+    let _e429 = squeezed;
+    let _e431 = squeezed;
+    water.fold = (((1f - _e421.x) * (1f - _e425.y)) - (_e429.z * _e431.z));
     let _e435 = heading_2;
-    along_1 = vec3<f32>(_e432.x, _e432.y, (_e433.x * _e435.y));
-    let _e442 = along_1;
-    let _e443 = _e442.yx;
-    let _e444 = along_1;
-    across_1 = vec3<f32>(_e443.x, _e443.y, -(_e444.z));
-    let _e452 = water;
-    let _e454 = hidden;
-    let _e456 = along_1;
-    let _e458 = hidden;
-    let _e460 = across_1;
-    water.lost = (_e452.lost + ((_e454.x * _e456) + (_e458.y * _e460)));
-    let _e464 = water;
-    return _e464;
+    let _e436 = heading_2;
+    let _e437 = (_e435 * _e436);
+    let _e438 = heading_2;
+    let _e440 = heading_2;
+    along_1 = vec3<f32>(_e437.x, _e437.y, (_e438.x * _e440.y));
+    let _e447 = along_1;
+    let _e448 = _e447.yx;
+    let _e449 = along_1;
+    across_1 = vec3<f32>(_e448.x, _e448.y, -(_e449.z));
+    let _e457 = water;
+    let _e459 = hidden;
+    let _e461 = along_1;
+    let _e463 = hidden;
+    let _e465 = across_1;
+    water.lost = (_e457.lost + ((_e459.x * _e461) + (_e463.y * _e465)));
+    let _e469 = water;
+    return _e469;
 }
 
 // ---- Definitions of the public functions ---------------------------------------------------------------------------

@@ -176,7 +176,11 @@ GABOR_INLINE float gabor_cpp_fract(float x) {
     return x - gabor_cpp_floor(x);
 }
 GABOR_INLINE float gabor_cpp_inversesqrt(float x) {
+#if defined __FAST_MATH__ && __GNUC__ >= 14 // miscompiles products of 1 / sqrt(x) with itself
+    return std::sqrt(1.0f / x);
+#else
     return 1.0f / std::sqrt(x);
+#endif
 }
 GABOR_INLINE float gabor_cpp_step(float edge, float x) {
     return gabor_cpp_choose(x < edge, 0.0f, 1.0f);

@@ -88,7 +88,7 @@ class Arguments(ErrorTest):
         self.refuse_render(["--solid requires the sphere or torus view of noise, not flat"], "--solid")
         self.refuse_render(["--solid requires", "not wood"], "--solid", "--view=sphere", "--material=wood")
         self.refuse_render(["--depth requires the slice view, not horizon"], "--depth=3", "--view=horizon")
-        self.refuse_render(["--light-azimuth requires a material or terrain, not flat"], "--light-azimuth=3")
+        self.refuse_render(["--light-azimuth requires a material, terrain or the ocean view, not flat"], "--light-azimuth=3")
         for options, other in ((["--material=wood"], "wood"), (["--view=terrain"], "terrain"), (["--view=sphere"], "sphere"),
                                (["--view=torus", "--solid"], "torus")):
             self.refuse_render([f"--recipe requires the flat or horizon view of noise, not {other}"], "--recipe=one", *options)

@@ -30,7 +30,7 @@ REQUESTS = [("--gradient",), ("--tileable", "--time=0.3"), ("--phasor",),
 LOBES = """[{"frequency": 3, "orientation": 20, "power": 2, "stretch": 2.5},
             {"frequency": 1, "orientation": -50, "orientation_spread": 70, "radius": 1.7, "stretch": 0.7}]"""
 PICTURES = ["--view=terrain --scale=6", "--view=terrain --preset=canyon --tileable --scale=4 --light-azimuth=80",
-            "--view=landscape --scale=6", "--view=landscape --preset=alps --pitch=4 --yaw=30 --zoom=2 --scale=6",
+            "--view=landscape --scale=6", "--view=ocean --wind=14 --time=7.5", "--view=landscape --preset=alps --pitch=4 --yaw=30 --zoom=2 --scale=6",
             "--view=horizon --filter --scale=8", "--view=slice --depth=1.3 --scale=6 --lobes=lobes.json",
             "--view=slice --depth=1.3 --scale=6 --filter --gradient", "--view=sphere --scale=6",
             "--view=torus --solid --scale=6 --yaw=20", "--preset=figure6 --filter --scale=8",

@@ -33,6 +33,7 @@ class Help(ProgramTest):
                               "--solid", "--depth", "--phasor", "--gradient", "--like",
                               "--png", "--texture", "--half", "--level", "--device", "--yaw", "--pitch",
                               "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent",
+                              "--wind", "--fetch", "--altitude",
                               "--maps", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
                    "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--gully-width", "--nodata", "--seed", "--tileable", "--device"),
@@ -52,7 +53,7 @@ class Help(ProgramTest):
                                         text.replace('[{"frequency": 4, ', "")), command)
         text = self.succeed("render", "--help")
         self.assertEqual(re.findall(r"(?m)^(\w.*):$", text),
-                         ["Options", "Output", "Noise", "View and light", "Terrain", "Textures", "Examples"])
+                         ["Options", "Output", "Noise", "View and light", "Terrain", "Ocean", "Textures", "Examples"])
         self.assertEqual(len(re.findall(r"(?m)^  gabor render ", text)), 3)
 
     def defaults(self, command):
@@ -70,9 +71,9 @@ class Help(ProgramTest):
         (self.folder / "map.r16").write_bytes(np.arange(24 * 24, dtype="<u2").tobytes())
         which = {**dict.fromkeys(("--yaw", "--pitch", "--zoom"), ["--view=sphere"]), "--depth": ["--view=slice"], "--focal-length": ["--view=landscape"],
                  **dict.fromkeys(("--light-azimuth", "--light-elevation", "--environment"), ["--material=sand"]),
-                 "--extent": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
+                 **dict.fromkeys(("--wind", "--fetch", "--altitude"), ["--view=ocean"]), "--extent": ["--view=terrain"], "--elevation": ["--view=terrain", "--heightmap=out.png"]}
         meant = {"all of it": "0,0,24,24", "a GPU, if there is one": "0", "the full possible range": None, "0 and an eighth of --extent, or 0,1000": "0,1000"}
-        for command, number in ("render", 26), ("erode", 17):
+        for command, number in ("render", 31), ("erode", 17):
             found = [(option, meant.get(value, value), view) for option, value, view in self.defaults(command)]
             self.assertEqual(len(found), number, found)
             for option, value, view in found:

@@ -49,9 +49,8 @@ CALLS = {  # each call, and its column in the matrix of docs/engine-results.md
     "4.0 * gabor_zebra(p, 7u).colour.y": "materials",
     "60.0 * gabor_sand_filtered(p, vec2(0.1, 0.02), vec2(0.03, 0.12), 7u).height": "materials",
     "8.0 * gabor_wood_at(p, vec2(5.0, 7.5), gabor_wood_default(), 7u).colour.y": "materials",
-    "2.0 * gabor_terrain(p, 7u).slope.x + 2.0 * gabor_terrain_at(GaborTerrainPlace(ivec2(0), p, vec2(5.0, 7.5)), vec2(0.0), vec2(0.0), 7u).height": "erosion",
-    "20.0 * gabor_eroded_at(GaborTerrainPlace(ivec2(0), p, vec2(0.0)), vec2(0.02, 0.01), vec2(0.0, 0.03), gabor_terrain(p, 7u), "
-    "gabor_erosion(), 7u).height": "erosion",
+    "2.0 * gabor_terrain(p, 7u).slope.x": "erosion",
+    "20.0 * gabor_eroded(p, gabor_terrain(p, 7u), gabor_erosion(), 7u).height": "erosion",
     "3.0 * gabor_water(4.0 * p, 100.3, gabor_ocean(8.0), 7u).height": "ocean",
     "8.0 * gabor_water_filtered(4.0 * p, vec2(0.2, 0.1), vec2(0.0, 0.3), 100.3, gabor_ocean(8.0), 7u).fold": "ocean",
     "20.0 * (sea(32.0 * p).y + sea_filtered(32.0 * p, vec2(3.0, 0.5), vec2(0.5, 4.0)).x) - 19.0": "fitted",

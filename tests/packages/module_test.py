@@ -20,6 +20,7 @@ POINTS_3D = POINTS | dict(z=np.linspace(0.2, 9, 24))
 WAVE = dict(frequency=[1.0, 3.0, 5.5], orientation=[0.0, 1.1, 2.5])
 COMMON = dict(seed=[1, 2**32 - 1, -5], time=[0.0, 0.3, 4.4])
 PICTURE = dict(shape=(3, 8), scale=4.0)
+SEA = dict(seconds=[0.0, 3.5, 1e6 + 0.25], wind=[3.0, 8.0, 20.0], direction=[0.0, 1.0, 2.0], fetch=[1e4, 1e5, 5e5], seed=[1, 2, 3])
 # Each function, its fixed arguments, and three values of each argument that may be an array.
 CASES = [
     (gn.noise, POINTS, WAVE | COMMON),
@@ -44,11 +45,12 @@ CASES = [
     (gn.terrain, POINTS | dict(base=(0.1, 0.5, -0.3, 0.2, 0.1, 0.2, 0.3)), dict(seed=[1, 2, 3])),
     (gn.terrain, POINTS, dict(base=[(0.1, 0.05, -0.03, 0.2), (0.3, 0.1, -0.03, 0.2), (0.1, 0.05, -0.03, 0.9)])),
     (gn.erode, dict(heights=np.sin(np.arange(48.0)).reshape(6, 8), extent=8.0, frequency=0.2), dict(seed=[1, 2, 3])),
+    (gn.water, POINTS, SEA | dict(pixel=[(0.0, 0.0), (3.0, 0.5), (0.5, 20.0)])),
+    (gn.water_height, POINTS, SEA),
 ]
 EROSION = dict(octaves=[1, 2, 7], frequency=[0.5, 1.0, 3.0], strength=[0.0, 0.1, 0.4], lacunarity=[1.5, 2.0, 3.0], gain=[0.2, 0.5, 0.8],
                onset=[0.1, 0.5, 2.0], detail=[0.3, 1.5, 6.0], uniformity=[0.5, 2.0, 7.0], ridge_rounding=[0.0, 0.4, 2.0],
                crease_rounding=[0.0, 0.4, 2.0], gully_weight=[0.0, 0.5, 1.0], branching=[0.0, 0.7, 2.0])
-VECTORS = {"pixel", "direction", "base"}
 MATERIALS = re.findall(r"^    (\S+):$", gn.material.__doc__.partition("Angles are in radians")[2], re.MULTILINE)
 
 
@@ -56,7 +58,7 @@ def flat(result):
     """Returns a material's values as channels along a last axis."""
     if not isinstance(result, dict):
         return result
-    return np.concatenate([part if name in ("colour", "slope", "lost") else part[..., None] for name, part in result.items()], -1)
+    return np.concatenate([part if name in ("colour", "slope", "shift", "lost") else part[..., None] for name, part in result.items()], -1)
 
 
 def points(function, fixed):
@@ -80,7 +82,7 @@ class Arrays(unittest.TestCase):
         for function, fixed, parameters in CASES:
             for name, values in parameters.items():
                 with self.subTest(function.__name__, name=name, **{key: fixed[key] for key in fixed.keys() - POINTS_3D.keys()}):
-                    self.check(function, fixed, name, values, name in VECTORS)
+                    self.check(function, fixed, name, values, np.ndim(values) > 1)
 
     def test_each_parameter_of_erosion(self):
         documented = set(inspect.signature(gn.terrain).parameters) - {"x", "y", "base", "pixel", "seed", "period", "workers", "dtype"}

@@ -161,7 +161,8 @@ badlands = gabor_noise.terrain(x, y, mountains, seed=8, octaves=3, frequency=2, 
 island = gabor_noise.terrain(x, y, seed=7, period=8)
 np.save("terrain.npy", [hills, mountains, badlands, island])
 filtered = gabor_noise.noise_filtered(x, y, (0.1, 0.3), **common)
-np.save("others.npy", [*np.moveaxis(filtered, -1, 0), gabor_noise.noise_spread(x, y, frequency_spread=0.3, orientation_spread=0.2, **common)])
+np.save("others.npy", [*np.moveaxis(filtered, -1, 0), gabor_noise.noise_spread(x, y, frequency_spread=0.3, orientation_spread=0.2, **common),
+                       gabor_noise.water_height(x, y, seconds=100.3, wind=8, seed=7)])
 np.testing.assert_allclose(island, gabor_noise.terrain(x + 8, y - 16, seed=7, period=8), atol=1e-5)
 for file in sys.argv[1:]:
     name, language = file.split(".")
@@ -201,12 +202,12 @@ print(gabor_noise.__version__)
         # Compares the rest with the headers that the module wraps; other tests compare the headers with the reference.
         parts = [f"{terrain}.{part}" for terrain in ("hills", "mountains", "badlands", "island")
                  for part in ("height", "slope.x", "slope.y", "ridge")]
-        headers = "".join(f'#include "gabor_{name}.hpp"\n' for name in ("noise", "spectrum", "filter", "erosion"))
+        headers = "".join(f'#include "gabor_{name}.hpp"\n' for name in ("noise", "spectrum", "filter", "erosion", "ocean"))
         expected = in_cpp(self.folder, headers, [*parts, *self.OTHERS], "-std=c++17", "-O1", "-ffp-contract=off", "-I",
                           SHADERS / "translations", code=self.TERRAIN)[:, :256]
         terrain = np.load(self.folder / "terrain.npy").transpose(0, 3, 1, 2)
         self.assert_close("terrain", terrain, expected[:16].reshape(4, 4, 256, 256), 2e-5)
-        self.assert_close("filter and spread", np.load(self.folder / "others.npy"), expected[16:], 1e-5)
+        self.assert_close("filter, spread and sea", np.load(self.folder / "others.npy"), expected[16:], 1e-5)
         run(python, ROOT / "tests" / "packages" / "module_test.py", ROOT / "docs")
 
     def assert_close(self, name, values, expected, bound):
@@ -215,8 +216,9 @@ print(gabor_noise.__version__)
         self.assertLess(difference.max(), bound)
 
     FILTERED = "gabor_noise_filtered(p, gabor_vec2(0.1f, 0.0f), gabor_vec2(0.0f, 0.3f), 4.0f, 0.7854f, 7u)"
-    OTHERS = f"{FILTERED}.x", f"{FILTERED}.y", "gabor_noise_spread(p, 4.0f, 0.7854f, 0.3f, 0.2f, 7u)"
+    OTHERS = f"{FILTERED}.x", f"{FILTERED}.y", "gabor_noise_spread(p, 4.0f, 0.7854f, 0.3f, 0.2f, 7u)", "gabor_water_height(p, 100.3f, sea, 7u)"
     TERRAIN = """
+        static const GaborOcean sea = gabor_ocean(8.0f);
         const gabor_ivec2 cell(int(p.x), int(p.y));
         const gabor_vec2 none(0.0f), local = p - gabor_vec2(float(cell.x), float(cell.y));
         const GaborTerrainPlace ground{cell, local, none}, tile{cell, local, gabor_vec2(8.0f)};

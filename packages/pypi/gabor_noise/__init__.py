@@ -1,4 +1,4 @@
-"""Gabor noise with mean 0 and variance 1, materials and eroded mountains, on numpy arrays; and their shaders' source.
+"""Gabor noise with mean 0 and variance 1, materials, eroded mountains and a sea, on numpy arrays; and their shaders' source.
 
     import gabor_noise
     picture = gabor_noise.image((512, 512), scale=32, frequency=4.0, orientation=0.7854, seed=7)
@@ -32,7 +32,7 @@ from ._arguments import MEMBERS, count, evaluate, members, number, numbers, refu
 from ._heightmap import smoothed, sobel
 
 __all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_complex", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
-           "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "source"]
+           "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "water", "water_height", "source"]
 __version__ = "@VERSION@"
 
 
@@ -306,6 +306,35 @@ def material(name: str, x: ArrayLike, y: ArrayLike, *, pixel: ArrayLike = 0.0, s
 
 
 _MATERIALS = [name.replace("_", "-") for name in MEMBERS if name not in ("terrain", "eroded")]
+
+
+# ---- The sea -------------------------------------------------------------------------------------------------------
+
+def water(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
+          fetch: ArrayLike = 2e5, pixel: ArrayLike = 0.0, seed: ArrayLike = 0, workers: int | None = None,
+          dtype: DTypeLike = np.float32) -> dict[str, NDArray[Any]]:
+    """Return the water that is at (x, y) when at rest, as a dict of arrays: height in metres, normally distributed around 0; slope,
+    the derivatives of the height by x and y; shift, the horizontal displacement in metres; fold, the determinant of the derivative
+    of (x, y) + shift, with foam where it falls below 0.4; lost, the covariance (xx, yy, xy) of the slopes of finer waves. Slope,
+    shift and lost have a last axis.
+
+    x, y: metres. Values equal those of the shader `gabor_ocean.glsl`, wherever and whenever they are.
+    seconds: time.
+    wind: metres per second, 10 m up.
+    direction: where the waves go.
+    fetch: metres of open water upwind.
+    pixel: the pixel's sides in metres, one number or a pair, to leave out finer waves; 0 for none.
+    """
+    values = evaluate("water", locals())
+    return {"height": values[..., 0], "slope": values[..., 1:3], "shift": values[..., 3:5], "fold": values[..., 5],
+            "lost": values[..., 6:]}
+
+
+def water_height(x: ArrayLike, y: ArrayLike, *, seconds: ArrayLike = 0.0, wind: ArrayLike = 10.0, direction: ArrayLike = 0.0,
+                 fetch: ArrayLike = 2e5, seed: ArrayLike = 0, workers: int | None = None,
+                 dtype: DTypeLike = np.float32) -> NDArray[Any]:
+    """Return the height of the water above the fixed place (x, y), where a boat floats. Arguments are those of `water`."""
+    return evaluate("water_height", locals())
 
 
 # ---- Source --------------------------------------------------------------------------------------------------------

@@ -21,9 +21,12 @@ _RANGES: dict[str, tuple[float, float]] = {
     **dict.fromkeys(("frequency", "wave_x", "wave_y"), (-1e6, 1e6)),
     "orientation": (-math.inf, math.inf),
     "time": (-math.inf, math.inf),
-    "direction": (-1e15, 1e15),
+    "direction": (-1e15, 1e15),  # a vector in 3D, or an angle
     "frequency_spread": (0, 1),
     "orientation_spread": (0, 1.570797),  # pi/2, rounded up
+    "seconds": (-2e9, 2e9),
+    "wind": (2, 30),
+    "fetch": (1e3, 1e6),
     "pixel": (0, math.inf),
     "sharpness": (0, 1e6),
     "scale": (1e-9, 1e9),

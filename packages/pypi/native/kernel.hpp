@@ -58,5 +58,6 @@ struct Split {
 std::vector<Kernel> noise_kernels();
 std::vector<Kernel> terrain_kernels();
 std::vector<Kernel> material_kernels();
+std::vector<Kernel> ocean_kernels();
 
 #endif // GABOR_PYTHON_KERNEL_HPP

@@ -27,7 +27,7 @@ namespace {
 const std::map<std::string, Kernel>& kernels() {
     static const std::map<std::string, Kernel> all = [] {
         std::map<std::string, Kernel> named;
-        for (const auto& some : {noise_kernels(), terrain_kernels(), material_kernels()})
+        for (const auto& some : {noise_kernels(), terrain_kernels(), material_kernels(), ocean_kernels()})
             for (const Kernel& kernel : some)
                 named.emplace(kernel.name, kernel);
         return named;

@@ -1,0 +1,61 @@
+// Kernels of the sea.
+
+#include "kernel.hpp"
+
+#include "gabor_ocean.hpp"
+
+#include <cmath>
+
+namespace {
+
+const char* const inputs = "x y seconds wind direction fetch seed ";
+
+GaborOcean ocean_of(const Block& block, std::size_t i) {
+    return gabor_ocean_of(block.in[3][i], block.in[4][i], block.in[5][i]);
+}
+
+bool one_ocean(const Block& block) {
+    return block.in[3].constant && block.in[4].constant && block.in[5].constant;
+}
+
+GaborWater water_at(const Block& block, std::size_t i, double x, double y, gabor_vec2 dx, gabor_vec2 dy,
+                    const GaborOcean& ocean) {
+    const Split across(x, 1.0f), down(y, 1.0f), time(block.in[2].exact(i), 1.0f);
+    return gabor_water_at({across.cell, down.cell}, {across.local, down.local}, time.cell, time.local, dx, dy,
+                          ocean, block.seed(6, i));
+}
+
+void fill_water(const Block& block) {
+    GaborOcean ocean = ocean_of(block, 0);
+    for (std::size_t i = 0; i < block.count; ++i) {
+        if (i > 0 && !one_ocean(block))
+            ocean = ocean_of(block, i);
+        const GaborWater water = water_at(block, i, block.in[0].exact(i), block.in[1].exact(i),
+                                          {block.in[7][i], 0.0f}, {0.0f, block.in[8][i]}, ocean);
+        const float values[]{water.height, water.slope.x, water.slope.y, water.shift.x, water.shift.y,
+                             water.fold,   water.lost.x,  water.lost.y,  water.lost.z};
+        for (std::size_t c = 0; c < 9; ++c)
+            block.put(c, i, values[c]);
+    }
+}
+
+// As gabor_water_height, precise wherever the place is.
+void fill_height(const Block& block) {
+    GaborOcean ocean = ocean_of(block, 0);
+    for (std::size_t i = 0; i < block.count; ++i) {
+        if (i > 0 && !one_ocean(block))
+            ocean = ocean_of(block, i);
+        GaborWater water{};
+        for (int k = 0; k < 6; ++k)
+            water = water_at(block, i, block.in[0].exact(i) - double(water.shift.x),
+                             block.in[1].exact(i) - double(water.shift.y), {0.0f, 0.0f}, {0.0f, 0.0f}, ocean);
+        block.put(0, i, water.height);
+    }
+}
+
+} // namespace
+
+std::vector<Kernel> ocean_kernels() {
+    return {{"water", std::string(inputs) + "pixel.x pixel.y ", 9, fill_water, {}},
+            {"water_height", inputs, 1, fill_height, {}}};
+}

@@ -1,0 +1,62 @@
+"""Tests `gabor render --view ocean`, which draws a sea in perspective."""
+
+import unittest
+
+import numpy as np
+from exr import Exr
+from program import ProgramTest
+
+
+def variance(wind, fetch):
+    """The integral of the JONSWAP spectrum: square metres."""
+    reach = 9.81 * fetch / wind**2
+    peak, alpha = 3.5 * 9.81 / wind * reach**-0.33, 0.076 * reach**-0.22
+    f = np.linspace(0.3 * peak, 20 * peak, 200000)
+    width = np.where(f < peak, 0.07, 0.09)
+    density = (alpha * 9.81**2 / (2 * np.pi) ** 4 / f**5 * np.exp(-1.25 * (peak / f) ** 4)
+               * 3.3 ** np.exp(-0.5 * ((f / peak - 1) / width) ** 2))
+    return density.sum() * (f[1] - f[0])
+
+
+class Ocean(ProgramTest):
+    def drawn(self, *options, size="96x64"):
+        self.succeed("render", "--view=ocean", f"--size={size}", "-o", "out.exr", *options)
+        return Exr(self.folder / "out.exr").channels
+
+    def test_the_sky_has_no_water_and_its_sun_shines_on_the_sea(self):
+        sea = self.drawn("--wind=8", "--seed=3", "--light-azimuth=70", "--light-elevation=6", "--yaw=250", "--pitch=4")
+        self.assertEqual(set(sea), {"R", "G", "B", "height", "slope.x", "slope.y", "lit.R", "lit.G", "lit.B", "fold", "foam"})
+        water = sea["fold"] > 0
+        self.assertFalse(water[:20].any())
+        self.assertTrue(water[40:].all())
+        for name in sea:
+            self.assertTrue(np.isfinite(sea[name]).all(), name)
+        self.assertFalse(sea["height"][:20].any())
+        self.assertTrue((sea["foam"] >= 0).all() and (sea["foam"] <= 1).all())
+        red = sea["lit.R"][29:37].mean(axis=0) # the sun is in the middle of the picture
+        self.assertGreater(red[40:56].mean(), 1.5 * np.concatenate((red[:20], red[-20:])).mean())
+
+    def test_heights_have_the_variance_of_the_spectrum(self):
+        for wind, fetch, altitude in ((20, 200, 1000), (12, 30, 250)):
+            of_seeds = [self.drawn(f"--wind={wind}", f"--fetch={fetch}", f"--seed={seed}", f"--altitude={altitude}", "--pitch=90",
+                                   "--zoom=1.5", size="160x160")["height"].var() for seed in range(6)]
+            print(f"wind {wind}, fetch {fetch} km: {np.mean(of_seeds):.3f} of {variance(wind, 1000 * fetch):.3f} square metres")
+            self.assertAlmostEqual(np.mean(of_seeds) / variance(wind, 1000 * fetch), 1, delta=0.15)
+
+    def test_it_moves_and_a_part_equals_the_whole(self):
+        first, later = (self.drawn(f"--time={time}", "--seed=5") for time in (1e6, 1e6 + 1.5))
+        water = first["fold"] > 0
+        self.assertGreater(np.abs(first["height"] - later["height"])[water].mean(), 0.05)
+        part = self.drawn("--time=1e6", "--seed=5", "--region=16,40,32,16")
+        for name, values in part.items():
+            np.testing.assert_array_equal(values, first[name][40:56, 16:48], name)
+
+    def test_what_does_not_fit_is_refused(self):
+        for option in ("material=wood", "scale=8", "filter", "wind=1", "fetch=0", "tileable"):
+            self.assert_refused([option.split("=")[0]], "render", "--view=ocean", "-o", "out.exr", f"--{option}")
+        self.assert_refused(["--wind", "the ocean view"], "render", "-o", "out.exr", "--wind=8")
+        self.assert_refused(["--maps"], "render", "--view=ocean", "--maps", "maps")
+
+
+if __name__ == "__main__":
+    unittest.main()
