@@ -24,6 +24,7 @@ INSTALLED = {
     "lib/cmake/gabor-noise/gabor-noise-config.cmake",
     "lib/cmake/gabor-noise/gabor-noise-targets.cmake",
     "share/gabor-noise/LICENSE",
+    "share/gabor-noise/shaders/translations/gabor_noise_grid.hpp",
     "share/gabor-noise/shaders/translations/gabor_vectors.hpp",
     *(f"share/gabor-noise/shaders/passes/{name}"
       for name in ("bake.comp", "bake_colour.comp", "bake_interface.h", "colour.glsl", "colour.h", "constants.h", "interface.h",

@@ -28,7 +28,7 @@ from typing import Any, Callable, Literal, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._arguments import MEMBERS, count, evaluate, members, number, numbers, refuse, vector
+from ._arguments import MEMBERS, count, evaluate, fill_grid, members, number, numbers, refuse, vector
 from ._heightmap import smoothed, sobel
 
 __all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_complex", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
@@ -73,7 +73,8 @@ def image(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4
         raise ValueError("isotropic, a spread and lobes were given: expected at most one of them")
     if lobes is not None:
         return evaluate("lobes", given, _inputs(lobes))
-    return evaluate("isotropic" if isotropic else "spread" if spread else "noise", given)
+    plain = None if isotropic or spread else fill_grid((y.size, x.size), given)
+    return evaluate("isotropic" if isotropic else "spread" if spread else "noise", given) if plain is None else plain
 
 
 def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 4.0, direction: ArrayLike | None = None,

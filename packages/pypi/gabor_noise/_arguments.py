@@ -191,17 +191,35 @@ def evaluate(kernel: str, given: Mapping[str, Any], more: Sequence[NDArray[np.fl
     except ValueError:
         listed = ", ".join(f"{name} {size}" for name, size in shapes.items() if size)
         raise ValueError(f"the shapes of the arguments do not broadcast: {listed}") from None
-    try:
-        dtype = np.dtype(given["dtype"])
-    except TypeError:
-        dtype = np.dtype(object)
-    if dtype not in (np.float32, np.float64):
-        raise refuse("dtype", given["dtype"], "float32 or float64")
+    dtype = result_type(given["dtype"])
     cores = workers(given["workers"])
     out = np.empty((channels, *shape), dtype)
     if out.size > 0:
         _native.evaluate(kernel, [np.broadcast_to(array, shape) for array in arrays], out, cores)
     return out[0] if channels == 1 else np.moveaxis(out, 0, -1)
+
+
+def result_type(value: DTypeLike) -> np.dtype[Any]:
+    try:
+        dtype = np.dtype(value)
+    except TypeError:
+        dtype = np.dtype(object)
+    if dtype not in (np.float32, np.float64):
+        raise refuse("dtype", value, "float32 or float64")
+    return dtype
+
+
+def fill_grid(shape: Sequence[int], given: Mapping[str, Any]) -> NDArray[Any] | None:
+    """Return a picture of noise if none of its arguments is an array, else None."""
+    names = "frequency", "orientation", "seed", "time"
+    if any(np.ndim(given[name]) for name in names):
+        return None
+    frequency, orientation = (float(numbers(name, given[name])) for name in names[:2])
+    time = 0.0 if given["time"] is None else float(numbers("time", given["time"]))
+    out = np.empty(tuple(shape), np.float32)
+    _native.fill_grid(out, float(given["scale"]), frequency, orientation, int(seeds("seed", given["seed"])),
+                      [float(each) for each in periods(given["period"], 2, 2.0**-10)], time, workers(given["workers"]))
+    return out.astype(result_type(given["dtype"]), copy=False)
 
 
 def workers(value: int | None) -> int:

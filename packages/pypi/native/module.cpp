@@ -2,6 +2,8 @@
 
 #include "kernel.hpp"
 
+#include "gabor_noise_grid.hpp"
+
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
@@ -75,6 +77,26 @@ class Reader {
     bool constant_;
 };
 
+// Runs parts 0 to count - 1 of a task on several threads.
+template <typename Part>
+void run(std::size_t count, std::size_t threads, const Part& part) {
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t i; (i = next++) < count;)
+            part(i);
+    };
+    std::vector<std::thread> others;
+    try {
+        for (std::size_t t = 1; t < std::min(threads, count); ++t)
+            others.emplace_back(work);
+    } catch (const std::system_error&) {
+        // The system refuses more threads: those that run do the work.
+    }
+    work();
+    for (std::thread& other : others)
+        other.join();
+}
+
 // Fills `out`, whose first axis is the channels, on at most `threads` cores, with the GIL released.
 template <typename T>
 void evaluate(const std::string& name, const std::vector<Array>& inputs,
@@ -85,8 +107,8 @@ void evaluate(const std::string& name, const std::vector<Array>& inputs,
     T* const values = out.data();
 
     nb::gil_scoped_release release;
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
+    const std::size_t blocks = (points + Block::size - 1) / Block::size, together = 16; // blocks of a part
+    const auto fill = [&](std::size_t part) {
         std::vector<double> copies(readers.size() * Block::size);
         std::vector<float> results(kernel.channels * Block::size);
         std::vector<Input> in;
@@ -94,8 +116,8 @@ void evaluate(const std::string& name, const std::vector<Array>& inputs,
             in.push_back({&copies[k * Block::size], readers[k].constant()});
             readers[k].read(0, readers[k].constant() ? Block::size : 0, &copies[k * Block::size]);
         }
-        for (std::size_t begin; (begin = next.fetch_add(Block::size)) < points;) {
-            const std::size_t count = std::min(Block::size, points - begin);
+        for (std::size_t block = part * together; block < std::min(blocks, (part + 1) * together); ++block) {
+            const std::size_t begin = block * Block::size, count = std::min(Block::size, points - begin);
             for (std::size_t k = 0; k < readers.size(); ++k)
                 if (double* copy = &copies[k * Block::size]; !readers[k].constant()) {
                     readers[k].read(begin, count, copy);
@@ -107,17 +129,35 @@ void evaluate(const std::string& name, const std::vector<Array>& inputs,
                 std::copy_n(&results[c * Block::size], count, values + c * points + begin);
         }
     };
-    std::vector<std::thread> others;
     const std::size_t least = 1 << 14; // the fewest points worth a thread
-    try {
-        for (std::size_t t = 1; t < std::min(threads, points / least); ++t)
-            others.emplace_back(work);
-    } catch (const std::system_error&) {
-        // The system refuses more threads: those that run do the work.
-    }
-    work();
-    for (std::thread& other : others)
-        other.join();
+    run((blocks + together - 1) / together, std::max<std::size_t>(1, std::min(threads, points / least)),
+        fill);
+}
+
+// Fills a picture with noise of one wave vector, on at most `threads` cores, with the GIL released.
+void fill_grid(const nb::ndarray<float, nb::ndim<2>, nb::c_contig, nb::device::cpu>& out, double scale,
+               float frequency, float orientation, std::uint32_t seed, std::array<float, 2> period,
+               double time, std::size_t threads) {
+    GaborGrid grid;
+    grid.width = out.shape(1);
+    grid.height = std::min<std::size_t>(64, out.shape(0));
+    grid.step = 1 / scale;
+    grid.x = 0.5 / scale;
+    grid.wave = gabor_wave_vector(frequency, orientation);
+    grid.period = {period[0], period[1]};
+    grid.moment = static_cast<float>(time - std::floor(time));
+    grid.seed = seed;
+    const std::size_t height = out.shape(0), rows = grid.height;
+    float* const values = out.data();
+
+    nb::gil_scoped_release release;
+    run((height + rows - 1) / rows, std::min(threads, 1 + height * grid.width / (1 << 16)),
+        [&](std::size_t band) {
+            GaborGrid part = grid;
+            part.height = std::min(rows, height - band * rows);
+            part.y = (static_cast<double>(band * rows) + 0.5) / scale;
+            gabor_noise_grid(part, values + band * rows * grid.width);
+        });
 }
 
 namespace Kind {
@@ -158,6 +198,8 @@ GABOR_DEFINE(GABOR_MODULE) {
     module.attr("HAS_AVX2") = has_avx2();
     module.def("evaluate", &evaluate<float>, nb::arg(), nb::arg(), nb::arg().noconvert(), nb::arg());
     module.def("evaluate", &evaluate<double>, nb::arg(), nb::arg(), nb::arg().noconvert(), nb::arg());
+    module.def("fill_grid", &fill_grid, nb::arg().noconvert(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+               nb::arg(), nb::arg(), nb::arg());
     nb::dict described;
     for (const auto& [name, kernel] : kernels())
         described[name.c_str()] = nb::make_tuple(kernel.inputs, kernel.channels, kernel.defaults);
