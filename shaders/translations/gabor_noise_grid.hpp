@@ -22,6 +22,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 static_assert(GABOR_TAPS == 3, "gabor_noise_grid.hpp needs GABOR_TAPS 3");
@@ -29,9 +31,8 @@ static_assert(GABOR_TAPS == 3, "gabor_noise_grid.hpp needs GABOR_TAPS 3");
 struct GaborGrid {
     std::size_t width = 512;
     std::size_t height = 512;
-    double x =
-        0.5 /
-        32; // position of the first pixel in kernel radii, anywhere in a world of 2^32 nodes along each axis
+    // Position of the first pixel in kernel radii, anywhere in a world of 2^32 nodes along each axis.
+    double x = 0.5 / 32;
     double y = 0.5 / 32;
     double step = 1.0 / 32;               // kernel radii from pixel to pixel, above 0
     gabor_vec2 wave = gabor_vec2(0.0f);   // the wave vector in cycles per kernel radius
