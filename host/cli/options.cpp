@@ -101,8 +101,11 @@ int parse_integer(std::string_view option, std::string_view text, int low, int h
 }
 
 std::array<int, 2> parse_size(std::string_view text, int most) {
-    const std::string accepted = fmt::format("WIDTHxHEIGHT, each from 1 to {}", most);
-    const auto size = parse_numbers<int, 2>("--size", text, 'x', accepted);
+    const std::string accepted = fmt::format("WIDTHxHEIGHT or the side of a square, each from 1 to {}", most);
+    const bool square = text.find('x') == text.npos;
+    const auto side = square ? parse_numbers<int, 1>("--size", text, 'x', accepted) : std::array{0};
+    const auto size =
+        square ? std::array{side[0], side[0]} : parse_numbers<int, 2>("--size", text, 'x', accepted);
     if (std::ranges::min(size) < 1 || std::ranges::max(size) > most)
         refuse("--size", text, accepted);
     return size;

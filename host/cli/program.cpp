@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -17,6 +18,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -110,11 +112,14 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
             return fail(program, 2, fmt::format("{} ({})", error.what(), where_to_look(app)));
     } catch (const RequestError& error) {
         return fail(program, 2, error.what());
+    } catch (
+        const std::system_error& error) { // a reader such as `head` that has closed the pipe has seen enough
+        return error.code() == std::errc::broken_pipe ? 0 : fail(program, 1, error.what());
     } catch (const std::exception& error) {
         return fail(program, 1, error.what());
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
-        return fail(program, 1, "cannot write to standard output");
+        return errno == EPIPE ? 0 : fail(program, 1, "cannot write to standard output");
     if (const int messages = vulkan::validation_messages())
         return fail(program, 1, fmt::format("{} message(s) from the validation layers", messages));
     return 0;

@@ -242,7 +242,8 @@ void render_pictures(const RenderOptions& options) {
 
 void add_render_command(CLI::App& app) {
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = app.add_subcommand("render", "Render noise, a material or terrain to OpenEXR or PNG");
+    CLI::App* command =
+        app.add_subcommand("render", "Render noise, a material, terrain or a sea to OpenEXR or PNG");
     command->footer(R"(
 Examples:
   gabor render --scale 32 --frequency 8 --orientation 30deg -o stripes.png

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -19,15 +21,56 @@ namespace {
 
 constexpr std::int64_t most_pixels = std::int64_t{1} << 28; // the whole picture is decoded in memory
 
+// Reads a file for stb_image, which takes bytes that are missing for zeros.
+struct Source {
+    std::FILE* file;
+    bool short_of_bytes = false;
+
+    static constexpr stbi_io_callbacks callbacks{
+        [](void* source, char* bytes, int size) {
+            auto& of = *static_cast<Source*>(source);
+            const auto read = std::fread(bytes, 1, static_cast<std::size_t>(size), of.file);
+            of.short_of_bytes |= read == 0;
+            return static_cast<int>(read);
+        },
+        [](void* source, int size) { std::fseek(static_cast<Source*>(source)->file, size, SEEK_CUR); },
+        [](void* source) { return std::feof(static_cast<Source*>(source)->file); }};
+};
+
+// The bytes of the file's header.
+using Header = std::array<std::uint8_t, 18>;
+
+// The bytes of the file up to the end of its pixels, if they are not run-length encoded.
+std::int64_t needed_bytes(const Header& header) {
+    const auto word = [&](std::size_t i) { return header[i] + 256 * header[i + 1]; };
+    const auto bytes = [](int bits) { return std::int64_t{(bits + 7) / 8}; };
+    return header[2] >= 8 ? 0
+                          : 18 + header[0] + header[1] * word(5) * bytes(header[7]) +
+                                word(12) * word(14) * bytes(header[16]);
+}
+
 class TgaPicture : public PictureReader {
   public:
     TgaPicture(const std::filesystem::path& path, std::FILE* file, int width, int height, int values) {
         if (std::int64_t{width} * height > most_pixels)
             refuse_picture(path,
                            fmt::format("a TGA may have at most {} million pixels", most_pixels / 1000000));
-        bytes_.reset(stbi_load_from_file(file, &width, &height, &values, 0));
+        Header header{};
+        const bool whole_header = std::fread(header.data(), 1, header.size(), file) == header.size();
+        std::fseek(file, 0, SEEK_END);
+        const std::int64_t size = std::ftell(file);
+        std::rewind(file);
+        Source source{file};
+        bytes_.reset(stbi_load_from_callbacks(&Source::callbacks, &source, &width, &height, &values, 0));
         if (!bytes_)
             refuse_picture(path, stbi_failure_reason());
+        if (!whole_header || size < needed_bytes(header) || source.short_of_bytes)
+            refuse_picture(path, "the file ends before its last pixel");
+        if (header[17] & 0x10) // from right to left
+            for (int y = 0; y < height; ++y)
+                for (int left = 0, right = width - 1; left < right; ++left, --right)
+                    std::swap_ranges(pixel(y, left, width, values), pixel(y, left + 1, width, values),
+                                     pixel(y, right, width, values));
         set_format({width, height, values < 3 ? 1 : 3, values % 2 == 0});
         next_ = bytes_.get();
     }
@@ -37,6 +80,10 @@ class TgaPicture : public PictureReader {
     }
 
   private:
+    stbi_uc* pixel(int row, int column, int width, int values) {
+        return bytes_.get() + (std::int64_t{row} * width + column) * values;
+    }
+
     std::unique_ptr<stbi_uc, void (*)(void*)> bytes_{nullptr, stbi_image_free};
     const stbi_uc* next_ = nullptr;
 };

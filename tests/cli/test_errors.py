@@ -8,7 +8,7 @@ import unittest
 
 import numpy as np
 
-from exr import write_exr
+from exr import Exr, write_exr
 from program import LAVAPIPE, PROGRAM, ProgramTest, gabor
 
 
@@ -21,9 +21,9 @@ class ErrorTest(ProgramTest):
 
 class Values(ErrorTest):
     def test_size(self):
-        for text in ("0x1", "1x0", "0x0", "-1x5", "5x-1", "65537x1", "1x65537"):
+        for text in ("0", "65537", "0x1", "1x0", "0x0", "-1x5", "5x-1", "65537x1", "1x65537"):
             self.refuse_render(["1 to 65536"], f"--size={text}")
-        for text in ("1024", "1024x", "x1024", "1024x1024x", "1024*1024", " 8x8", "8x8 ", "8X8", "8.0x8", "+8x8", "axb",
+        for text in ("1024x", "x1024", "1024x1024x", "1024*1024", " 8x8", "8x8 ", "8X8", "8.0x8", "+8x8", "axb",
                      "x", "99999999999x1", "1x99999999999999999999999"):
             self.refuse_render(["--size", text, "WIDTHxHEIGHT"], f"--size={text}")
 
@@ -251,6 +251,36 @@ class Disk(ErrorTest):
             for arguments in (["devices"], ["--version"], ["--help"], ["render", "--help"]):
                 with self.subTest(arguments):
                     self.assert_fails(1, ["standard output"], *arguments, stdout=full)
+
+    def test_a_reader_that_has_seen_enough(self):
+        for arguments in (["devices"], ["render", "--help"], ["recipes", "--json"]):
+            script = '"$0" "$@" | true; echo ${PIPESTATUS[0]}'
+            result = gabor(*arguments, cwd=self.folder, command=["bash", "-c", script, PROGRAM])
+            self.assertEqual((result.stdout, result.stderr), ("0\n", ""), arguments)
+
+    def test_a_square(self):
+        for size in ("24", "24x24"):
+            self.assertEqual(gabor("render", f"--size={size}", "-o", f"{size}.exr", cwd=self.folder).returncode, 0)
+        self.assertEqual((self.folder / "24.exr").read_bytes(), (self.folder / "24x24.exr").read_bytes())
+
+    def test_tga(self):
+        """A cut file is refused at any length, and the origin may be on either side."""
+        heights = np.random.default_rng(1).integers(0, 256, (16, 12), "u1")
+        def tga(kind, values, origin, pixels):
+            return bytes([0, 0, kind, *[0] * 9, 12, 0, 16, 0, 8 * values, origin]) + pixels
+        runs = b"".join(b"\x05" + row[:6].tobytes() + bytes([0x85, row[6]]) for row in heights) # six pixels, and a run of six
+        for name, content in (("grey", tga(3, 1, 0x20, heights.tobytes())), ("runs", tga(11, 1, 0x20, runs)),
+                              ("colour", tga(2, 3, 0x20, np.repeat(heights, 3).tobytes()))):
+            for length in (18, 19, 60, len(content) - 13, len(content) - 1):
+                (self.folder / "cut.tga").write_bytes(content[:length])
+                self.assert_refused(["cut.tga", "ends before"], "erode", "cut.tga", "-o", "out.exr")
+            (self.folder / f"{name}.tga").write_bytes(content)
+            self.assertEqual(gabor("erode", f"{name}.tga", "-o", f"{name}.exr", cwd=self.folder).returncode, 0)
+        (self.folder / "left.tga").write_bytes(tga(3, 1, 0x30, heights[:, ::-1].tobytes()))
+        for name in ("left", "colour"):
+            gabor("erode", f"{name}.tga", "-o", f"{name}.exr", cwd=self.folder)
+            np.testing.assert_array_equal(Exr(self.folder / f"{name}.exr").channels["height"],
+                                          Exr(self.folder / "grey.exr").channels["height"])
 
 
 if __name__ == "__main__":
