@@ -52,7 +52,7 @@ void set_parameter(Document& document, std::string_view name, const render::Valu
         request.scale = terrain || (was_noise && !was_terrain)
                             ? std::max(2.0, std::min(request.width, request.height) / (terrain ? 8.0 : 4.0))
                             : render::Request().scale;
-    if (name == "view" && !terrain) {
+    if (name == "view" && !terrain && !render::has_sea(request)) {
         request.filter = !render::is_flat(request.view) && render::can_filter(request);
         render::drop_conflicting(request, "filter");
     }

@@ -72,7 +72,7 @@ TEST_CASE("the panel avoids jargon outside the laboratory") {
     for (const render::Preset& preset : render::presets())
         check(std::string(preset.name), document_from_json(preset.json));
     for (const std::string_view view :
-         {"flat", "horizon", "slice", "sphere", "torus", "terrain", "landscape"})
+         {"flat", "horizon", "slice", "sphere", "torus", "terrain", "landscape", "ocean"})
         for (std::size_t output = 0; output < output_names.size(); ++output) {
             Document document = document_of({});
             set_parameter(document, "view", std::string(view));

@@ -87,6 +87,21 @@ TEST_CASE("documents survive a round trip through JSON") {
         CHECK_THROWS_AS(document_from_json(wrong), RequestError);
 }
 
+TEST_CASE("each view can be chosen from each other one and from a material") {
+    const std::vector<std::string_view>& views = render::parameter("view").choices;
+    for (const std::string_view before : views)
+        for (const std::string_view after : views)
+            for (const char* material : {"none", "wood"}) {
+                Document document = document_of({});
+                set_parameter(document, "view", std::string(before));
+                set_parameter(document, "material", std::string(material));
+                set_parameter(document, "view", std::string(after));
+                INFO(before << " with material " << material << ", then " << after);
+                CHECK(std::get<std::string>(*render::parameter("view").get(document.request)) == after);
+                CHECK_NOTHROW(render::check(document.request));
+            }
+}
+
 TEST_CASE("every control that is shown has an effect") {
     const auto with = [](std::string_view name, const render::Value& value) {
         Document document = document_of({});
