@@ -252,12 +252,6 @@ class Disk(ErrorTest):
                 with self.subTest(arguments):
                     self.assert_fails(1, ["standard output"], *arguments, stdout=full)
 
-    def test_a_reader_that_has_seen_enough(self):
-        for arguments in (["devices"], ["render", "--help"], ["recipes", "--json"]):
-            script = '"$0" "$@" | true; echo ${PIPESTATUS[0]}'
-            result = gabor(*arguments, cwd=self.folder, command=["bash", "-c", script, PROGRAM])
-            self.assertEqual((result.stdout, result.stderr), ("0\n", ""), arguments)
-
     def test_a_square(self):
         for size in ("24", "24x24"):
             self.assertEqual(gabor("render", f"--size={size}", "-o", f"{size}.exr", cwd=self.folder).returncode, 0)

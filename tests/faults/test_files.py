@@ -56,18 +56,17 @@ class Streams(ProgramTest):
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr, r"\Agabor: cannot write pipe: it is a pipe[^\n]*\n\Z")
 
-    def test_printing_to_a_closed_pipe_is_a_failure(self):
+    def test_printing_to_a_closed_pipe_ends_quietly(self):
         self.succeed("render", "-o", "out.exr", "--size=64x64")
         before = self.files()
-        for arguments in (["devices"], ["--help"], ["stats", "out.exr"], ["stats", "out.exr", "--json", "-"],
+        for arguments in (["devices"], ["--help"], ["render", "--help"], ["stats", "out.exr"], ["stats", "out.exr", "--json", "-"],
                           ["render", "-o", "out.exr", "--size=64x64"]):
             with self.subTest(arguments):
                 reader, writer = os.pipe()
                 os.close(reader)
                 result = gabor(*arguments, cwd=self.folder, stdout=writer)
                 os.close(writer)
-                self.assertEqual(result.returncode, 1)
-                self.assertRegex(result.stderr, r"\Agabor: [^\n]+\n\Z")
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
                 self.assertEqual(self.files(), before)
 
     def test_printed_text_never_ends_up_in_the_file(self):
