@@ -58,7 +58,7 @@ struct Terrain {
     bool operator==(const Terrain&) const = default;
 };
 
-/// A sea in perspective under a clear sky. Its waves go to the right of the unturned picture.
+/// A sea in perspective under a clear sky. Its waves travel along +x.
 struct Sea {
     double wind = 10;          ///< metres per second
     double fetch = 200;        ///< kilometres of open water upwind

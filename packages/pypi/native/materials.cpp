@@ -60,15 +60,10 @@ Kernel kernel(const char* name, const Members& defaults) {
 } // namespace
 
 std::vector<Kernel> material_kernels() {
-    return {GABOR_KERNEL(wood, GaborWood),
-            GABOR_KERNEL(fabric, GaborFabric),
-            GABOR_KERNEL(leather, GaborLeather),
-            GABOR_KERNEL(marble, GaborMarble),
-            GABOR_KERNEL(sand, GaborSand),
-            GABOR_KERNEL(brushed_metal, GaborBrushedMetal),
-            GABOR_KERNEL(scratches, GaborScratches),
-            GABOR_KERNEL(zebra, GaborZebra),
-            GABOR_KERNEL(bark, GaborBark),
-            GABOR_KERNEL(carbon_fibre, GaborCarbonFibre),
+    return {GABOR_KERNEL(wood, GaborWood),           GABOR_KERNEL(fabric, GaborFabric),
+            GABOR_KERNEL(leather, GaborLeather),     GABOR_KERNEL(marble, GaborMarble),
+            GABOR_KERNEL(sand, GaborSand),           GABOR_KERNEL(brushed_metal, GaborBrushedMetal),
+            GABOR_KERNEL(scratches, GaborScratches), GABOR_KERNEL(zebra, GaborZebra),
+            GABOR_KERNEL(bark, GaborBark),           GABOR_KERNEL(carbon_fibre, GaborCarbonFibre),
             GABOR_KERNEL(strata, GaborStrata)};
 }
