@@ -195,19 +195,20 @@ float gabor_impl_transmitted_3d(float3 wave, GaborPixelAxes pixel) {
     return exp(-min(9.8696044 * dot(k * k, 1.0 / d), 80.0)) * rsqrt(d.x * d.y);
 }
 
-// Adds slice k, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-void gabor_impl_add_filtered_slice(inout float4 sum, inout float4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k,
-                                   float3 mixed, float moment) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+void gabor_impl_add_filtered_slice(inout float4 sum, inout float4 slopes, GaborAxis x, GaborAxis y, GaborAxis z, float3 mixed,
+                                   float moment) {
     float4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
-    gabor_impl_add_products(sum, slice, z.node[k].xy);
-    slopes += float4(gabor_impl_product(slope.xy, z.node[k].xy), gabor_impl_product(slice.xy, z.node[k].zw));
-    sum += float4(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[k].zw)
-                + mixed.z * gabor_impl_product(slope.zw, z.node[k].xy), 0.0, 0.0);
+    gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
+    gabor_impl_add_products(sum, slice, z.node[0].xy);
+    slopes += float4(gabor_impl_product(slope.xy, z.node[0].xy), gabor_impl_product(slice.xy, z.node[0].zw));
+    sum += float4(gabor_impl_product(mixed.x * slope.xy + mixed.y * slice.zw, z.node[0].zw)
+                + mixed.z * gabor_impl_product(slope.zw, z.node[0].xy), 0.0, 0.0);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis.
-GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, GaborMatrix pixel, uint salt) {
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
+// loop whose length it does not know much faster than three calls.
+GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, GaborMatrix pixel, bool wanted, uint salt) {
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                   GABOR_RADIUS);
@@ -220,9 +221,14 @@ GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, float3 wave, Gabo
     gabor_impl_filter(y, pixel.diagonal.y, blurred.y, unused);
     gabor_impl_filter(z, pixel.diagonal.z, blurred.z, unused);
     float4 sum = (float4)(0.0), slopes = (float4)(0.0);
-    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 0, pixel.mixed, place.moment);
-    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 1, pixel.mixed, place.moment);
-    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 2, pixel.mixed, place.moment);
+    int slices = wanted ? 3 : 0;
+    for (int k = 0; k < slices; ++k) {
+        gabor_impl_add_filtered_slice(sum, slopes, x, y, z, pixel.mixed, place.moment);
+        z.node[0] = z.node[1];
+        z.node[1] = z.node[2];
+        z.word[0] = z.word[1];
+        z.word[1] = z.word[2];
+    }
     return gabor_impl_field_3d(sum, slopes, exp(-19.739209 * max(dot(wave, blurred), 0.0)) * turn, wave);
 }
 
@@ -238,12 +244,11 @@ GaborField3d gabor_field_3d_filtered(GaborPlace3d place, float3 dx, float3 dy, f
     float3 variance = pixel.diagonal;
     float wide = clamp(100.0 * sqrt(max(max(variance.x, variance.y), variance.z)) - 9.0, 0.0, 1.0);
     GaborField3d sum = GaborField3d_of(0.0, (float3)(0.0), 0.0, (float3)(0.0), 1.0 - transmitted);
-    if (transmitted == 0.0)
-        return sum;
-    if (wide < 1.0)
-        gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, salt), (1.0 - wide) * amplitude,
-                                stretch);
-    if (wide > 0.0)
+    bool kept = transmitted > 0.0; // a return would take FXC longer
+    if (kept && wide < 1.0)
+        gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, wide < 1.0, salt),
+                                (1.0 - wide) * amplitude, stretch);
+    if (kept && wide > 0.0)
         gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0, salt), wide * amplitude,
                                 stretch);
     return sum;

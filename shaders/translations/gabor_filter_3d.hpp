@@ -182,19 +182,20 @@ GABOR_INLINE float gabor_impl_transmitted_3d(gabor_vec3 wave, GaborPixelAxes pix
     return gabor_cpp_exp(-gabor_cpp_min(9.8696044f * gabor_cpp_dot(k * k, 1.0f / d), 80.0f)) * gabor_cpp_inversesqrt(d.x * d.y);
 }
 
-// Adds slice k, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, int k,
-                                   gabor_vec3 mixed, float moment) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+GABOR_INLINE void gabor_impl_add_filtered_slice(gabor_vec4& sum, gabor_vec4& slopes, GaborAxis x, GaborAxis y, GaborAxis z, gabor_vec3 mixed,
+                                   float moment) {
     gabor_vec4 slice, slope;
-    gabor_impl_sum_slice(x, y, z, k, moment, slice, slope);
-    gabor_impl_add_products(sum, slice, z.node[k].xy());
-    slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[k].xy()), gabor_impl_product(slice.xy(), z.node[k].zw()));
-    sum += gabor_vec4(gabor_impl_product(mixed.x * slope.xy() + mixed.y * slice.zw(), z.node[k].zw())
-                + mixed.z * gabor_impl_product(slope.zw(), z.node[k].xy()), 0.0f, 0.0f);
+    gabor_impl_sum_slice(x, y, z, 0, moment, slice, slope);
+    gabor_impl_add_products(sum, slice, z.node[0].xy());
+    slopes += gabor_vec4(gabor_impl_product(slope.xy(), z.node[0].xy()), gabor_impl_product(slice.xy(), z.node[0].zw()));
+    sum += gabor_vec4(gabor_impl_product(mixed.x * slope.xy() + mixed.y * slice.zw(), z.node[0].zw())
+                + mixed.z * gabor_impl_product(slope.zw(), z.node[0].xy()), 0.0f, 0.0f);
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis.
-GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabor_vec3 wave, GaborMatrix pixel, std::uint32_t salt) {
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
+// loop whose length it does not know much faster than three calls.
+GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabor_vec3 wave, GaborMatrix pixel, bool wanted, std::uint32_t salt) {
     GaborAxis x = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, GABOR_RADIUS);
     GaborAxis y = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, salt ^ GABOR_IMPL_ROWS, wave.y,
                                   GABOR_RADIUS);
@@ -207,9 +208,14 @@ GABOR_INLINE GaborField3d gabor_impl_filtered_narrow_3d(GaborPlace3d place, gabo
     gabor_impl_filter(y, pixel.diagonal.y, blurred.y, unused);
     gabor_impl_filter(z, pixel.diagonal.z, blurred.z, unused);
     gabor_vec4 sum = gabor_vec4(0.0f), slopes = gabor_vec4(0.0f);
-    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 0, pixel.mixed, place.moment);
-    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 1, pixel.mixed, place.moment);
-    gabor_impl_add_filtered_slice(sum, slopes, x, y, z, 2, pixel.mixed, place.moment);
+    int slices = wanted ? 3 : 0;
+    for (int k = 0; k < slices; ++k) {
+        gabor_impl_add_filtered_slice(sum, slopes, x, y, z, pixel.mixed, place.moment);
+        z.node[0] = z.node[1];
+        z.node[1] = z.node[2];
+        z.word[0] = z.word[1];
+        z.word[1] = z.word[2];
+    }
     return gabor_impl_field_3d(sum, slopes, gabor_cpp_exp(-19.739209f * gabor_cpp_max(gabor_cpp_dot(wave, blurred), 0.0f)) * turn, wave);
 }
 
@@ -225,12 +231,11 @@ GABOR_INLINE GaborField3d gabor_field_3d_filtered(GaborPlace3d place, gabor_vec3
     gabor_vec3 variance = pixel.diagonal;
     float wide = gabor_cpp_clamp(100.0f * gabor_cpp_sqrt(gabor_cpp_max(gabor_cpp_max(variance.x, variance.y), variance.z)) - 9.0f, 0.0f, 1.0f);
     GaborField3d sum = GaborField3d{0.0f, gabor_vec3(0.0f), 0.0f, gabor_vec3(0.0f), 1.0f - transmitted};
-    if (transmitted == 0.0f)
-        return sum;
-    if (wide < 1.0f)
-        gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, salt), (1.0f - wide) * amplitude,
-                                stretch);
-    if (wide > 0.0f)
+    bool kept = transmitted > 0.0f; // a return would take FXC longer
+    if (kept && wide < 1.0f)
+        gabor_impl_add_field_3d(sum, gabor_impl_filtered_narrow_3d(place, wave, pixel, wide < 1.0f, salt),
+                                (1.0f - wide) * amplitude, stretch);
+    if (kept && wide > 0.0f)
         gabor_impl_add_field_3d(sum, gabor_impl_filtered_wide_3d(place, wave, pixel, wide > 0.0f, salt), wide * amplitude,
                                 stretch);
     return sum;

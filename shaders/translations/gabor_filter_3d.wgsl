@@ -1,5 +1,5 @@
 // Generated from gabor_filter_3d.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 13e371b7e8e2df15.
+// naga 30.0.1 made it from GLSL with the digest 00bb49278ed77f7a.
 //
 // gabor_filter_3d.wgsl: the noises of gabor_noise_3d.wgsl, averaged over a pixel.
 //
@@ -455,32 +455,33 @@ fn gabor_impl_transmitted_3d(wave: vec3<f32>, pixel: GaborPixelAxes) -> f32 {
     return (exp(-(min((9.869604f * dot((_e11 * _e12), (vec2(1f) / _e15))), 80f))) * inverseSqrt((_e24.x * _e26.y)));
 }
 
-// Adds slice k, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
-fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, k: i32, mixed: vec3<f32>, moment: f32) {
+// Adds slice 0, as gabor_impl_add_slice does. The filter adds mixed derivatives, weighted by its covariances yz, zx, xy.
+fn gabor_impl_add_filtered_slice(sum: ptr<function, vec4<f32>>, slopes: ptr<function, vec4<f32>>, x: GaborAxis, y: GaborAxis, z: GaborAxis, mixed: vec3<f32>, moment: f32) {
     var slice_4: vec4<f32>;
     var slope_11: vec4<f32>;
-    gabor_impl_sum_slice(x, y, z, k, moment, (&slice_4), (&slope_11));
+    gabor_impl_sum_slice(x, y, z, 0i, moment, (&slice_4), (&slope_11));
     let _e15 = slice_4;
-    gabor_impl_add_products(sum, _e15, z.node[k].xy);
-    let _e20 = (*slopes);
-    let _e21 = slope_11;
-    let _e26 = gabor_impl_product(_e21.xy, z.node[k].xy);
-    let _e27 = slice_4;
-    let _e32 = gabor_impl_product(_e27.xy, z.node[k].zw);
-    (*slopes) = (_e20 + vec4<f32>(_e26.x, _e26.y, _e32.x, _e32.y));
-    let _e39 = (*sum);
-    let _e41 = slope_11;
-    let _e45 = slice_4;
-    let _e52 = gabor_impl_product(((mixed.x * _e41.xy) + (mixed.y * _e45.zw)), z.node[k].zw);
-    let _e54 = slope_11;
-    let _e59 = gabor_impl_product(_e54.zw, z.node[k].xy);
-    let _e61 = (_e52 + (mixed.z * _e59));
-    (*sum) = (_e39 + vec4<f32>(_e61.x, _e61.y, 0f, 0f));
+    gabor_impl_add_products(sum, _e15, z.node[0].xy);
+    let _e21 = (*slopes);
+    let _e22 = slope_11;
+    let _e28 = gabor_impl_product(_e22.xy, z.node[0].xy);
+    let _e29 = slice_4;
+    let _e35 = gabor_impl_product(_e29.xy, z.node[0].zw);
+    (*slopes) = (_e21 + vec4<f32>(_e28.x, _e28.y, _e35.x, _e35.y));
+    let _e42 = (*sum);
+    let _e44 = slope_11;
+    let _e48 = slice_4;
+    let _e56 = gabor_impl_product(((mixed.x * _e44.xy) + (mixed.y * _e48.zw)), z.node[0].zw);
+    let _e58 = slope_11;
+    let _e64 = gabor_impl_product(_e58.zw, z.node[0].xy);
+    let _e66 = (_e56 + (mixed.z * _e64));
+    (*sum) = (_e42 + vec4<f32>(_e66.x, _e66.y, 0f, 0f));
     return;
 }
 
-// The filtered noise of 27 nodes, with three waves along each axis.
-fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, salt: u32) -> GaborField3d {
+// The filtered noise of 27 nodes, with three waves along each axis. If not `wanted`, computes none of them. FXC compiles a
+// loop whose length it does not know much faster than three calls.
+fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: GaborMatrix, wanted: bool, salt: u32) -> GaborField3d {
     var x_20: GaborAxis;
     var y_17: GaborAxis;
     var z_10: GaborAxis;
@@ -489,46 +490,69 @@ fn gabor_impl_filtered_narrow_3d(place: GaborPlace3d, wave: vec3<f32>, pixel: Ga
     var unused: GaborAxis;
     var sum_28: vec4<f32> = vec4(0f);
     var slopes_5: vec4<f32> = vec4(0f);
-    let _e15 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
-    x_20 = _e15;
-    let _e30 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
-    y_17 = _e30;
-    let _e45 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
-    z_10 = _e45;
-    let _e47 = x_20;
-    let _e49 = x_20;
-    let _e52 = y_17;
-    let _e54 = y_17;
-    let _e58 = z_10;
-    let _e60 = z_10;
-    let _e64 = gabor_impl_wave((((_e47.turns * _e49.offset) + (_e52.turns * _e54.offset)) + (_e58.turns * _e60.offset)));
-    turn_15 = _e64;
-    let _e66 = gabor_impl_symmetric_3d(pixel, wave);
-    blurred_4 = _e66;
-    let _e72 = blurred_4;
-    gabor_impl_filter((&x_20), pixel.diagonal.x, _e72.x, (&unused));
-    let _e80 = blurred_4;
-    gabor_impl_filter((&y_17), pixel.diagonal.y, _e80.y, (&unused));
-    let _e88 = blurred_4;
-    gabor_impl_filter((&z_10), pixel.diagonal.z, _e88.z, (&unused));
-    let _e101 = x_20;
-    let _e102 = y_17;
-    let _e103 = z_10;
-    gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e101, _e102, _e103, 0i, pixel.mixed, place.moment);
-    let _e111 = x_20;
-    let _e112 = y_17;
-    let _e113 = z_10;
-    gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e111, _e112, _e113, 1i, pixel.mixed, place.moment);
-    let _e121 = x_20;
-    let _e122 = y_17;
-    let _e123 = z_10;
-    gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e121, _e122, _e123, 2i, pixel.mixed, place.moment);
-    let _e129 = sum_28;
-    let _e130 = slopes_5;
-    let _e133 = blurred_4;
-    let _e139 = turn_15;
-    let _e141 = gabor_impl_field_3d(_e129, _e130, (exp((-19.739208f * max(dot(wave, _e133), 0f))) * _e139), wave);
-    return _e141;
+    var local_47: i32;
+    var slices_1: i32;
+    var k_4: i32 = 0i;
+    let _e16 = gabor_impl_axis(place.cell.x, place.local.x, place.period.x, salt, wave.x, 1.5f);
+    x_20 = _e16;
+    let _e31 = gabor_impl_axis(place.cell.y, place.local.y, place.period.y, (salt ^ 1540483477u), wave.y, 1.5f);
+    y_17 = _e31;
+    let _e46 = gabor_impl_axis(place.cell.z, place.local.z, place.period.z, (salt ^ 668265263u), wave.z, 1.5f);
+    z_10 = _e46;
+    let _e48 = x_20;
+    let _e50 = x_20;
+    let _e53 = y_17;
+    let _e55 = y_17;
+    let _e59 = z_10;
+    let _e61 = z_10;
+    let _e65 = gabor_impl_wave((((_e48.turns * _e50.offset) + (_e53.turns * _e55.offset)) + (_e59.turns * _e61.offset)));
+    turn_15 = _e65;
+    let _e67 = gabor_impl_symmetric_3d(pixel, wave);
+    blurred_4 = _e67;
+    let _e73 = blurred_4;
+    gabor_impl_filter((&x_20), pixel.diagonal.x, _e73.x, (&unused));
+    let _e81 = blurred_4;
+    gabor_impl_filter((&y_17), pixel.diagonal.y, _e81.y, (&unused));
+    let _e89 = blurred_4;
+    gabor_impl_filter((&z_10), pixel.diagonal.z, _e89.z, (&unused));
+    if wanted {
+        local_47 = 3i;
+    } else {
+        local_47 = 0i;
+    }
+    let _e103 = local_47;
+    slices_1 = _e103;
+    loop {
+        let _e107 = k_4;
+        let _e108 = slices_1;
+        if !((_e107 < _e108)) {
+            break;
+        }
+        {
+            let _e116 = x_20;
+            let _e117 = y_17;
+            let _e118 = z_10;
+            gabor_impl_add_filtered_slice((&sum_28), (&slopes_5), _e116, _e117, _e118, pixel.mixed, place.moment);
+            let _e129 = z_10.node[1];
+            z_10.node[0i] = _e129;
+            let _e136 = z_10.node[2];
+            z_10.node[1i] = _e136;
+            let _e143 = z_10.word[1];
+            z_10.word[0i] = _e143;
+            let _e150 = z_10.word[2];
+            z_10.word[1i] = _e150;
+        }
+        continuing {
+            let _e111 = k_4;
+            k_4 = (_e111 + 1i);
+        }
+    }
+    let _e151 = sum_28;
+    let _e152 = slopes_5;
+    let _e155 = blurred_4;
+    let _e161 = turn_15;
+    let _e163 = gabor_impl_field_3d(_e151, _e152, (exp((-19.739208f * max(dot(wave, _e155), 0f))) * _e161), wave);
+    return _e163;
 }
 
 fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wave: vec3<f32>, seed: u32) -> GaborField3d {
@@ -543,6 +567,7 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
     var variance_1: vec3<f32>;
     var wide_1: f32;
     var sum_29: GaborField3d;
+    var kept_1: bool;
     wave_26 = wave;
     stretch_10 = (place.radius / vec3(1.5f));
     let _e14 = wave_26;
@@ -581,66 +606,66 @@ fn gabor_field_3d_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, wa
     let _e78 = transmitted_1;
     sum_29 = GaborField3d(0f, vec3(0f), 0f, vec3(0f), (1f - _e78));
     let _e82 = transmitted_1;
-    if (_e82 == 0f) {
-        let _e85 = sum_29;
-        return _e85;
+    kept_1 = (_e82 > 0f);
+    let _e86 = kept_1;
+    let _e87 = wide_1;
+    if (_e86 && (_e87 < 1f)) {
+        let _e92 = wave_26;
+        let _e93 = pixel_5;
+        let _e94 = wide_1;
+        let _e97 = salt_14;
+        let _e98 = gabor_impl_filtered_narrow_3d(place, _e92, _e93, (_e94 < 1f), _e97);
+        let _e100 = wide_1;
+        let _e102 = amplitude_6;
+        let _e104 = stretch_10;
+        gabor_impl_add_field_3d((&sum_29), _e98, ((1f - _e100) * _e102), _e104);
     }
-    let _e86 = wide_1;
-    if (_e86 < 1f) {
-        let _e90 = wave_26;
-        let _e91 = pixel_5;
-        let _e92 = salt_14;
-        let _e93 = gabor_impl_filtered_narrow_3d(place, _e90, _e91, _e92);
-        let _e95 = wide_1;
-        let _e97 = amplitude_6;
-        let _e99 = stretch_10;
-        gabor_impl_add_field_3d((&sum_29), _e93, ((1f - _e95) * _e97), _e99);
+    let _e106 = kept_1;
+    let _e107 = wide_1;
+    if (_e106 && (_e107 > 0f)) {
+        let _e112 = wave_26;
+        let _e113 = pixel_5;
+        let _e114 = wide_1;
+        let _e117 = salt_14;
+        let _e118 = gabor_impl_filtered_wide_3d(place, _e112, _e113, (_e114 > 0f), _e117);
+        let _e119 = wide_1;
+        let _e120 = amplitude_6;
+        let _e122 = stretch_10;
+        gabor_impl_add_field_3d((&sum_29), _e118, (_e119 * _e120), _e122);
     }
-    let _e101 = wide_1;
-    if (_e101 > 0f) {
-        let _e105 = wave_26;
-        let _e106 = pixel_5;
-        let _e107 = wide_1;
-        let _e110 = salt_14;
-        let _e111 = gabor_impl_filtered_wide_3d(place, _e105, _e106, (_e107 > 0f), _e110);
-        let _e112 = wide_1;
-        let _e113 = amplitude_6;
-        let _e115 = stretch_10;
-        gabor_impl_add_field_3d((&sum_29), _e111, (_e112 * _e113), _e115);
-    }
-    let _e117 = sum_29;
-    return _e117;
+    let _e124 = sum_29;
+    return _e124;
 }
 
 fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32>, normal: vec3<f32>, frequency: f32, direction: vec3<f32>, seed: u32) -> GaborField3d {
     var surface_1: GaborSurface;
     var sum_30: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_47: i32;
-    var i_13: i32;
     var local_48: i32;
-    var local_49: vec3<f32>;
+    var i_13: i32;
+    var local_49: i32;
+    var local_50: vec3<f32>;
     var wave_27: vec3<f32>;
-    var local_50: f32;
+    var local_51: f32;
     var power_7: f32;
     let _e7 = gabor_impl_surface(normal, direction);
     surface_1 = _e7;
     let _e18 = surface_1;
     if (_e18.second < 1f) {
-        local_47 = 0i;
+        local_48 = 0i;
     } else {
-        local_47 = 1i;
+        local_48 = 1i;
     }
-    let _e25 = local_47;
+    let _e25 = local_48;
     i_13 = _e25;
     loop {
         let _e27 = i_13;
         let _e28 = surface_1;
         if (_e28.second > 0f) {
-            local_48 = 2i;
+            local_49 = 2i;
         } else {
-            local_48 = 1i;
+            local_49 = 1i;
         }
-        let _e35 = local_48;
+        let _e35 = local_49;
         if !((_e27 < _e35)) {
             break;
         }
@@ -648,22 +673,22 @@ fn gabor_field_surface_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f32
             let _e42 = i_13;
             if (_e42 == 0i) {
                 let _e45 = surface_1;
-                local_49 = _e45.direction;
+                local_50 = _e45.direction;
             } else {
                 let _e47 = surface_1;
-                local_49 = _e47.other;
+                local_50 = _e47.other;
             }
-            let _e50 = local_49;
+            let _e50 = local_50;
             wave_27 = (abs(frequency) * _e50);
             let _e53 = i_13;
             if (_e53 == 0i) {
                 let _e57 = surface_1;
-                local_50 = (1f - _e57.second);
+                local_51 = (1f - _e57.second);
             } else {
                 let _e60 = surface_1;
-                local_50 = _e60.second;
+                local_51 = _e60.second;
             }
-            let _e63 = local_50;
+            let _e63 = local_51;
             let _e64 = gabor_impl_takeover(_e63);
             power_7 = _e64;
             let _e67 = wave_27;
@@ -966,9 +991,9 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     var y_j_1: GaborFilteredNode;
     var z_k_1: GaborFilteredNode;
     var row_11: vec4<u32>;
-    var local_51: f32;
     var local_52: f32;
     var local_53: f32;
+    var local_54: f32;
     frequency_27 = frequency;
     stretch_11 = (place.radius / vec3(1.5f));
     let _e15 = frequency_27;
@@ -1093,23 +1118,23 @@ fn gabor_impl_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy: vec3<f3
     }
     let _e234 = amplitude_7;
     if tangents.only {
-        local_51 = 2f;
+        local_52 = 2f;
     } else {
-        local_51 = 3f;
+        local_52 = 3f;
     }
-    let _e239 = local_51;
-    if false {
-        local_52 = 1f;
-    } else {
-        local_52 = 1.125f;
-    }
-    let _e249 = local_52;
+    let _e239 = local_52;
     if false {
         local_53 = 1f;
     } else {
         local_53 = 1.125f;
     }
-    let _e262 = local_53;
+    let _e249 = local_53;
+    if false {
+        local_54 = 1f;
+    } else {
+        local_54 = 1.125f;
+    }
+    let _e262 = local_54;
     amplitude_7 = (_e234 * (inverseSqrt((_e239 * _e249)) / (1459955300000000000000000000f * _e262)));
     let _e267 = sum_34;
     let _e268 = amplitude_7;
@@ -1129,10 +1154,10 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy
     var normal_9: vec3<f32>;
     var aside_1: f32;
     var sum_35: GaborField3d = GaborField3d(0f, vec3(0f), 0f, vec3(0f), 0f);
-    var local_54: i32;
-    var i_15: i32;
     var local_55: i32;
-    var local_56: f32;
+    var i_15: i32;
+    var local_56: i32;
+    var local_57: f32;
     var power_8: f32;
     var field_14: GaborField3d;
     normal_9 = normal;
@@ -1144,21 +1169,21 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy
     aside_1 = dot(_e9.xy, _e11.xy);
     let _e24 = aside_1;
     if (_e24 > 0.25f) {
-        local_54 = 0i;
+        local_55 = 0i;
     } else {
-        local_54 = 1i;
+        local_55 = 1i;
     }
-    let _e30 = local_54;
+    let _e30 = local_55;
     i_15 = _e30;
     loop {
         let _e32 = i_15;
         let _e33 = aside_1;
         if (_e33 < 0.5f) {
-            local_55 = 2i;
+            local_56 = 2i;
         } else {
-            local_55 = 1i;
+            local_56 = 1i;
         }
-        let _e39 = local_55;
+        let _e39 = local_56;
         if !((_e32 < _e39)) {
             break;
         }
@@ -1166,12 +1191,12 @@ fn gabor_field_surface_isotropic_filtered(place: GaborPlace3d, dx: vec3<f32>, dy
             let _e45 = i_15;
             if (_e45 == 0i) {
                 let _e50 = aside_1;
-                local_56 = smoothstep(0.25f, 0.5f, _e50);
+                local_57 = smoothstep(0.25f, 0.5f, _e50);
             } else {
                 let _e55 = aside_1;
-                local_56 = (1f - smoothstep(0.25f, 0.5f, _e55));
+                local_57 = (1f - smoothstep(0.25f, 0.5f, _e55));
             }
-            let _e59 = local_56;
+            let _e59 = local_57;
             let _e60 = gabor_impl_takeover(_e59);
             power_8 = _e60;
             let _e62 = normal_9;
