@@ -6,6 +6,7 @@
 import inspect
 import pathlib
 import re
+import subprocess
 import sys
 import tempfile
 import threading
@@ -141,6 +142,78 @@ class Pictures(unittest.TestCase):
             self.assertAlmostEqual(float(function(*(each + far for each in place), seed=3, period=2.0**20)), float(near), delta=2e-5)
 
 
+class Movies(unittest.TestCase):
+    def spectrum(self, side, frames):
+        """Returns the mean power over frames, frequencies in cycles per pixel, and directions within a quarter turn of +x."""
+        window = np.hanning(side) * np.hanning(side)[:, None]
+        y, x = np.meshgrid(np.fft.fftfreq(side), np.fft.fftfreq(side), indexing="ij")
+        return sum(np.abs(np.fft.fft2(frame * window)) ** 2 for frame in frames), np.hypot(x, y), (x, y)
+
+    def peak(self, places, density, full):
+        """Returns the middle and the full width of a density over places at half its height."""
+        edges = np.linspace(-0.75 * full, 0.75 * full, 41)
+        centres, bins = 0.5 * (edges[1:] + edges[:-1]), np.digitize(places, edges)
+        means = np.array([density[bins == k].mean() for k in range(1, 41)])
+        high = means > 0.25 * means.max()
+        x = np.linspace(*centres[high][[0, -1]], 9999)
+        fitted = np.polyval(np.polyfit(centres[high], np.log(means[high]), 4), x)
+        left, right = x[fitted > fitted.max() - np.log(2)][[0, -1]]
+        return 0.5 * (left + right), right - left
+
+    def test_have_the_spectrum_that_they_name(self):
+        for bandwidth, across, frequency, orientation in ((1.0, 0.5, 0.2, 0.6), (2.0, 0.8, 0.12, 2.0), (1.0, None, 0.2, 0.0)):
+            frames = (gn.movie((256, 256), 1, frequency=frequency, bandwidth=bandwidth, orientation=orientation,
+                               orientation_bandwidth=across, seed=seed)[0] for seed in range(400))
+            power, f, (x, y) = self.spectrum(256, frames)
+            f[0, 0] = 1
+            octaves = np.log2(f / frequency)
+            angles = (np.arctan2(y, x) - orientation + np.pi / 2) % np.pi - np.pi / 2
+            near = np.abs(angles) < (across or 9)
+            middle, width = self.peak(octaves[near], (power * f * f)[near], bandwidth)
+            print(f"peak off by {middle:.4f} octaves, width times {width / bandwidth:.4f}", end="")
+            self.assertLess(abs(middle), 0.02 / np.log(2))
+            self.assertLess(abs(width / bandwidth - 1), 0.02)
+            if across:
+                near = np.abs(octaves) < bandwidth
+                middle, width = self.peak(angles[near], (power * f * f)[near], across)
+                print(f"; {middle:.4f} radians, width times {width / across:.4f}", end="")
+                self.assertLess(abs(middle), 0.02 * across)
+                self.assertLess(abs(width / across - 1), 0.02)
+            print()
+
+    def test_have_their_contrast_and_mean(self):
+        frames = np.array([gn.movie((128, 128), 1, frequency=0.1, contrast=0.3, seed=seed)[0][::16, ::16] for seed in range(2500)], np.float64)
+        patches = np.concatenate([frames.mean(axis=(1, 2)), (frames**2).mean(axis=(1, 2))]).reshape(2, -1)
+        for values, truth in zip(patches, (0.0, 0.09)):
+            self.assertLess(abs(values.mean() - truth), 4 * values.std() / len(values) ** 0.5)
+        self.assertLess(4 * patches[1].std() / 50, 0.02 * 0.09)  # an error of 1 % in contrast fails
+
+    def test_drift_as_a_whole(self):
+        movie = gn.movie((120, 160), 9, frequency=0.1, orientation=0.9, orientation_bandwidth=np.log(2), speed=-1.3, contrast=0.4, seed=-2)
+        self.assertEqual(len(movie.lobes), 16)
+        x, y = gn.grid((120, 160), scale=1)
+        for index, frame in enumerate(movie):
+            moved = gn.noise_lobes(x + 1.3 * index * np.cos(0.9), y + 1.3 * index * np.sin(0.9), movie.lobes, seed=-2)
+            np.testing.assert_allclose(frame, 0.4 * moved, rtol=0, atol=1e-5)
+            np.testing.assert_array_equal(movie[index - 9], frame)
+        self.assertEqual(len(movie), 9)
+        self.assertEqual([each.shape for each in movie[7:]], [(120, 160)] * 2)
+        with self.assertRaisesRegex(IndexError, "frame 9 of 9"):
+            movie[9]
+        # The phase of each wave of a window that moves with the pattern tells its speed.
+        first, second = (np.fft.fft2(movie[index] * np.hanning(120)[:, None] * np.hanning(160)) for index in (0, 1))
+        fy, fx = np.meshgrid(np.fft.fftfreq(120), np.fft.fftfreq(160), indexing="ij")
+        weight, turn = np.abs(first * second).ravel() ** 0.5, np.angle(second * first.conj()).ravel() / (-2 * np.pi)
+        step = np.linalg.lstsq(np.stack([fx.ravel(), fy.ravel()], 1) * weight[:, None], turn * weight, rcond=None)[0]
+        print(f"speed {np.hypot(*step):.4f} for 1.3")
+        np.testing.assert_allclose(step, [-1.3 * np.cos(0.9), -1.3 * np.sin(0.9)], rtol=0, atol=0.05)
+
+    def test_degrees_of_visual_angle(self):
+        given = dict(bandwidth=0.8, orientation=2.2, seed=4)
+        np.testing.assert_array_equal(gn.movie((40, 50), 3, frequency=3.2, speed=0.05, pixels_per_degree=32, **given)[2],
+                                      gn.movie((40, 50), 3, frequency=0.1, speed=1.6, **given)[2])
+
+
 class Calls(unittest.TestCase):
     def test_workers_and_types(self):
         one = gn.image((300, 300), seed=4, workers=1)
@@ -174,6 +247,13 @@ class Calls(unittest.TestCase):
         x = np.zeros((2, 3))
         for call, said in (
                 (lambda: gn.image((4, 4), seed=1.5), "seed is 1.5: expected an integer"),
+                (lambda: gn.movie((4, 4, 4), 1), "shape is (4, 4, 4): expected (height, width)"),
+                (lambda: gn.movie((4, 4), 0), "frames is 0: expected an integer, 1 or more"),
+                (lambda: gn.movie((4, 4), 1, frequency=0.3), "frequency is 0.3: expected a number from 1e-06 to 0.25"),
+                (lambda: gn.movie((4, 4), 1, frequency=9, pixels_per_degree=32), "frequency is 9: expected a number from 3.2e-05 to 8"),
+                (lambda: gn.movie((4, 4), 1, bandwidth=0), "bandwidth is 0: expected a number from 0.01 to 4"),
+                (lambda: gn.movie((4, 4), 1, orientation_bandwidth=3), "orientation_bandwidth is 3: expected a number from 0.01 to 2"),
+                (lambda: gn.movie((4, 4), 1, seed=[1, 2]), "seed is [1, 2]: expected an integer of 32 bits"),
                 (lambda: gn.image((4, 4), seed=2**32), "seed is 4294967296"),
                 (lambda: gn.image((4, 4), seed="7"), "seed is '7'"),
                 (lambda: gn.image((4, 4), seed=True), "seed is True"),
@@ -283,6 +363,16 @@ class Documentation(unittest.TestCase):
                     difference = np.abs(np.asarray(made, float) - np.asarray(committed, float)).mean()
                     print(f"{name}: mean difference {difference:.2f} of 255")
                     self.assertLess(difference, 1.0, name)
+
+    def test_an_example_saves_frames(self):
+        example = pathlib.Path(sys.argv[1]).parent / "packages" / "pypi" / "examples" / "vision.py"
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, example, "--save", f"{folder}/frames"], check=True)
+            frames = [np.asarray(Image.open(path), float) for path in sorted(pathlib.Path(folder, "frames").iterdir())]
+        self.assertEqual(len(frames), 120)
+        # The pattern moves 32 pixels to the right in 15 frames.
+        self.assertLess(np.abs(frames[40][:, 32:] - frames[25][:, :-32]).max(), 1.1)
+        self.assertLess(abs(np.std(frames) / 127.5 - 0.25), 0.01)
 
 
 if __name__ == "__main__":

@@ -30,9 +30,10 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ._arguments import MEMBERS, count, evaluate, fill_grid, members, number, numbers, refuse, vector
 from ._heightmap import smoothed, sobel
+from ._movie import Movie, movie
 
 __all__ = ["image", "volume", "grid", "noise", "noise_gradient", "noise_complex", "noise_isotropic", "noise_spread", "noise_lobes", "Lobe",
-           "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "water", "water_height", "source"]
+           "noise_filtered", "noise_3d", "stripes", "terrain", "erode", "material", "water", "water_height", "movie", "Movie", "source"]
 __version__ = "@VERSION@"
 
 

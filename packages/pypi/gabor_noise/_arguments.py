@@ -33,6 +33,11 @@ _RANGES: dict[str, tuple[float, float]] = {
     "extent": (1e-9, 1e9),
     "radius": (1e-9, 1e9),
     "power": (0, math.inf),
+    "bandwidth": (0.01, 4),
+    "orientation_bandwidth": (0.01, 2),
+    "speed": (-1e6, 1e6),
+    "contrast": (0, 1e6),
+    "pixels_per_degree": (1e-6, 1e6),
     "base": (-math.inf, math.inf),
     "heights": (-math.inf, math.inf),
 }
@@ -214,12 +219,22 @@ def fill_grid(shape: Sequence[int], given: Mapping[str, Any]) -> NDArray[Any] | 
     names = "frequency", "orientation", "seed", "time"
     if any(np.ndim(given[name]) for name in names):
         return None
-    frequency, orientation = (float(numbers(name, given[name])) for name in names[:2])
+    wave = float(given["scale"]), *(float(numbers(name, given[name])) for name in names[:2]), 1.0
     time = 0.0 if given["time"] is None else float(numbers("time", given["time"]))
+    period = [float(each) for each in periods(given["period"], 2, 2.0**-10)]
     out = np.empty(tuple(shape), np.float32)
-    _native.fill_grid(out, float(given["scale"]), frequency, orientation, int(seeds("seed", given["seed"])),
-                      [float(each) for each in periods(given["period"], 2, 2.0**-10)], time, workers(given["workers"]))
+    _native.fill_grid(out, (0.5, 0.5), [wave], [int(seeds("seed", given["seed"]))], period, time, workers(given["workers"]))
     return out.astype(result_type(given["dtype"]), copy=False)
+
+
+def fill_lobes(shape: Sequence[int], first: tuple[float, float], lobes: Sequence[tuple[float, float, float, float]], seed: int,
+               cores: int) -> NDArray[np.float32]:
+    """Return a picture of `noise_lobes`, whose first pixel is at this position. Lobes have a frequency in cycles per pixel, an
+    orientation, a radius in pixels and an amplitude."""
+    waves = [(radius, frequency * radius, orientation, amplitude) for frequency, orientation, radius, amplitude in lobes]
+    out = np.empty(tuple(shape), np.float32)
+    _native.fill_grid(out, first, waves, [_native.lobe_seed(seed, i) for i in range(len(waves))], (0.0, 0.0), 0.0, cores)
+    return out
 
 
 def workers(value: int | None) -> int:

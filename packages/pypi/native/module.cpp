@@ -134,29 +134,40 @@ void evaluate(const std::string& name, const std::vector<Array>& inputs,
         fill);
 }
 
-// Fills a picture with noise of one wave vector, on at most `threads` cores, with the GIL released.
-void fill_grid(const nb::ndarray<float, nb::ndim<2>, nb::c_contig, nb::device::cpu>& out, double scale,
-               float frequency, float orientation, std::uint32_t seed, std::array<float, 2> period,
-               double time, std::size_t threads) {
-    GaborGrid grid;
-    grid.width = out.shape(1);
-    grid.height = std::min<std::size_t>(64, out.shape(0));
-    grid.step = 1 / scale;
-    grid.x = 0.5 / scale;
-    grid.wave = gabor_wave_vector(frequency, orientation);
-    grid.period = {period[0], period[1]};
-    grid.moment = static_cast<float>(time - std::floor(time));
-    grid.seed = seed;
-    const std::size_t height = out.shape(0), rows = grid.height;
+// A noise of one wave vector: pixels per kernel radius, cycles per kernel radius, orientation, amplitude.
+using Wave = std::array<double, 4>;
+
+// Fills a picture with a sum of noises, on at most `threads` cores, with the GIL released. `first` is the
+// position of the first pixel, in pixels.
+void fill_grid(const nb::ndarray<float, nb::ndim<2>, nb::c_contig, nb::device::cpu>& out,
+               std::array<double, 2> first, const std::vector<Wave>& waves,
+               const std::vector<std::uint32_t>& seeds, std::array<float, 2> period, double time,
+               std::size_t threads) {
+    const std::size_t height = out.shape(0), width = out.shape(1), rows = std::min<std::size_t>(64, height);
     float* const values = out.data();
 
     nb::gil_scoped_release release;
-    run((height + rows - 1) / rows, std::min(threads, 1 + height * grid.width / (1 << 16)),
+    run((height + rows - 1) / rows, std::min(threads, 1 + height * width * waves.size() / (1 << 16)),
         [&](std::size_t band) {
-            GaborGrid part = grid;
-            part.height = std::min(rows, height - band * rows);
-            part.y = (static_cast<double>(band * rows) + 0.5) / scale;
-            gabor_noise_grid(part, values + band * rows * grid.width);
+            GaborGrid grid;
+            grid.width = width;
+            grid.height = std::min(rows, height - band * rows);
+            grid.period = {period[0], period[1]};
+            grid.moment = static_cast<float>(time - std::floor(time));
+            float* const sum = values + band * rows * width;
+            std::vector<float> noise(waves.size() > 1 ? grid.height * width : 0);
+            for (std::size_t i = 0; i < waves.size(); ++i) {
+                const auto& [scale, frequency, orientation, amplitude] = waves[i];
+                grid.step = 1 / scale;
+                grid.x = first[0] / scale;
+                grid.y = (first[1] + static_cast<double>(band * rows)) / scale;
+                grid.wave = gabor_wave_vector(static_cast<float>(frequency), static_cast<float>(orientation));
+                grid.seed = seeds[i];
+                gabor_noise_grid(grid, i == 0 ? sum : noise.data());
+                const float a = static_cast<float>(amplitude);
+                for (std::size_t k = 0; k < grid.height * width; ++k)
+                    sum[k] = i == 0 ? a * sum[k] : sum[k] + a * noise[k];
+            }
         });
 }
 
@@ -199,7 +210,8 @@ GABOR_DEFINE(GABOR_MODULE) {
     module.def("evaluate", &evaluate<float>, nb::arg(), nb::arg(), nb::arg().noconvert(), nb::arg());
     module.def("evaluate", &evaluate<double>, nb::arg(), nb::arg(), nb::arg().noconvert(), nb::arg());
     module.def("fill_grid", &fill_grid, nb::arg().noconvert(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
-               nb::arg(), nb::arg(), nb::arg());
+               nb::arg(), nb::arg());
+    module.def("lobe_seed", &gabor_lobe_seed);
     nb::dict described;
     for (const auto& [name, kernel] : kernels())
         described[name.c_str()] = nb::make_tuple(kernel.inputs, kernel.channels, kernel.defaults);
