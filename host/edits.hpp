@@ -22,4 +22,11 @@ inline std::size_t edits(std::string_view from, std::string_view to) {
     return row.back();
 }
 
+/// The names, those most similar to `word` first.
+inline std::vector<std::string_view> nearest_first(std::string_view word,
+                                                   std::vector<std::string_view> names) {
+    std::ranges::stable_sort(names, {}, [&](std::string_view name) { return edits(word, name); });
+    return names;
+}
+
 } // namespace gabor

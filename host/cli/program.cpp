@@ -15,6 +15,7 @@
 #include <exception>
 #include <fcntl.h>
 #include <memory>
+#include <new>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -112,9 +113,14 @@ int parse_and_work(const Program& program, int argc, const char* const* argv) {
             return fail(program, 2, fmt::format("{} ({})", error.what(), where_to_look(app)));
     } catch (const RequestError& error) {
         return fail(program, 2, error.what());
-    } catch (
-        const std::system_error& error) { // a reader such as `head` that has closed the pipe has seen enough
-        return error.code() == std::errc::broken_pipe ? 0 : fail(program, 1, error.what());
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::broken_pipe) // a reader such as `head` has seen enough
+            return 0;
+        return fail(program, 1,
+                    (vulkan::out_of_memory(error.code()) ? "out of memory: " : "") +
+                        std::string(error.what()));
+    } catch (const std::bad_alloc&) {
+        return fail(program, 1, "out of memory");
     } catch (const std::exception& error) {
         return fail(program, 1, error.what());
     }

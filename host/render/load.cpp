@@ -94,12 +94,9 @@ Request preset(std::string_view name) {
     if (name.ends_with(".json"))
         return load_request(std::string(name)).request;
     const auto found = std::ranges::find(presets(), name, &Preset::name);
-    if (found == presets().end()) {
-        std::vector<std::string_view> names = preset_names();
-        std::ranges::stable_sort(names, {}, [&](std::string_view known) { return edits(name, known); });
+    if (found == presets().end())
         throw RequestError(fmt::format("unknown preset '{}': expected {} or a file NAME.json", name,
-                                       fmt::join(names, ", ")));
-    }
+                                       fmt::join(nearest_first(name, preset_names()), ", ")));
     return from_json(found->json);
 }
 

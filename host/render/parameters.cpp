@@ -1,5 +1,6 @@
 #include "render/parameters.hpp"
 
+#include "edits.hpp"
 #include "error.hpp"
 #include "render/material.hpp"
 
@@ -526,8 +527,11 @@ void check_value(const Parameter& p, const Value& value) {
             if (!within(part, p.range))
                 refused();
     } else if (p.kind == Kind::choice) {
-        if (std::ranges::find(p.choices, std::get<std::string>(value)) == p.choices.end())
-            refused();
+        const std::string& name = std::get<std::string>(value);
+        if (std::ranges::find(p.choices, name) == p.choices.end())
+            refuse(name,
+                   fmt::format("{}",
+                               fmt::join(nearest_first(name, {p.choices.begin(), p.choices.end()}), ", ")));
     } else if (p.kind == Kind::lobes) {
         check_lobes(std::get<std::vector<Lobe>>(value));
     }

@@ -252,6 +252,10 @@ int validation_messages() {
     return messages;
 }
 
+bool out_of_memory(const std::error_code& code) {
+    return code == vk::Result::eErrorOutOfDeviceMemory || code == vk::Result::eErrorOutOfHostMemory;
+}
+
 std::vector<DeviceInfo> devices() {
     const vk::raii::Context context = load_vulkan();
     const vk::raii::Instance instance = make_instance(context, {});

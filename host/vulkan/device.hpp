@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 struct VkInstance_T;
@@ -32,6 +33,9 @@ std::vector<DeviceInfo> devices();
 /// GABOR_VALIDATION loads the layers unless it is empty or 0: core checks, synchronization and best practices
 /// or, if it is `gpu`, core checks and GPU-assisted ones. Each message also goes to stderr.
 int validation_messages();
+
+/// Whether a call of Vulkan failed because memory ran out.
+bool out_of_memory(const std::error_code& code);
 
 /// Requirements for showing pictures in windows; none by default.
 struct Presentation {

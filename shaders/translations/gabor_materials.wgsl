@@ -1,5 +1,5 @@
 // Generated from gabor_materials.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest d60fb88644c820f4.
+// naga 30.0.1 made it from GLSL with the digest a6ee2ee77be3b788.
 //
 // gabor_materials.wgsl: eleven materials from Gabor noise.
 //

@@ -22,7 +22,7 @@
 //                  steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
-//                  of 1.5e-6 to the noise for each radian.
+//                  of up to 8e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
 //                  orientation: gabor_wave_vector converts them. (0, 0) gives noise of frequency 0.
 //     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
@@ -45,7 +45,9 @@ using namespace metal;
 #define GABOR_NOISE_VERSION 30000 // 10000 major + 100 minor + patch
 
 // Quality: each point sums GABOR_TAPS^2 waves. To change GABOR_TAPS, define it before this file. 2 is fastest, but
-// shows columns and rows at high frequencies; with 4, the covariance depends less on the position.
+// shows columns and rows at high frequencies, and at nodes its values end at 2.89, with a Cramer-von Mises index of 6.1.
+// The covariance of two points deviates from its mean over positions by up to 5.6 % of the variance with 3 taps, and
+// by 1.5 % with 4; positions differ by up to twice as much.
 #ifndef GABOR_TAPS
 #define GABOR_TAPS 3
 #endif
@@ -107,7 +109,8 @@ struct GaborPlace {
 
 // GaborPlace gabor_place_tiled(float2 p, float2 period)
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
-//     period holds a whole number of nodes, from GABOR_TAPS to 2^31.
+//     period holds a whole number of nodes, from GABOR_TAPS to 2^31. Opposite edges differ by up to 1.5e-4 where a
+//     compiler contracts multiplications and additions.
 
 // float2 gabor_wave_vector(float frequency, float orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.

@@ -1,5 +1,5 @@
 // Generated from gabor_noise.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 3e55258a1aafbb58.
+// naga 30.0.1 made it from GLSL with the digest 6ff714f91de32f61.
 //
 // gabor_noise.wgsl: Gabor noise in the plane, with mean 0, variance 1 and a normal distribution at every point.
 //
@@ -23,7 +23,7 @@
 //                  steps of 0.008. Each wave fades out within one kernel radius of its node.
 //     frequency    cycles per kernel radius, up to 10^6; the sign is ignored
 //     orientation  direction of the wave vector, in radians from +x towards +y. At frequency 4, rounding adds an error
-//                  of 1.5e-6 to the noise for each radian.
+//                  of up to 8e-6 to the noise for each radian.
 //     wave         wave vector in cycles per kernel radius, up to 10^6 along each axis. It replaces frequency and
 //                  orientation: gabor_wave_vector converts them. (0, 0) gives noise of frequency 0.
 //     period       kernel radii along x and y after which the noise repeats exactly, 1/1024 to 10^9. Kernels shrink to
@@ -88,7 +88,8 @@ struct GaborPlace {
 
 // GaborPlace gabor_place_tiled(vec2f p, vec2f period)
 //     The position p in noise that repeats after `period` kernel radii; an axis whose period is 0 is endless. A
-//     period holds a whole number of nodes, from GABOR_TAPS to 2^31.
+//     period holds a whole number of nodes, from GABOR_TAPS to 2^31. Opposite edges differ by up to 1.5e-4 where a
+//     compiler contracts multiplications and additions.
 
 // vec2f gabor_wave_vector(f32 frequency, f32 orientation)
 //     The wave vector with a frequency and orientation; their ranges are those of gabor_noise.

@@ -43,8 +43,9 @@
 //     Noise of many waves. Their orientations are within `orientation_spread` radians of `orientation`, and their
 //     frequencies within the fraction `frequency_spread` (0 to 1) of `frequency`, spread as evenly as lobes of kernel
 //     radius 1 allow. An orientation_spread of pi/2 gives isotropic noise; its power varies with direction by at most
-//     5 % at frequencies from 0.12 to 14, and by up to 7 % at lower ones. The noise has mean 0 and variance 1; it and
-//     its derivatives are normal. It is continuous where the arguments are. Costs one gabor_noise per lobe. There are
+//     5 % at frequencies from 0.12 to 14, by up to 7 % at lower ones, and beyond 14, where 64 directions are too few,
+//     by 34 % at 20. The noise has mean 0 and variance 1; it and its derivatives are normal. It is continuous where the
+//     arguments are. Costs one gabor_noise per lobe. There are
 //         2.86 frequency_spread frequency + 0.8 frequencies, 1 to 16, each with
 //         (4.44 frequency + 0.6) orientation_spread / (pi/2) + 0.8 directions, 1 to 64,
 //     both rounded down: 10 directions for isotropic noise of frequency 2. Just before one of these numbers changes,

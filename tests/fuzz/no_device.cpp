@@ -26,6 +26,10 @@ int validation_messages() {
     return 0;
 }
 
+bool out_of_memory(const std::error_code&) {
+    return false;
+}
+
 Device::Device(const std::string&, const Presentation&) {
     refuse();
 }
