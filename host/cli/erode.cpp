@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -88,16 +89,17 @@ render::Request request_of(const ErodeOptions& options, std::optional<double> ex
     return request;
 }
 
+using Open = std::function<std::unique_ptr<image::PictureReader>()>;
+
 // Returns a function that opens the map.
-auto reader_of(const ErodeOptions& options) {
-    const bool floats = has_extension(options.map, ".r32");
-    const bool raw = floats || has_extension(options.map, ".r16") || has_extension(options.map, ".raw");
-    if (raw != options.size.has_value())
-        throw RequestError(raw ? "a .r16, .raw or .r32 file has no header: give its WIDTHxHEIGHT with --size"
-                               : "--size is for .r16, .raw and .r32 files: other files store their size");
-    const auto size = raw ? parse_size(*options.size, most_side) : std::array{0, 0};
-    return [path = options.map, raw, floats, size] {
-        return raw ? image::open_raw(path, size[0], size[1], floats) : image::open_picture(path, "height");
+Open reader_of(const ErodeOptions& options) {
+    std::optional<std::array<int, 2>> size;
+    if (options.size)
+        size = parse_size(*options.size, most_side);
+    return [path = options.map, size] {
+        return size ? image::open_raw(path, (*size)[0], (*size)[1])
+                    : image::open_picture(path, "height",
+                                          "; heights without a header need --size WIDTHxHEIGHT");
     };
 }
 
@@ -109,10 +111,11 @@ struct Map : render::HeightMap {
 };
 
 // Opens and smooths the map. Prints what it has to guess.
-Map map_of(const ErodeOptions& options, std::optional<double> extent, double gully_frequency) {
+Map map_of(const ErodeOptions& options, const Open& open, std::optional<double> extent,
+           double gully_frequency) {
     Map map;
-    map.open = reader_of(options);
-    const image::PictureReader::Format format = map.open()->format();
+    map.open = open;
+    const image::PictureReader::Format format = open()->format();
     const std::string name = options.map.string();
     if (std::max(format.width, format.height) > most_side)
         throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} per side are supported", name,
@@ -124,6 +127,8 @@ Map map_of(const ErodeOptions& options, std::optional<double> extent, double gul
     map.corner = {format.left, format.top};
     if (options.nodata)
         map.missing = parse_numbers<float, 1>("--nodata", *options.nodata, ',', "a number")[0];
+    else
+        map.missing = format.missing;
     if (format.bits < 32) {
         const render::Elevation elevation = options.elevation ? parse_elevation(*options.elevation)
                                             : extent          ? render::Elevation{0, *extent / 8}
@@ -205,13 +210,14 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
 }
 
 void erode(const ErodeOptions& options) {
-    std::optional<double> extent;
+    check_output(options);
+    const Open open = reader_of(options);
+    std::optional<double> extent = open()->format().extent;
     if (options.extent)
         extent = positive("--extent", *options.extent, "the width of the map, above 0");
     const render::Request request = request_of(options, extent);
-    check_output(options);
     const Map map =
-        map_of(options, extent, std::get<double>(*render::parameter("gully_frequency").get(request)));
+        map_of(options, open, extent, std::get<double>(*render::parameter("gully_frequency").get(request)));
     const image::Rect region =
         options.region ? parse_region(*options.region) : image::Rect{0, 0, map.width, map.height};
     check_within(region, map.width, map.height, "--region", "map");
@@ -230,8 +236,9 @@ void erode(const ErodeOptions& options) {
 void add_erode_command(CLI::App& app) {
     auto options = std::make_shared<ErodeOptions>();
     CLI::App* command = app.add_subcommand("erode", "Add gullies and ridges to a heightmap");
-    add_option(*command, "MAP", options->map, "FILE",
-               "EXR with heights, 16-bit PNG; or .r16, .raw or .r32 with --size")
+    add_option(
+        *command, "MAP", options->map, "FILE",
+        "EXR or TIFF with heights, 16-bit PNG; or, with --size, 16-bit integers or floats without a header")
         ->required();
     begin_group(*command, "Output");
     add_option(*command, "-o,--output", options->output, "FILE",
@@ -242,12 +249,14 @@ void add_erode_command(CLI::App& app) {
                "Write only this part of the eroded map [all of it]");
     add_device_option(*command, options->device);
     begin_group(*command, "Map");
-    add_option(*command, "--size", options->size, "WIDTHxHEIGHT", "Size of a .r16, .raw or .r32 file");
+    add_option(*command, "--size", options->size, "WIDTHxHEIGHT",
+               "Size of a file without a header, such as .r16, .raw or .r32");
     add_option(*command, "--extent", options->extent, "NUMBER",
-               "Width of the map, in the same unit as its heights; without it, a guess from its slopes, "
-               "which is printed");
+               "Width of the map, in the same unit as its heights; without it, that of a GeoTIFF, or a guess "
+               "from the slopes, which is printed");
     add_elevation_option(*command, options->elevation, "0 and an eighth of --extent, or 0,1000");
-    add_option(*command, "--nodata", options->nodata, "NUMBER", "Value of pixels that have no height");
+    add_option(*command, "--nodata", options->nodata, "NUMBER",
+               "Value of pixels that have no height [that of a GeoTIFF]");
     command->add_flag("--tileable", options->tileable, "The map tiles without seams, and so does the output");
     begin_group(*command, "Erosion");
     add_option(*command, "--gully-width", options->gully_width, "NUMBER",

@@ -62,7 +62,8 @@ File open_file(const std::filesystem::path& path) {
     return file;
 }
 
-std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, const std::string& channel) {
+std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, const std::string& channel,
+                                            std::string_view hint) {
     File file = open_file(path);
     std::array<char, 8> start{};
     const std::string_view head(start.data(), std::fread(start.data(), 1, start.size(), file.get()));
@@ -73,10 +74,13 @@ std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path, c
         return open_jpeg(path, std::move(file));
     if (head.starts_with("\x76\x2f\x31\x01"sv))
         return std::make_unique<ExrPicture>(path, channel);
+    if (head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) ||
+        head.starts_with("MM\0+"sv)) // + is BigTIFF
+        return open_tiff(path);
     if (auto tga = open_tga(path, std::move(file))) // TGA files have no signature
         return tga;
-    throw RequestError(
-        fmt::format("'{}' is not a readable picture: expected PNG, JPEG, TGA or OpenEXR", path.string()));
+    throw RequestError(fmt::format(
+        "'{}' is not a readable picture: expected PNG, JPEG, TGA, TIFF or OpenEXR{}", path.string(), hint));
 }
 
 } // namespace gabor::image

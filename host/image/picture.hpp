@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,16 +20,18 @@ class PictureReader {
         int channels = 0;    ///< 1, or 3 for red, green, blue
         bool alpha = false;  ///< whether the file also has alpha
         bool linear = false; ///< linear light instead of sRGB; true for an EXR unless it says otherwise
-        int bits = 8;        ///< per value in the file; 32 for floats
+        int bits = 8;        ///< per value in the file; 32 for floats, and for integers that are heights
         int left = 0;        ///< of an EXR's data window
         int top = 0;
+        std::optional<double> extent = {}; ///< width of a GeoTIFF in the unit of its map, such as metres
+        std::optional<float> missing = {}; ///< value of pixels without a height, from GDAL's tag
     };
 
     virtual ~PictureReader() = default;
     const Format& format() const { return format_; }
 
-    /// Reads the next row, with interleaved channels: raw values from EXR, values from 0 to 1 from all other
-    /// formats. Throws RequestError, naming the file, if it is damaged or truncated.
+    /// Reads the next row, with interleaved channels: values as in the file if `bits` is 32, else values from
+    /// 0 to 1. Throws RequestError, naming the file, if it is damaged or truncated.
     virtual void read_row(std::span<float> row) = 0;
 
     /// The alpha of each pixel in the last row read; empty without an alpha channel.
@@ -56,11 +59,11 @@ class PictureReader {
     std::vector<float> alpha_;
 };
 
-/// Opens a PNG, JPEG, TGA or OpenEXR file; the content, not the name, decides the format. If an EXR has a
-/// channel named `channel`, reads only that. Throws RequestError for other formats, colours other than grey
-/// or RGB, and unreadable files.
+/// Opens a PNG, JPEG, TGA, TIFF or OpenEXR file; the content, not the name, decides the format. If an EXR has
+/// a channel named `channel`, reads only that. Throws RequestError for other formats, with `hint` at the end
+/// of the message, for colours other than grey or RGB, and for unreadable files.
 std::unique_ptr<PictureReader> open_picture(const std::filesystem::path& path,
-                                            const std::string& channel = {});
+                                            const std::string& channel = {}, std::string_view hint = {});
 
 /// Throws RequestError with the message "cannot read 'PATH': REASON".
 [[noreturn]] void refuse_picture(const std::filesystem::path& path, std::string_view reason);
@@ -75,10 +78,12 @@ std::unique_ptr<PictureReader> open_png(const std::filesystem::path& path, File 
 std::unique_ptr<PictureReader> open_jpeg(const std::filesystem::path& path, File file);
 /// Returns null if the file is not a TGA.
 std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File file);
-/// Opens a file of heights without a header, row by row from the top, low byte first: floats, or 16-bit
-/// integers, which the reader returns as values from 0 to 1. Throws RequestError unless the file has exactly
-/// width x height heights.
-std::unique_ptr<PictureReader> open_raw(const std::filesystem::path& path, int width, int height,
-                                        bool floats);
+/// Reads a TIFF's first picture: one channel of floats, or of 16-bit integers, which are heights if they are
+/// signed or the file is a GeoTIFF, and which the reader otherwise returns as values from 0 to 1.
+std::unique_ptr<PictureReader> open_tiff(const std::filesystem::path& path);
+/// Opens a file of heights without a header, row by row from the top, low byte first: 16-bit integers, which
+/// the reader returns as values from 0 to 1, or floats if the file is twice as long. Throws RequestError for
+/// another length.
+std::unique_ptr<PictureReader> open_raw(const std::filesystem::path& path, int width, int height);
 
 } // namespace gabor::image

@@ -12,15 +12,18 @@ namespace {
 
 class Raw : public PictureReader {
   public:
-    Raw(const std::filesystem::path& path, int width, int height, bool floats)
-        : path_(path), file_(open_file(path)), floats_(floats),
-          bytes_((floats ? 4 : 2) * static_cast<std::size_t>(width)) {
+    Raw(const std::filesystem::path& path, int width, int height) : path_(path), file_(open_file(path)) {
         const std::uintmax_t size = std::filesystem::file_size(path);
-        const std::uintmax_t wanted = bytes_.size() * static_cast<std::uintmax_t>(height);
-        if (size != wanted)
-            throw RequestError(fmt::format("'{}' has {} bytes, but {} x {} heights of {} bits take {}",
-                                           path.string(), size, width, height, floats ? 32 : 16, wanted));
-        set_format({width, height, 1, false, floats, floats ? 32 : 16});
+        const std::uintmax_t heights =
+            static_cast<std::uintmax_t>(width) * static_cast<std::uintmax_t>(height);
+        if (size != 2 * heights && size != 4 * heights)
+            throw RequestError(
+                fmt::format("'{}' has {} bytes, but {} x {} heights without a header take {} or, "
+                            "as 32-bit floats, {}",
+                            path.string(), size, width, height, 2 * heights, 4 * heights));
+        floats_ = size == 4 * heights;
+        bytes_.resize(size / static_cast<std::size_t>(height));
+        set_format({width, height, 1, false, floats_, floats_ ? 32 : 16});
     }
 
     void read_row(std::span<float> row) override {
@@ -37,15 +40,14 @@ class Raw : public PictureReader {
   private:
     std::filesystem::path path_;
     File file_;
-    bool floats_;
+    bool floats_ = false;
     std::vector<std::uint8_t> bytes_;
 };
 
 } // namespace
 
-std::unique_ptr<PictureReader> open_raw(const std::filesystem::path& path, int width, int height,
-                                        bool floats) {
-    return std::make_unique<Raw>(path, width, height, floats);
+std::unique_ptr<PictureReader> open_raw(const std::filesystem::path& path, int width, int height) {
+    return std::make_unique<Raw>(path, width, height);
 }
 
 } // namespace gabor::image

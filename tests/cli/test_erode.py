@@ -9,6 +9,7 @@ import PIL.Image
 from exr import Exr, write_exr
 from png import read_deep_png
 from program import ProgramTest, gabor
+from tiff import write_tiff
 
 SIDE = 96
 
@@ -141,8 +142,11 @@ class Erode(ProgramTest):
         floats, exr = self.eroded("--size=96x96", map="map.r32"), self.eroded()
         np.testing.assert_array_equal(raw["height"], integers["height"])
         np.testing.assert_array_equal(floats["height"], exr["height"])
-        (self.folder / "named.png").write_bytes((self.folder / "map.exr").read_bytes())
-        np.testing.assert_array_equal(self.eroded(map="named.png")["height"], exr["height"])
+        for name in "named.png", "named.raw":
+            (self.folder / name).write_bytes((self.folder / "map.exr").read_bytes())
+            np.testing.assert_array_equal(self.eroded(map=name)["height"], exr["height"])
+        (self.folder / "named.exr").write_bytes((self.folder / "map.r32").read_bytes())
+        np.testing.assert_array_equal(self.eroded("--size=96", map="named.exr")["height"], exr["height"])
         grey = np.round(255 * self.map).astype("u1")
         PIL.Image.fromarray(np.dstack([grey] * 3)).save(self.folder / "rgb.png")
         PIL.Image.fromarray(grey).save(self.folder / "grey.png")
@@ -152,6 +156,40 @@ class Erode(ProgramTest):
             self.assertEqual((result.returncode, result.stderr), (0, f"gabor: warning: '{name}' has 8 bits per height: its steps show as terraces\n"))
             seen.append(Exr(self.folder / "out.exr").channels["height"])
         np.testing.assert_array_equal(*seen)
+
+    def test_tiffs(self):
+        """Without octaves, the output has the heights of the map. Levels have --elevation, from 0 to 65535."""
+        def base(*options):
+            return self.eroded("--octaves=0", "--extent=8", *options, map="map.tif")["height"]
+        values = np.round(3000 * hills(96, 70)) - 1000
+        for kind in "<i2", ">i2", "<f4", ">f4", "<u2", ">u2":
+            for tile in None, (16, 32), (128, 128):
+                for deflate in False, True:
+                    wanted = values + 1000 if "u" in kind else values
+                    write_tiff(self.folder / "map.tif", wanted.astype(kind), tile, deflate)
+                    found = base("--elevation=0,65535") if "u" in kind else base()
+                    np.testing.assert_allclose(found, wanted, rtol=1e-6, err_msg=f"{kind} {tile} {deflate}")
+        levels = PIL.Image.fromarray((values + 1000).astype("<u2"))
+        for compression in "packbits", "tiff_lzw", "tiff_adobe_deflate":
+            levels.save(self.folder / "map.tif", compression=compression, tiffinfo={317: 2})  # differences
+            np.testing.assert_allclose(base("--elevation=0,65535"), values + 1000, rtol=1e-6, err_msg=compression)
+
+    def test_geotiffs_state_their_extent_and_missing_heights(self):
+        metres, degrees = ("H", 1, 1, 0, 1, 1024, 0, 1, 1), ("H", 1, 1, 0, 1, 1024, 0, 1, 2)
+        values = np.round(3000 * self.map)
+        values[40:50, 30:60] = 7
+        for kind in "<i2", ">u2", "<f4":
+            for keys in metres, degrees:
+                write_tiff(self.folder / "map.tif", values.astype(kind), t33550=("d", 30, 30, 0), t34735=keys, t42113=("s", b"7"))
+                text = self.succeed("erode", "map.tif", "-o", "out.exr")
+                self.assertEqual("a guess" in text, keys == degrees)
+                out = Exr(self.folder / "out.exr")
+                np.testing.assert_array_equal(out.channels["height"] == 7, values == 7)
+                self.assertEqual(out.parameters["extent"] == 2880, keys == metres)
+        self.succeed("erode", "map.tif", "-o", "out.exr", "--extent=5000", "--nodata=8")
+        out = Exr(self.folder / "out.exr")
+        self.assertEqual(out.parameters["extent"], 5000)
+        self.assertGreater(np.abs(out.channels["erosion"][values == 7]).max(), 0)
 
     def test_pieces_of_different_maps_are_not_joined(self):
         write_exr(self.folder / "other.exr", {"Y": 0.9 * self.map})
@@ -178,6 +216,13 @@ class Erode(ProgramTest):
 
     def test_wrong_requests(self):
         (self.folder / "map.r16").write_bytes(b"\0" * 10)
+        write_tiff(self.folder / "map.tif", self.map, (16, 16), True)
+        (self.folder / "cut.tif").write_bytes((self.folder / "map.tif").read_bytes()[:-100])
+        (self.folder / "damaged.tif").write_bytes((self.folder / "map.tif").read_bytes().replace(b"\x78\x9c", b"\x78\x9d"))
+        write_tiff(self.folder / "bytes.tif", np.ones((4, 4), "u1"))
+        write_tiff(self.folder / "colours.tif", np.ones((4, 4), "<u2"), t277=("H", 3))
+        write_tiff(self.folder / "long.tif", np.ones((4, 4), "<u2"), t257=("I", 100000))
+        write_tiff(self.folder / "heavy.tif", np.ones((16, 16), "<u2"), (16, 16), t323=("I", 1 << 28))
         write_exr(self.folder / "nan.exr", {"Y": np.full((4, 4), np.nan, "f4")})
         write_exr(self.folder / "flat.exr", {"Y": np.ones((4, 4), "f4")})
         pit, colour = np.ones((4, 4), "f4"), np.full((4, 4, 3), 9, "u1")
@@ -189,8 +234,8 @@ class Erode(ProgramTest):
             ("'none.exr'",): ("none.exr", "-o", "out.exr"),
             ("the map itself",): ("map.exr", "-o", "map.exr"),
             ("--size", "WIDTHxHEIGHT"): ("map.r16", "-o", "out.exr"),
-            ("10 bytes", "take 18432"): ("map.r16", "--size=96x96", "-o", "out.exr"),
-            ("--size is for",): ("map.exr", "--size=96x96", "-o", "out.exr"),
+            ("10 bytes", "take 18432", "36864"): ("map.r16", "--size=96x96", "-o", "out.exr"),
+            ("bytes", "without a header"): ("map.exr", "--size=96x96", "-o", "out.exr"),
             ("--elevation", "integers"): ("map.exr", "--elevation=0,1", "-o", "out.png"),
             ("--gully-width", "--extent"): ("map.exr", "--gully-width=2", "-o", "out.png"),
             ("--gully-width '0'", "above 0"): ("map.exr", "--extent=5", "--gully-width=0", "-o", "out.png"),
@@ -203,6 +248,13 @@ class Erode(ProgramTest):
             ("--octaves '2.5'", "whole number"): ("map.exr", "--octaves=2.5", "-o", "out.exr"),
             ("--gain '3'", "from 0 to 2"): ("map.exr", "--gain=3", "-o", "out.exr"),
             ("--extent",): ("map.exr", "--extent=0", "-o", "out.exr"),
+            ("'cut.tif'", "truncated"): ("cut.tif", "-o", "out.exr"),
+            ("'damaged.tif'", "damaged"): ("damaged.tif", "-o", "out.exr"),
+            ("'bytes.tif'", "16-bit integers or 32-bit floats"): ("bytes.tif", "-o", "out.exr"),
+            ("'colours.tif'", "one channel"): ("colours.tif", "-o", "out.exr"),
+            ("'long.tif'", "4 x 100000", "65536 x 65536"): ("long.tif", "-o", "out.exr"),
+            ("'heavy.tif'", "256 MiB"): ("heavy.tif", "-o", "out.exr"),
+            ("--elevation", "integers"): ("map.tif", "--elevation=0,1", "-o", "out.png"),
             ("pixel (0, 0)", "nan"): ("nan.exr", "-o", "out.exr"),
         }.items():
             self.assert_refused(words, "erode", *options)

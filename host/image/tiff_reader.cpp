@@ -1,0 +1,167 @@
+#include "image/picture.hpp"
+
+#include <fmt/format.h>
+#include <tiffio.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gabor::image {
+
+namespace {
+
+constexpr std::uint32_t widest_tiff = 65536;
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 28; // of a row of tiles
+// Tags and values of GeoTIFF and GDAL.
+constexpr std::uint32_t pixel_scale_tag = 33550, geo_keys_tag = 34735, nodata_tag = 42113;
+constexpr std::uint16_t model_type_key = 1024, geographic = 2;
+
+class TiffPicture : public PictureReader {
+  public:
+    explicit TiffPicture(const std::filesystem::path& path) : path_(path) {
+        const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(TIFFOpenOptionsAlloc(),
+                                                                                   TIFFOpenOptionsFree);
+        TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, &error_);
+        TIFFOpenOptionsSetWarningHandlerExtR(options.get(), on_warning, nullptr);
+        tiff_.reset(TIFFOpenExt(path.c_str(), "rm", options.get())); // m: not mapped to memory
+        require(tiff_ != nullptr);
+
+        const auto width = field<std::uint32_t>(TIFFTAG_IMAGEWIDTH);
+        const auto height = field<std::uint32_t>(TIFFTAG_IMAGELENGTH);
+        if (std::min(width, height) < 1 || std::max(width, height) > widest_tiff)
+            refuse_picture(path_, fmt::format("it has {0} x {1} pixels; at most {2} x {2} are supported",
+                                              width, height, widest_tiff));
+        type_ = field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT);
+        if (field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL) != 1 || type_ > SAMPLEFORMAT_IEEEFP ||
+            field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE) != 8 * value_bytes() ||
+            field<std::uint16_t>(TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_MINISBLACK ||
+            field<std::uint16_t>(TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
+            refuse_picture(path_, "expected a TIFF with one channel of 16-bit integers or 32-bit floats, "
+                                  "from black to white and from the upper left corner");
+
+        const auto pixel = fields<double>(pixel_scale_tag, TIFF_DOUBLE);
+        levels_ = type_ == SAMPLEFORMAT_UINT && pixel.empty();
+        Format format{static_cast<int>(width),      static_cast<int>(height), 1, false,
+                      type_ == SAMPLEFORMAT_IEEEFP, levels_ ? 16 : 32};
+        if (!pixel.empty() && pixel[0] > 0 && !in_degrees())
+            format.extent = pixel[0] * width;
+        const auto nodata = fields<char>(nodata_tag, TIFF_ASCII);
+        float missing = 0;
+        if (std::from_chars(nodata.data(), nodata.data() + nodata.size(), missing).ec == std::errc())
+            format.missing = missing;
+        set_format(format);
+
+        tile_width_ = width;
+        if (TIFFIsTiled(tiff_.get())) {
+            tile_width_ = field<std::uint32_t>(TIFFTAG_TILEWIDTH);
+            tile_height_ = field<std::uint32_t>(TIFFTAG_TILELENGTH);
+        }
+        const std::uint64_t across = (width + std::uint64_t{tile_width_} - 1) / tile_width_;
+        if (tile_height_ > most_bytes / (across * tile_width_ * value_bytes()))
+            refuse_picture(path_, fmt::format("a row of its tiles takes more than {} MiB", most_bytes >> 20));
+        tiles_.resize(across * tile_bytes());
+    }
+
+    void read_row(std::span<float> row) override {
+        if (row_ % tile_height_ == 0)
+            read_tiles();
+        if (type_ == SAMPLEFORMAT_IEEEFP)
+            convert<float>(row, 1);
+        else if (type_ == SAMPLEFORMAT_INT)
+            convert<std::int16_t>(row, 1);
+        else
+            convert<std::uint16_t>(row, levels_ ? 65535 : 1);
+        ++row_;
+    }
+
+  private:
+    static int on_error(TIFF*, void* error, const char*, const char* format, std::va_list values) {
+        std::array<char, 256> text{};
+        std::vsnprintf(text.data(), text.size(), format, values);
+        *static_cast<std::string*>(error) = text.data();
+        return 1; // handled
+    }
+    static int on_warning(TIFF*, void*, const char*, const char*, std::va_list) { return 1; }
+
+    void require(bool success) const {
+        if (!success)
+            refuse_picture(path_, fmt::format("it is truncated or damaged ({})", error_));
+    }
+
+    template <typename Value>
+    Value field(std::uint32_t tag) const {
+        Value value = 0;
+        TIFFGetFieldDefaulted(tiff_.get(), tag, &value);
+        return value;
+    }
+
+    // The values of a tag that libtiff does not know; empty without the tag, or if it has another type.
+    template <typename Value>
+    std::span<const Value> fields(std::uint32_t tag, TIFFDataType type) const {
+        std::uint32_t count = 0;
+        const Value* values = nullptr;
+        if (TIFFFindField(tiff_.get(), tag, type))
+            TIFFGetField(tiff_.get(), tag, &count, &values);
+        return {values, count};
+    }
+
+    // Tells whether the pixels of a GeoTIFF are measured in degrees. Keys have four numbers: the last is
+    // the value.
+    bool in_degrees() const {
+        const auto keys = fields<std::uint16_t>(geo_keys_tag, TIFF_SHORT);
+        for (std::size_t i = 4; i + 3 < keys.size(); i += 4)
+            if (keys[i] == model_type_key)
+                return keys[i + 3] == geographic;
+        return false;
+    }
+
+    std::size_t value_bytes() const { return type_ == SAMPLEFORMAT_IEEEFP ? 4 : 2; }
+    std::size_t tile_bytes() const { return value_bytes() * tile_width_ * tile_height_; }
+
+    // Reads the row of tiles that starts here; in strips, a row of pixels.
+    void read_tiles() {
+        std::byte* at = tiles_.data();
+        if (!TIFFIsTiled(tiff_.get()))
+            return require(TIFFReadScanline(tiff_.get(), at, row_) >= 0);
+        for (std::uint32_t x = 0; at != tiles_.data() + tiles_.size(); x += tile_width_, at += tile_bytes())
+            require(TIFFReadTile(tiff_.get(), at, x, row_, 0, 0) >= 0);
+    }
+
+    template <typename Value>
+    void convert(std::span<float> row, float white) {
+        const std::byte* line = &tiles_[row_ % tile_height_ * tile_width_ * sizeof(Value)];
+        fill(row, [&, x = std::size_t{0}]() mutable {
+            Value value;
+            std::memcpy(&value, line + x / tile_width_ * tile_bytes() + x % tile_width_ * sizeof value,
+                        sizeof value);
+            ++x;
+            return static_cast<float>(value) / white;
+        });
+    }
+
+    std::filesystem::path path_;
+    std::string error_; // libtiff's last message
+    std::unique_ptr<TIFF, void (*)(TIFF*)> tiff_{nullptr, TIFFClose};
+    std::uint16_t type_ = 0;
+    bool levels_ = false; // whether values stand for 0 to 1
+    std::uint32_t tile_width_ = 0;
+    std::uint32_t tile_height_ = 1;
+    std::vector<std::byte> tiles_; // a row of tiles
+    std::uint32_t row_ = 0;        // the next
+};
+
+} // namespace
+
+std::unique_ptr<PictureReader> open_tiff(const std::filesystem::path& path) {
+    return std::make_unique<TiffPicture>(path);
+}
+
+} // namespace gabor::image
