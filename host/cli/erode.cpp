@@ -4,6 +4,7 @@
 #include "image/exr.hpp"
 #include "image/picture.hpp"
 #include "render/erosion.hpp"
+#include "render/file.hpp"
 #include "render/load.hpp"
 #include "vulkan/device.hpp"
 
@@ -172,6 +173,8 @@ std::string header_of(const ErodeOptions& options, const Map& map, const render:
                                 {"slope", map.smoothed.slope},
                                 {"extent", map.extent},
                                 {"tileable", map.tileable}};
+    if (map.missing)
+        json["nodata"] = map.offset + map.scale * *map.missing;
     for (const render::Parameter& p : render::parameters())
         if (p.name == "seed" || p.group == render::Parameter::Group::erosion)
             json[std::string(p.name)] = render::to_text(*p.get(request));
@@ -192,6 +195,7 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
                         .window = {left + region.x, top + region.y, region.width, region.height},
                         .channels = {channels.begin(), channels.end()},
                         .parameters = header_of(options, map, request),
+                        .software = render::software(device),
                     });
     else
         heights.emplace(options.output, region, range, map.extent / map.width);

@@ -198,9 +198,21 @@ class Erode(ProgramTest):
         self.succeed("join", "left.exr", "right.exr", "-o", "joined.exr")
         self.succeed("erode", "map.exr", "-o", "whole.exr")
         np.testing.assert_array_equal(Exr(self.folder / "joined.exr").channels["height"], Exr(self.folder / "whole.exr").channels["height"])
-        for options in (["map.exr", "--seed=2"], ["other.exr"], ["map.exr", "--strength=0.1"]):
+        self.assertRegex(Exr(self.folder / "left.exr").attributes["software"][1], rb"\Agabor [0-9.]+, ")
+        for options in (["other.exr"], *(["map.exr", option] for option in
+                        ("--seed=2", "--strength=0.1", "--preset=hills", "--extent=9", "--nodata=7", "--tileable"))):
             self.succeed("erode", *options, "-o", "right.exr", "--region=48,0,48,96")
             self.assert_refused(("right.exr",), "join", "left.exr", "right.exr", "-o", "bad.exr")
+
+    def test_an_exr_keeps_its_heights_and_its_place(self):
+        self.succeed("render", "--view=terrain", "--size=200x150", "--region=60,40,48,32", "-o", "part.exr")
+        part = Exr(self.folder / "part.exr")
+        heights = self.eroded("--octaves=0", map="part.exr")["height"]
+        np.testing.assert_array_equal(heights, part.channels["height"])
+        self.assertEqual(Exr(self.folder / "out.exr").box("dataWindow"), (60, 40, 107, 71))
+        corner = self.eroded("--octaves=0", "--region=40,20,8,12", map="part.exr")["height"]
+        np.testing.assert_array_equal(corner, heights[20:, 40:])
+        self.assertEqual(Exr(self.folder / "out.exr").box("dataWindow"), (100, 60, 107, 71))
 
     def test_presets_and_options_change_the_shape(self):
         seen = [self.eroded()["height"]] # alps is the default preset
