@@ -260,7 +260,7 @@ void add_erode_command(CLI::App& app) {
                "from the slopes, which is printed");
     add_elevation_option(*command, options->elevation, "0 and an eighth of --extent, or 0,1000");
     add_option(*command, "--nodata", options->nodata, "NUMBER",
-               "Value of pixels that have no height [that of a GeoTIFF]");
+               "Value of pixels that have no height; without it, that of a GeoTIFF");
     command->add_flag("--tileable", options->tileable, "The map tiles without seams, and so does the output");
     begin_group(*command, "Erosion");
     add_option(*command, "--gully-width", options->gully_width, "NUMBER",
