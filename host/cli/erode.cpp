@@ -38,6 +38,7 @@ std::vector<std::string_view> terrain_presets() {
 struct ErodeOptions {
     std::filesystem::path map;
     std::filesystem::path output;
+    std::optional<std::filesystem::path> masks;
     std::optional<std::string> size;
     std::optional<std::string> region;
     std::optional<std::string> elevation;
@@ -181,36 +182,54 @@ std::string header_of(const ErodeOptions& options, const Map& map, const render:
     return json.dump();
 }
 
-// Erodes a region, and writes all channels to an EXR or heights in `range` to a PNG or .r16.
+// Erodes a region. Writes an EXR, or a PNG or .r16 of heights, and the masks. Erosion changes heights by at
+// most `reach`.
 void write(const ErodeOptions& options, const vulkan::Device& device, const Map& map,
-           const render::Request& request, const image::Rect& region, const render::Elevation& range) {
-    constexpr const auto& channels = render::erosion_channels;
+           const render::Request& request, const image::Rect& region, double reach) {
+    constexpr std::size_t kept = passes::erosion_cover; // the channels of an EXR without masks
+    const std::size_t channels = options.masks ? render::erosion_channels.size() : kept;
+    const double pixel = map.extent / map.width;
+    const auto [left, top] = map.corner;
+    const image::ExrHeader header{
+        .picture = {left, top, map.width, map.height},
+        .window = {left + region.x, top + region.y, region.width, region.height},
+        .channels = {render::erosion_channels.begin(), render::erosion_channels.begin() + kept},
+        .parameters = header_of(options, map, request),
+        .software = render::software(device),
+    };
     std::optional<image::ExrWriter> exr;
     std::optional<render::HeightWriter> heights;
-    const auto [left, top] = map.corner;
+    std::optional<render::MaskWriter> masks;
+    if (options.masks)
+        masks.emplace(*options.masks, header, pixel, reach);
     if (has_extension(options.output, ".exr"))
-        exr.emplace(options.output,
-                    image::ExrHeader{
-                        .picture = {left, top, map.width, map.height},
-                        .window = {left + region.x, top + region.y, region.width, region.height},
-                        .channels = {channels.begin(), channels.end()},
-                        .parameters = header_of(options, map, request),
-                        .software = render::software(device),
-                    });
+        exr.emplace(options.output, header);
     else
-        heights.emplace(options.output, region, range, map.extent / map.width);
+        heights.emplace(options.output, region,
+                        render::Elevation{map.smoothed.range[0] - reach, map.smoothed.range[1] + reach},
+                        pixel);
     {
+        std::vector<float> without_cover;
         Progress progress("eroding", region.pixels());
-        render::erode(device, map, map.smoothed, map.extent, request, region,
+        render::erode(device, map, map.smoothed, map.extent, request, region, masks.has_value(),
                       [&](std::span<const float> rows) {
-                          if (exr)
-                              exr->write_rows(rows);
-                          else
-                              heights->write_rows(rows, channels.size(), 0);
-                          progress.advance(rows.size() / channels.size());
+                          if (masks)
+                              masks->write_rows(rows);
+                          if (heights) {
+                              heights->write_rows(rows, channels, 0);
+                          } else {
+                              without_cover.clear();
+                              for (std::size_t i = 0; i < rows.size(); ++i)
+                                  if (i % channels < kept)
+                                      without_cover.push_back(rows[i]);
+                              exr->write_rows(without_cover);
+                          }
+                          progress.advance(rows.size() / channels);
                       });
     }
     exr ? exr->commit() : heights->commit();
+    if (masks)
+        masks->commit();
 }
 
 void erode(const ErodeOptions& options) {
@@ -229,8 +248,7 @@ void erode(const ErodeOptions& options) {
 
     note_interrupts();
     const vulkan::Device device(options.device);
-    write(options, device, map, request, region,
-          {map.smoothed.range[0] - reach, map.smoothed.range[1] + reach});
+    write(options, device, map, request, region, reach);
     fmt::print("{}: {} x {} pixels, on {}\n", options.output.string(), region.width, region.height,
                device.info().name);
 }
@@ -249,6 +267,10 @@ void add_erode_command(CLI::App& app) {
                "EXR with height, slope, ridge and erosion; or 16-bit heights in a PNG or .r16, with their "
                "scale in a .json file beside it")
         ->required();
+    add_option(
+        *command, "--masks", options->masks, "FOLDER",
+        "Also write masks to this folder: 16-bit PNGs of ridges, creases, slope, erosion, and the shares of "
+        "grass, scree, rock and snow; masks.exr with all of them, and masks.json with their scale");
     add_option(*command, "--region", options->region, "X,Y,WIDTH,HEIGHT",
                "Write only this part of the eroded map [all of it]");
     add_device_option(*command, options->device);

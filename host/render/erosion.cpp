@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace gabor::render {
 
@@ -187,7 +188,7 @@ double erosion_reach(const SmoothedMap& smoothed, int width, double extent, cons
 }
 
 Plan erosion_plan(const HeightMap& map, const SmoothedMap& smoothed, double extent, const Request& request,
-                  const image::Rect& region) {
+                  const image::Rect& region, bool cover) {
     auto push = push_of<passes::ErodePush>(region);
     const double pixel = preset_side / map.width;
     if (map.tileable)
@@ -197,22 +198,26 @@ Plan erosion_plan(const HeightMap& map, const SmoothedMap& smoothed, double exte
     push.unit = static_cast<float>(extent / preset_side);
     push.steepness = static_cast<float>(steepness_of(smoothed, map.width, extent));
     push.missing = static_cast<float>(map.offset + map.scale * map.missing.value_or(0));
+    push.middle = std::midpoint(smoothed.range[0], smoothed.range[1]);
+    push.relief = std::max(smoothed.range[1] - push.middle, std::numeric_limits<float>::min());
     push.seed = request.seed;
     push.map_width = map.width;
     push.table_width = smoothed.intervals[0] + 3;
     push.tileable = map.tileable;
     constexpr int group = passes::erode_group;
-    return {{erosion_channels.begin(), erosion_channels.end()},
+    Constants constants{};
+    constants[passes::channels_id] = cover ? erosion_channels.size() : passes::erosion_cover;
+    return {{erosion_channels.begin(), erosion_channels.begin() + constants[passes::channels_id]},
             region.width,
             region.height,
             {bytes_of(struct_values(request)), bytes_of(smoothed.heights)},
-            {{"erode", {}, bytes_of(push), region.width, {group, group}, {}}},
+            {{"erode", constants, bytes_of(push), region.width, {group, group}, {}}},
             {map.width, passes::erode_halo}};
 }
 
 void erode(const vulkan::Device& device, const HeightMap& map, const SmoothedMap& smoothed, double extent,
-           const Request& request, const image::Rect& region, const Sink& write) {
-    const Renderer renderer(device, erosion_plan(map, smoothed, extent, request, region));
+           const Request& request, const image::Rect& region, bool cover, const Sink& write) {
+    const Renderer renderer(device, erosion_plan(map, smoothed, extent, request, region, cover));
     const auto width = static_cast<std::size_t>(map.width);
     MapRows rows(map);
     int next = region.y - passes::erode_halo;

@@ -47,14 +47,15 @@ using passes::erosion_channels;
 
 /// Plans the erosion of a region with the seed and the erosion of a request for terrain, whose parameters
 /// mean the same for every map: maps count as `preset_side` wide, with an rms slope of `preset_slope`.
-/// `extent` is the width of the map in the unit of its heights.
+/// `extent` is the width of the map in the unit of its heights. `cover` adds the channels grass, scree, rock
+/// and snow: their shares of the ground, as the terrain view mixes its colours for heights from -1 to 1.
 Plan erosion_plan(const HeightMap& map, const SmoothedMap& smoothed, double extent, const Request& request,
-                  const image::Rect& region);
+                  const image::Rect& region, bool cover);
 
 /// Erodes a region band by band, so that memory use does not grow with the map's height, and passes the rows
 /// to `write`, with interleaved channels. Eroding the whole map gives the region the same pixels.
 void erode(const vulkan::Device& device, const HeightMap& map, const SmoothedMap& smoothed, double extent,
-           const Request& request, const image::Rect& region, const Sink& write);
+           const Request& request, const image::Rect& region, bool cover, const Sink& write);
 
 /// How much erosion may change a height of a map that is `extent` wide.
 double erosion_reach(const SmoothedMap& smoothed, int width, double extent, const Request& request);

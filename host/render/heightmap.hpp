@@ -41,4 +41,31 @@ class HeightWriter {
     std::vector<std::byte> bytes_;
 };
 
+/// Writes masks of an eroded map to a folder: a 16-bit PNG of each, masks.exr with all of them, and
+/// masks.json with the size, the extent, and the values that 0 and 65535 stand for in each PNG. The masks are
+/// ridge and crease, the slope in degrees, the erosion, and the shares of grass, scree, rock and snow.
+class MaskWriter {
+  public:
+    /// `header` describes the EXR, except for its channels; `pixel` is the width of a pixel in the unit of
+    /// heights, and `reach` the most that erosion changes a height. Creates the folder; throws RequestError
+    /// if it cannot.
+    MaskWriter(const std::filesystem::path& folder, image::ExrHeader header, double pixel, double reach);
+
+    /// Writes rows of pixels with all of passes::erosion_channels.
+    void write_rows(std::span<const float> rows);
+    void commit();
+
+  private:
+    struct Mask {
+        double low; // the values that 0 and 65535 stand for
+        double high;
+        image::PngWriter png;
+    };
+
+    image::OutputFolder folder_;
+    image::OutputFile scale_;
+    std::vector<Mask> masks_;
+    std::optional<image::ExrWriter> exr_;
+};
+
 } // namespace gabor::render

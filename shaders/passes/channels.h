@@ -35,12 +35,14 @@
     CHANNEL(9, ocean_fold, ("fold"))                                                                         \
     CHANNEL(10, ocean_foam, ("foam"))
 
-// An eroded map. `erosion` is the height that erosion added.
+// An eroded map. `erosion` is the height that erosion added; the shares of the ground that follow it are
+// optional.
 #define GABOR_EROSION_CHANNELS(CHANNEL)                                                                      \
     CHANNEL(0, erosion_height, ("height"))                                                                   \
     CHANNEL(1, erosion_slope, ("slope.x", "slope.y"))                                                        \
     CHANNEL(3, erosion_ridge, ("ridge"))                                                                     \
-    CHANNEL(4, erosion_added, ("erosion"))
+    CHANNEL(4, erosion_added, ("erosion"))                                                                   \
+    CHANNEL(5, erosion_cover, ("grass", "scree", "rock", "snow"))
 
 #define GABOR_CHANNEL_INDEX(index, constant, names) const int constant = index;
 

@@ -20,7 +20,7 @@ const uint filter_id = 8;
 const uint painted_id = 9;
 const uint animated_id = 10;
 
-// passes/noise_channels.glsl
+// passes/noise_channels.glsl; passes/erode.comp has only the first
 const uint channels_id = 11;
 const uint quadrature_id = 12;
 const uint gradient_id = 13;

@@ -8,10 +8,11 @@
 #include "passes/erode_interface.h"
 #include "gabor_noise.glsl"
 #include "gabor_erosion.glsl"
+#include "landscape.glsl"
+
+layout(constant_id = channels_id) const int channels = erosion_cover;
 
 layout(local_size_x = erode_group, local_size_y = erode_group) in;
-
-const int channels = erosion_added + 1;
 
 layout(std430, set = 0, binding = 0) writeonly buffer Eroded { float eroded[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Erosion { GaborErosion erosion; };
@@ -74,7 +75,8 @@ void main() {
                                            vec2(0.0, pixel), base, table, seed);
     float added = (terrain.height - base.height) * unit / steepness;
     vec2 slope = slope_at(column, here.y, before_erosion) + (terrain.slope - base.slope) / steepness;
-    if (!(before_erosion < missing_height)) { // neither eroded nor sloped
+    bool has_height = before_erosion < missing_height;
+    if (!has_height) { // neither eroded nor sloped
         before_erosion = missing;
         added = terrain.ridge = 0.0;
         slope = vec2(0.0);
@@ -85,4 +87,9 @@ void main() {
     eroded[at + erosion_slope + 1] = slope.y;
     eroded[at + erosion_ridge] = terrain.ridge;
     eroded[at + erosion_added] = added;
+    if (channels == erosion_cover) return;
+    vec3 layers = ground_layers((before_erosion + added - middle) / relief, terrain.ridge, length(slope));
+    vec4 cover = vec4(vec3(vec2(1.0 - layers.x, layers.x) * (1.0 - layers.y), layers.y) * (1.0 - layers.z), layers.z);
+    for (int i = 0; i < 4; ++i)
+        eroded[at + erosion_cover + i] = has_height ? cover[i] : 0.0;
 }

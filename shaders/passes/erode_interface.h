@@ -19,6 +19,8 @@ GABOR_PUSH_CONSTANTS(ErodePush) {
     float unit;      // unit of p in the unit of the map's heights
     float steepness; // slopes as the erosion sees them, relative to the map's
     float missing;   // the height of pixels that have none
+    float middle;    // halfway between the map's lowest and highest point
+    float relief;    // the height of the highest point above that
     uint seed;
     int map_width;   // pixels
     int table_width; // nodes in a row of the smoothed map

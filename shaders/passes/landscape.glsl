@@ -30,14 +30,18 @@ vec3 normal_of(GaborTerrain here) {
     return normalize(vec3(-here.slope.x, 1.0, -here.slope.y));
 }
 
-// Grass and dry ground, with rock where it is steep and snow where it is high.
+// How much of the grass scree hides; how much of both rock hides, where it is steep; how much of all snow hides, where it is high.
+vec3 ground_layers(float height, float ridge, float steep) {
+    float scree = smoothstep(-0.3, 0.35, height + 0.1 * ridge);
+    float rock = smoothstep(0.55, 1.0, steep);
+    float snow = smoothstep(0.42, 0.62, height + 0.08 * ridge) * (1.0 - smoothstep(0.9, 1.5, steep));
+    return vec3(scree, rock, snow);
+}
+
 vec3 ground_colour(GaborTerrain here, vec3 normal) {
-    float steep = length(normal.xz) / normal.y;
-    vec3 colour = mix(vec3(0.1, 0.155, 0.05), vec3(0.3, 0.245, 0.145),
-                      smoothstep(-0.3, 0.35, here.height + 0.1 * here.ridge));
-    colour = mix(colour, vec3(0.26, 0.23, 0.205), smoothstep(0.55, 1.0, steep));
-    float snow = smoothstep(0.42, 0.62, here.height + 0.08 * here.ridge) * (1.0 - smoothstep(0.9, 1.5, steep));
-    return mix(colour, vec3(0.68, 0.7, 0.73), snow);
+    vec3 layers = ground_layers(here.height, here.ridge, length(normal.xz) / normal.y);
+    vec3 colour = mix(vec3(0.1, 0.155, 0.05), vec3(0.3, 0.245, 0.145), layers.x);
+    return mix(mix(colour, vec3(0.26, 0.23, 0.205), layers.y), vec3(0.68, 0.7, 0.73), layers.z);
 }
 
 vec3 sunlit(vec3 sun, GaborTerrain here, vec3 normal, vec3 colour, float sunlight) {

@@ -214,6 +214,44 @@ class Erode(ProgramTest):
         np.testing.assert_array_equal(corner, heights[20:, 40:])
         self.assertEqual(Exr(self.folder / "out.exr").box("dataWindow"), (100, 60, 107, 71))
 
+    def test_masks(self):
+        """The shares of the ground are those with which the terrain view mixes its colours, for heights from -1 to 1."""
+        write_exr(self.folder / "hills.exr", {"Y": 50 + 300 * self.map})
+        options, folder = ["--extent=500", "--nodata=7", "--gully-frequency=1"], self.folder / "masks"
+        heights = (50 + 300 * self.map).astype("f4")
+        heights[70:80, 60:90] = 7
+        write_exr(self.folder / "hills.exr", {"Y": heights})
+        plain = self.eroded(*options, map="hills.exr")
+        for x, y, width, height in (0, 0, SIDE, SIDE), (10, 20, 30, 40):
+            region = slice(y, y + height), slice(x, x + width)
+            out = self.eroded(*options, f"--region={x},{y},{width},{height}", "--masks=masks", map="hills.exr")
+            self.assertEqual(set(out), set(plain))
+            for name in plain:
+                np.testing.assert_allclose(out[name], plain[name][region], rtol=1e-6, atol=1e-6, err_msg=name)
+            masks = {name: values.astype(float) for name, values in Exr(folder / "masks.exr").channels.items()}
+            scale = json.loads((folder / "masks.json").read_text())
+            self.assertEqual([scale["width"], scale["height"]], [width, height])
+            np.testing.assert_allclose(scale["extent"], [500 / SIDE * width, 500 / SIDE * height])
+            self.assertEqual({path.name for path in folder.iterdir()},
+                             {"masks.exr", "masks.json", *(f"{name}.png" for name in scale["masks"])})
+            for name, (low, high) in scale["masks"].items():
+                wanted = np.clip((masks[name] - low) / (high - low), 0, 1)
+                self.assertLessEqual(np.abs(read_deep_png(folder / f"{name}.png") - 65535 * wanted).max(), 0.51, name)
+
+            smooth = lambda low, high, x: (lambda t: t * t * (3 - 2 * t))(np.clip((x - low) / (high - low), 0, 1))
+            there, known = heights[region] != 7, heights[heights != 7]
+            relative = 2 * (out["height"].astype(float) - known.min()) / np.ptp(known) - 1
+            slope = np.hypot(out["slope.x"], out["slope.y"]).astype(float)
+            scree, rock = smooth(-0.3, 0.35, relative + 0.1 * out["ridge"]), smooth(0.55, 1, slope)
+            snow = smooth(0.42, 0.62, relative + 0.08 * out["ridge"]) * (1 - smooth(0.9, 1.5, slope))
+            for name, wanted in {"ridge": np.maximum(out["ridge"], 0), "crease": np.maximum(-out["ridge"], 0),
+                                 "slope": np.degrees(np.arctan(slope)), "erosion": out["erosion"],
+                                 "grass": there * (1 - scree) * (1 - rock) * (1 - snow), "scree": there * scree * (1 - rock) * (1 - snow),
+                                 "rock": there * rock * (1 - snow), "snow": there * snow}.items():
+                np.testing.assert_allclose(masks.pop(name), wanted, atol=2e-4, err_msg=name)
+                self.assertGreater(wanted.max(), 0.3, name)
+            self.assertFalse(masks)
+
     def test_presets_and_options_change_the_shape(self):
         seen = [self.eroded()["height"]] # alps is the default preset
         np.testing.assert_array_equal(self.eroded("--preset=alps")["height"], seen[0])
@@ -257,6 +295,7 @@ class Erode(ProgramTest):
             ("LOW,HIGH",): ("colour.png", "--elevation=2,1", "-o", "out.png"),
             ("--region", "96 x 96"): ("map.exr", "--extent=8", "--region=90,0,10,10", "-o", "out.exr"),
             ("--preset 'dunes'", "alps, badlands, canyon, hills"): ("map.exr", "--preset=dunes", "-o", "out.exr"),
+            ("'map.r16'",): ("map.exr", "--extent=8", "--masks=map.r16", "-o", "out.exr"),
             ("--octaves '2.5'", "whole number"): ("map.exr", "--octaves=2.5", "-o", "out.exr"),
             ("--gain '3'", "from 0 to 2"): ("map.exr", "--gain=3", "-o", "out.exr"),
             ("--extent",): ("map.exr", "--extent=0", "-o", "out.exr"),

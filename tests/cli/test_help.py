@@ -35,7 +35,7 @@ class Help(ProgramTest):
                               "--zoom", "--focal-length", "--material", "--heightmap", "--elevation", "--extent",
                               "--wind", "--fetch", "--altitude",
                               "--maps", "--directx", "--normal-bits", "--light-azimuth", "--light-elevation", "--environment"),
-                   "erode": ("MAP", "-o,--output", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
+                   "erode": ("MAP", "-o,--output", "--masks", "--size", "--region", "--extent", "--elevation", "--preset", *GULLIES,
                              "--gully-width", "--nodata", "--seed", "--tileable", "--device"),
                    "join": ("REGION", "-o,--output", "--texture", "--half"),
                    "fit": ("IMAGE", "-o,--output", "--lobes", "--glsl"),

@@ -236,8 +236,9 @@ TEST_CASE("an erosion reads its map with a margin around each band, and scales t
     const SmoothedMap smoothed{.intervals = {60, 40}, .heights = std::vector<float>(63 * 43), .slope = 0.1};
     const Request request =
         request_of({{"view", "terrain"}, {"octaves", "3"}, {"branching", "0.5"}, {"seed", "7"}});
-    const Plan made = erosion_plan(map, smoothed, 600, request, {10, 20, 30, 40});
+    const Plan made = erosion_plan(map, smoothed, 600, request, {10, 20, 30, 40}, false);
     CHECK(made.channels.size() == 5);
+    CHECK(erosion_plan(map, smoothed, 600, request, {10, 20, 30, 40}, true).channels.size() == 9);
     CHECK(made.width == 30);
     CHECK(made.height == 40);
     CHECK(made.source.width == 300);
