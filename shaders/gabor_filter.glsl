@@ -215,7 +215,7 @@ struct GaborFilteredAxis {
 };
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
-// axis. `m` is r M in the plane and D in space.
+// axis. `m` is r M in the plane and D in 3D.
 GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, uint salt, vec2 step) {
     GaborFilteredAxis b;
     b.reach = clamp(0.35 + 5.0 * deviation, 2.0, 2.5);

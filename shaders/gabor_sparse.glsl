@@ -80,7 +80,7 @@ precision highp int;
 // vec2 gabor_noise_complex(vec2 p, float frequency, float orientation, uint seed)
 //     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
 //     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-//     variance 1 only at frequencies of 1.5 and more.
+//     variance 1 only at frequencies of 1.5 or more.
 
 // vec2 gabor_phasor(vec2 value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),

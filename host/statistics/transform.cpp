@@ -7,7 +7,7 @@
 
 namespace gabor::statistics {
 
-// Transforms rows, then columns, because kiss_fftndr_alloc of KISS FFT 131.1 refuses sides of 64 and more.
+// Transforms rows, then columns, because kiss_fftndr_alloc of KISS FFT 131.1 refuses sides of 64 or more.
 FourierTransform::FourierTransform(int side)
     : side_(static_cast<std::size_t>(side)), rows_(kiss_fftr_alloc(side, 0, nullptr, nullptr), kiss_fft_free),
       columns_(kiss_fft_alloc(side, 0, nullptr, nullptr), kiss_fft_free), values_(side_ * (side_ / 2 + 1)),

@@ -220,7 +220,7 @@ struct GaborFilteredAxis {
 };
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
-// axis. `m` is r M in the plane and D in space.
+// axis. `m` is r M in the plane and D in 3D.
 GABOR_INLINE GaborFilteredAxis gabor_impl_filtered_axis(float deviation, float m, float c, int cell, float local, int period, std::uint32_t salt, gabor_vec2 step) {
     GaborFilteredAxis b;
     b.reach = gabor_cpp_clamp(0.35f + 5.0f * deviation, 2.0f, 2.5f);

@@ -1,5 +1,5 @@
 // Generated from gabor_filter.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest 14d3e88549acfdcf.
+// naga 30.0.1 made it from GLSL with the digest b3f8581f62d96626.
 //
 // gabor_filter.wgsl: Gabor noise averaged over a pixel, so that distant noise neither flickers nor shows moire.
 //
@@ -382,7 +382,7 @@ struct GaborFilteredAxis {
 }
 
 // Builds the windows, without their common factor e^(-g c^2), for a filter with a given standard deviation along the
-// axis. `m` is r M in the plane and D in space.
+// axis. `m` is r M in the plane and D in 3D.
 fn gabor_impl_filtered_axis(deviation: f32, m: f32, c: f32, cell: i32, local: f32, period: i32, salt: u32, step_: vec2<f32>) -> GaborFilteredAxis {
     var b_2: GaborFilteredAxis;
     var local_17: i32;

@@ -1,5 +1,5 @@
 // Generated from gabor_sparse.glsl by tools/translate, for WGSL: change that file, not this one.
-// naga 30.0.1 made it from GLSL with the digest ef938ad2ba72ec70.
+// naga 30.0.1 made it from GLSL with the digest 37772af6aac55b09.
 //
 // gabor_sparse.wgsl: the sparse Gabor noise of Tavernier et al. (2019) in the plane, with mean 0 and variance 1 at every
 // point.
@@ -37,7 +37,7 @@ const GABOR_NOISE_VERSION: u32 = 30000u;
 // vec2f gabor_noise_complex(vec2f p, f32 frequency, f32 orientation, u32 seed)
 //     (quadrature, noise): the real and imaginary parts of a complex noise. The quadrature has cosines instead of
 //     sines. At each point the two are uncorrelated and have variance 1; with GABOR_PHASES 2, the real part has
-//     variance 1 only at frequencies of 1.5 and more.
+//     variance 1 only at frequencies of 1.5 or more.
 
 // vec2f gabor_phasor(vec2f value)
 //     (phase in turns within [0, 1), intensity) of a complex value. A profile of the phase, such as step(phase, width),
