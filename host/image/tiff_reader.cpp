@@ -93,7 +93,7 @@ class TiffPicture : public PictureReader {
 
     void require(bool success) const {
         if (!success)
-            refuse_picture(path_, fmt::format("it is truncated or damaged ({})", error_));
+            refuse_picture(path_, "it is truncated or damaged" + (error_.empty() ? "" : " (" + error_ + ")"));
     }
 
     template <typename Value>

@@ -271,7 +271,7 @@ class Erode(ProgramTest):
         (self.folder / "damaged.tif").write_bytes((self.folder / "map.tif").read_bytes().replace(b"\x78\x9c", b"\x78\x9d"))
         write_tiff(self.folder / "bytes.tif", np.ones((4, 4), "u1"))
         write_tiff(self.folder / "colours.tif", np.ones((4, 4), "<u2"), t277=("H", 3))
-        write_tiff(self.folder / "long.tif", np.ones((4, 4), "<u2"), t257=("I", 100000))
+        write_tiff(self.folder / "long.tif", np.ones((100000, 4), "<u2"))
         write_tiff(self.folder / "heavy.tif", np.ones((16, 16), "<u2"), (16, 16), t323=("I", 1 << 28))
         write_exr(self.folder / "nan.exr", {"Y": np.full((4, 4), np.nan, "f4")})
         write_exr(self.folder / "flat.exr", {"Y": np.ones((4, 4), "f4")})
