@@ -113,11 +113,10 @@ struct Map : render::HeightMap {
 };
 
 // Opens and smooths the map. Prints what it has to guess.
-Map map_of(const ErodeOptions& options, const Open& open, std::optional<double> extent,
-           double gully_frequency) {
+Map map_of(const ErodeOptions& options, const Open& open, const image::PictureReader::Format& format,
+           std::optional<double> extent, double gully_frequency) {
     Map map;
     map.open = open;
-    const image::PictureReader::Format format = open()->format();
     const std::string name = options.map.string();
     if (std::max(format.width, format.height) > most_side)
         throw RequestError(fmt::format("'{}' has {} x {} pixels; at most {} per side are supported", name,
@@ -182,8 +181,7 @@ std::string header_of(const ErodeOptions& options, const Map& map, const render:
     return json.dump();
 }
 
-// Erodes a region. Writes an EXR, or a PNG or .r16 of heights, and the masks. Erosion changes heights by at
-// most `reach`.
+// Erodes a region, and writes the output and the masks. Erosion changes a height by at most `reach`.
 void write(const ErodeOptions& options, const vulkan::Device& device, const Map& map,
            const render::Request& request, const image::Rect& region, double reach) {
     constexpr std::size_t kept = passes::erosion_cover; // the channels of an EXR without masks
@@ -217,6 +215,8 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
                               masks->write_rows(rows);
                           if (heights) {
                               heights->write_rows(rows, channels, 0);
+                          } else if (!masks) {
+                              exr->write_rows(rows);
                           } else {
                               without_cover.clear();
                               for (std::size_t i = 0; i < rows.size(); ++i)
@@ -235,12 +235,13 @@ void write(const ErodeOptions& options, const vulkan::Device& device, const Map&
 void erode(const ErodeOptions& options) {
     check_output(options);
     const Open open = reader_of(options);
-    std::optional<double> extent = open()->format().extent;
+    const image::PictureReader::Format format = open()->format();
+    std::optional<double> extent = format.extent;
     if (options.extent)
         extent = positive("--extent", *options.extent, "the width of the map, above 0");
     const render::Request request = request_of(options, extent);
-    const Map map =
-        map_of(options, open, extent, std::get<double>(*render::parameter("gully_frequency").get(request)));
+    const Map map = map_of(options, open, format, extent,
+                           std::get<double>(*render::parameter("gully_frequency").get(request)));
     const image::Rect region =
         options.region ? parse_region(*options.region) : image::Rect{0, 0, map.width, map.height};
     check_within(region, map.width, map.height, "--region", "map");

@@ -75,9 +75,8 @@ std::string suggestion(const CLI::App& app, const std::string& word) {
     for (const CLI::App* command : app.get_subcommands({}))
         known.push_back(command->get_name());
     const std::string name = word.substr(0, word.find('='));
-    const auto closest =
-        std::ranges::min_element(known, {}, [&](const auto& other) { return edits(name, other); });
-    return edits(name, *closest) <= 2 ? fmt::format(": did you mean {}?", *closest) : "";
+    const std::string_view closest = nearest_first(name, {known.begin(), known.end()}).front();
+    return edits(name, closest) <= 2 ? fmt::format(": did you mean {}?", closest) : "";
 }
 
 // Names the command that lists what is accepted instead of an unknown word, or in general.

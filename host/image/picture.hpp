@@ -81,9 +81,9 @@ std::unique_ptr<PictureReader> open_tga(const std::filesystem::path& path, File 
 /// Reads a TIFF's first picture: one channel of floats, or of 16-bit integers, which are heights if they are
 /// signed or the file is a GeoTIFF, and which the reader otherwise returns as values from 0 to 1.
 std::unique_ptr<PictureReader> open_tiff(const std::filesystem::path& path);
-/// Opens a file of heights without a header, row by row from the top, low byte first: 16-bit integers, which
-/// the reader returns as values from 0 to 1, or floats if the file is twice as long. Throws RequestError for
-/// another length.
+/// Opens a file of heights without a header, row by row from the top, low byte first. The heights are 16-bit
+/// integers, which the reader returns as values from 0 to 1, or floats if the file is twice as long. Throws
+/// RequestError for any other length.
 std::unique_ptr<PictureReader> open_raw(const std::filesystem::path& path, int width, int height);
 
 } // namespace gabor::image

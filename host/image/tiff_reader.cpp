@@ -113,8 +113,8 @@ class TiffPicture : public PictureReader {
         return {values, count};
     }
 
-    // Tells whether the pixels of a GeoTIFF are measured in degrees. Keys have four numbers: the last is
-    // the value.
+    // Whether a GeoTIFF measures its pixels in degrees. A key is four numbers, the last of which is its
+    // value.
     bool in_degrees() const {
         const auto keys = fields<std::uint16_t>(geo_keys_tag, TIFF_SHORT);
         for (std::size_t i = 4; i + 3 < keys.size(); i += 4)

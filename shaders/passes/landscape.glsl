@@ -30,7 +30,7 @@ vec3 normal_of(GaborTerrain here) {
     return normalize(vec3(-here.slope.x, 1.0, -here.slope.y));
 }
 
-// How much of the grass scree hides; how much of both rock hides, where it is steep; how much of all snow hides, where it is high.
+// How much scree covers grass, how much rock covers both where it is steep, and how much snow covers all where it is high.
 vec3 ground_layers(float height, float ridge, float steep) {
     float scree = smoothstep(-0.3, 0.35, height + 0.1 * ridge);
     float rock = smoothstep(0.55, 1.0, steep);

@@ -216,7 +216,6 @@ class Erode(ProgramTest):
 
     def test_masks(self):
         """The shares of the ground are those with which the terrain view mixes its colours, for heights from -1 to 1."""
-        write_exr(self.folder / "hills.exr", {"Y": 50 + 300 * self.map})
         options, folder = ["--extent=500", "--nodata=7", "--gully-frequency=1"], self.folder / "masks"
         heights = (50 + 300 * self.map).astype("f4")
         heights[70:80, 60:90] = 7

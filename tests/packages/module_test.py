@@ -144,7 +144,7 @@ class Pictures(unittest.TestCase):
 
 class Movies(unittest.TestCase):
     def spectrum(self, side, frames):
-        """Returns the mean power over frames, frequencies in cycles per pixel, and directions within a quarter turn of +x."""
+        """Returns the summed power of the frames, and its frequencies in cycles per pixel: their lengths, and their parts along x and y."""
         window = np.hanning(side) * np.hanning(side)[:, None]
         y, x = np.meshgrid(np.fft.fftfreq(side), np.fft.fftfreq(side), indexing="ij")
         return sum(np.abs(np.fft.fft2(frame * window)) ** 2 for frame in frames), np.hypot(x, y), (x, y)

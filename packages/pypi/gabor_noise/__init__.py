@@ -28,7 +28,7 @@ from typing import Any, Callable, Literal, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._arguments import MEMBERS, count, evaluate, fill_grid, members, number, numbers, refuse, vector
+from ._arguments import MEMBERS, evaluate, fill_grid, members, number, numbers, refuse, sides, vector
 from ._heightmap import smoothed, sobel
 from ._movie import Movie, movie
 
@@ -45,11 +45,12 @@ def grid(shape: Sequence[int], scale: float = 32.0) -> tuple[NDArray[np.float64]
     shape: (height, width), which gives x and y; or (depth, height, width), which gives x, y and z.
     scale: pixels per unit.
     """
-    sides = tuple(shape) if isinstance(shape, (tuple, list, np.ndarray)) else ()
-    if len(sides) not in (2, 3):
-        raise refuse("shape", shape, "(height, width) or (depth, height, width)")
+    return _axes(shape, scale, 2, 3)
+
+
+def _axes(shape: Sequence[int], scale: float, *dimensions: int) -> tuple[NDArray[np.float64], ...]:
     pixels = number("scale", scale)
-    axes = [(np.arange(count(f"shape[{axis}]", side)) + 0.5) / pixels for axis, side in enumerate(sides)]
+    axes = [(np.arange(side) + 0.5) / pixels for side in sides(shape, *dimensions)]
     return tuple(reversed(np.meshgrid(*axes, indexing="ij", sparse=True)))
 
 
@@ -90,13 +91,6 @@ def volume(shape: Sequence[int], *, scale: float = 32.0, frequency: ArrayLike = 
     x, y, z = _axes(shape, scale, 3)
     return noise_3d(x, y, z, frequency=frequency, direction=direction, seed=seed, period=period, time=time, workers=workers,
                     dtype=dtype)
-
-
-def _axes(shape: Sequence[int], scale: float, dimensions: int) -> tuple[NDArray[np.float64], ...]:
-    axes = grid(shape, scale)
-    if len(axes) != dimensions:
-        raise refuse("shape", shape, "(height, width)" if dimensions == 2 else "(depth, height, width)")
-    return axes
 
 
 # ---- Noise ---------------------------------------------------------------------------------------------------------

@@ -114,6 +114,15 @@ def count(name: str, value: object, unit: str = "") -> int:
     raise refuse(name, value, f"an integer, 1 or more{unit}")
 
 
+def sides(shape: Sequence[int], *dimensions: int) -> tuple[int, ...]:
+    """Return the sides of a picture or a volume, with one of these numbers of dimensions."""
+    given = tuple(shape) if isinstance(shape, (tuple, list, np.ndarray)) else ()
+    if len(given) not in dimensions:
+        named = {2: "(height, width)", 3: "(depth, height, width)"}
+        raise refuse("shape", shape, " or ".join(named[each] for each in dimensions))
+    return tuple(count(f"shape[{axis}]", side) for axis, side in enumerate(given))
+
+
 def vector(name: str, value: ArrayLike, length: int) -> list[NDArray[np.float64]]:
     """Return the components along the last axis of an array. For a pair, one number serves for both."""
     array = numbers(name, value)

@@ -9,11 +9,11 @@ from typing import Any, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arguments import count, fill_lobes, number, refuse, seeds, workers as cores_of
+from ._arguments import count, fill_lobes, number, refuse, seeds, sides, workers as cores_of
 
 # A lobe's power has the standard deviation 1/sqrt(12) / radius along each axis.
 _LOBE = 12**-0.5
-# Standard deviations, of a normal distribution, in its full width at half height.
+# The full width at half height of a normal distribution, in standard deviations.
 _WIDTH = math.sqrt(8 * math.log(2))
 
 
@@ -65,10 +65,6 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
     contrast: rms contrast: multiply by the mean luminance and add it.
     pixels_per_degree: if given, frequency is in cycles per degree of visual angle, and speed in degrees per frame.
     """
-    sides = tuple(shape) if isinstance(shape, (tuple, list, np.ndarray)) else ()
-    if len(sides) != 2:
-        raise refuse("shape", shape, "(height, width)")
-    sides = tuple(count(f"shape[{axis}]", side) for axis, side in enumerate(sides))
     unit = 1.0 if pixels_per_degree is None else number("pixels_per_degree", pixels_per_degree)
     octaves = number("bandwidth", bandwidth)
     highest = 0.5 / 2**octaves
@@ -78,7 +74,7 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
     towards = number("orientation", orientation)
     along = octaves * math.log(2) / _WIDTH
     across = math.inf if orientation_bandwidth is None else number("orientation_bandwidth", orientation_bandwidth) / _WIDTH
-    # A lobe's deviation divided by its frequency. With these constants, the sum's widths are within 1 % and its peak, which the last
+    # A lobe's deviation divided by its frequency. With these constants, the sum's widths are within 1.1 % and its peak, which the last
     # moves by what a lobe is skewed over octaves, within 0.01 octaves.
     lobe = min(0.65 * min(along, across), 0.18)
     logarithms, shares = _spread(along, lobe)
@@ -93,5 +89,5 @@ def movie(shape: Sequence[int], frames: int, *, frequency: float = 0.05, bandwid
     pixels = number("speed", speed) * unit
     if np.ndim(seed):
         raise refuse("seed", seed, "an integer of 32 bits")
-    return Movie(sides, count("frames", frames), lobes, (pixels * math.cos(towards), pixels * math.sin(towards)),
+    return Movie(sides(shape, 2), count("frames", frames), lobes, (pixels * math.cos(towards), pixels * math.sin(towards)),
                  number("contrast", contrast), int(seeds("seed", seed)), cores_of(workers))

@@ -134,7 +134,7 @@ void evaluate(const std::string& name, const std::vector<Array>& inputs,
         fill);
 }
 
-// A noise of one wave vector: pixels per kernel radius, cycles per kernel radius, orientation, amplitude.
+// One noise of a sum: its pixels per kernel radius, cycles per kernel radius, orientation and amplitude.
 using Wave = std::array<double, 4>;
 
 // Fills a picture with a sum of noises, on at most `threads` cores, with the GIL released. `first` is the
@@ -165,6 +165,8 @@ void fill_grid(const nb::ndarray<float, nb::ndim<2>, nb::c_contig, nb::device::c
                 grid.seed = seeds[i];
                 gabor_noise_grid(grid, i == 0 ? sum : noise.data());
                 const float a = static_cast<float>(amplitude);
+                if (i == 0 && a == 1)
+                    continue;
                 for (std::size_t k = 0; k < grid.height * width; ++k)
                     sum[k] = i == 0 ? a * sum[k] : sum[k] + a * noise[k];
             }
