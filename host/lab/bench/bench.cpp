@@ -42,11 +42,17 @@ Measurement per_pixel(const vulkan::Device& device, const Subject& subject, cons
     measurement.row = {
         subject.name, subject.visited, setting.side, setting.scale, setting.frequency, {}, 0, {}};
     const auto pass = timed(measurement.row.pipeline, [&] {
-        return std::make_shared<vulkan::Pass>(make_pass(device, subject, Use::picture));
+        return std::make_shared<vulkan::Pass>(make_pass(device, subject, Use::timing));
     });
-    const auto job = std::make_shared<vulkan::Job>(device, *pass, vulkan::Job::Buffers{picture});
-    measurement.run = [pass, job, setting] {
-        submit(*job, setting, 7);
+    vulkan::Job::Buffers buffers{picture};
+    std::shared_ptr<vulkan::Buffer> table;
+    if (!subject.table.empty()) {
+        table = std::make_shared<vulkan::Buffer>(render::upload(device, subject.table));
+        buffers.push_back(*table);
+    }
+    const auto job = std::make_shared<vulkan::Job>(device, *pass, buffers);
+    measurement.run = [pass, job, table, setting] {
+        submit(*job, {setting.side / timed_side, setting.scale, setting.frequency}, 7);
         return job->wait();
     };
     return measurement;
@@ -83,8 +89,11 @@ Measurement bake(const vulkan::Device& device, const noise::Recipe& recipe, cons
     return measurement;
 }
 
-// Interleaves the noises, so that other load on the machine affects all alike.
+// Interleaves the noises, so that other load on the machine affects all alike. An idle GPU takes a while to
+// reach its full clock rate.
 void interleave(Measurements& measurements, int repetitions, const std::function<void()>& step) {
+    for (const Clock::time_point start = Clock::now(); seconds_since(start) < 0.5;)
+        measurements.back().run();
     for (int round = -1; round < repetitions; ++round) {
         for (Measurement& measurement : measurements) {
             const double seconds = measurement.run();

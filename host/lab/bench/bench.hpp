@@ -21,7 +21,7 @@ struct Quartiles {
 struct Row {
     std::string name;
     double visited = 0; ///< impulses visited per pixel; 0 if there are none
-    int side = 0;       ///< side of the square picture, in pixels
+    int side = 0;       ///< side of the square picture, in pixels; for a noise, the square root of its values
     double scale = 0;   ///< pixels per kernel radius
     double frequency = 0;
     Quartiles seconds;   ///< time for the whole picture, by the device's own clock

@@ -2,8 +2,8 @@
 
 #include "recipe_modules.hpp"
 #include "render/plan.hpp"
+#include "render/plan_parts.hpp"
 
-#include "passes/bench/bench_interface.h"
 #include "passes/bench/erosion.h"
 #include "passes/bench/erosion_lattice_2.h"
 #include "passes/bench/recipe.h"
@@ -11,6 +11,7 @@
 #include "passes/bench/recipe_lattice_3.h"
 #include "passes/bench/recipe_lattice_4.h"
 #include "passes/bench/space.h"
+#include "passes/bench/water.h"
 #include "passes/bench/yardsticks.h"
 
 #include <fmt/format.h>
@@ -32,7 +33,6 @@ void add_yardsticks(std::vector<Subject>& all) {
         all.back().has_loops = has_loops;
         all.back().measure_cvm = name == advice_yardstick || name == seminal_yardstick;
     };
-    add(writing_alone, 0);
     add(perlin_yardstick, 0);
     add(simplex_yardstick, 0);
     add(advice_yardstick, 18);
@@ -82,6 +82,16 @@ void add_space(std::vector<Subject>& all) {
         all.push_back({name, 27, space_spirv, nullptr, {++number}});
 }
 
+// Adds the functions of passes/bench/water.comp, in the order of their numbers.
+void add_water(std::vector<Subject>& all) {
+    std::uint32_t number = 0;
+    for (const char* name : {"gabor_water", "gabor_water_filtered", "gabor_water, height alone"}) {
+        all.push_back({name, 81, water_spirv, nullptr, {number++}});
+        all.back().has_loops = true;
+        all.back().table = render::ocean_table({});
+    }
+}
+
 } // namespace
 
 std::vector<Subject> subjects() {
@@ -91,6 +101,7 @@ std::vector<Subject> subjects() {
     all.push_back(eroded("gabor_eroded, 5 octaves, 3 taps", erosion_spirv, false));
     all.push_back(eroded("gabor_eroded, 5 octaves, 2 taps", erosion_lattice_2_spirv, false));
     all.push_back(eroded("erosion with 16 random splats, 5 octaves", erosion_spirv, true));
+    add_water(all);
     add_yardsticks(all);
     return all;
 }
@@ -99,9 +110,10 @@ vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use
     std::vector<std::uint32_t> constants(20, 0);
     if (subject.recipe)
         std::ranges::copy(render::recipe_constants(*subject.recipe), constants.begin());
-    constants[passes::sampling_id] = use == Use::samples;
+    constants[passes::use_id] = static_cast<std::uint32_t>(use);
     std::ranges::copy(subject.options, constants.begin() + passes::option_id);
-    return {device, subject.spirv, {1, sizeof(passes::BenchPush), use == Use::statistics}, constants};
+    const std::uint32_t buffers = subject.table.empty() ? 1 : 2;
+    return {device, subject.spirv, {buffers, sizeof(passes::BenchPush), use == Use::statistics}, constants};
 }
 
 void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed) {
@@ -111,7 +123,8 @@ void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed) {
                                  static_cast<float>(1 / setting.scale),
                                  seed,
                                  side,
-                                 side};
+                                 side,
+                                 timed_side * timed_side};
     const std::uint32_t count = (side + passes::bench_group - 1) / passes::bench_group;
     job.submit(push, {count, count});
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "noise/recipe.hpp"
+#include "passes/bench/bench_interface.h"
 #include "vulkan/pass.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -22,10 +24,10 @@ struct Subject {
     bool has_loops = false; ///< whether compilers keep its loops, so that its code cannot be counted
     /// The number of octaves, which is also the last of `options`; 0 if there is no loop over octaves.
     int octaves = 0;
+    std::vector<std::byte> table = {}; ///< contents of the pass's second buffer; empty if it has one buffer
 };
 
 /// The noises that others are compared with, named as in docs/benchmark.html.
-inline constexpr std::string_view writing_alone = "writing alone";
 inline constexpr std::string_view perlin_yardstick = "Perlin noise";
 inline constexpr std::string_view simplex_yardstick = "simplex noise";
 inline constexpr std::string_view advice_yardstick = "the paper's advice, 18 kernels";
@@ -45,14 +47,21 @@ struct Setting {
 constexpr Setting base_setting{1024, 32, 4};
 constexpr double base_orientation = 40; ///< degrees
 
-/// The use of a pass: to fill a picture, to sample random points of independent instances, or to report the
+/// The use of a pass: to be timed, to sample random points of independent instances, or to report the
 /// compiler's statistics.
-enum class Use { picture, samples, statistics };
+enum class Use : std::uint32_t {
+    timing = passes::use_timing,
+    samples = passes::use_samples,
+    statistics = passes::use_statistics
+};
+
+/// Each invocation of a timed pass computes the square of this many values.
+constexpr int timed_side = 4;
 
 /// Makes the pass of a subject.
 vulkan::Pass make_pass(const vulkan::Device& device, const Subject& subject, Use use);
 
-/// Submits `job`, which runs a subject's pass to compute a picture or an equal number of samples.
+/// Submits `job`, which runs a subject's pass.
 void submit(vulkan::Job& job, const Setting& setting, std::uint32_t seed);
 
 } // namespace gabor::bench

@@ -1,11 +1,9 @@
 // Shared by the benchmark's passes. Each defines
 //     float value(vec2 p, uint instance)
-// When timed, a pass fills a picture, one pixel per invocation. When the distribution of its values is
-// measured, each invocation samples a random point of an independent instance.
 
 #include "passes/bench/bench_interface.h"
 
-layout(constant_id = sampling_id) const bool sampling = false;
+layout(constant_id = use_id) const uint use = use_timing;
 
 layout(local_size_x = bench_group, local_size_y = bench_group) in;
 
@@ -27,7 +25,7 @@ void main() {
     uint index = here.y * width + here.x;
     vec2 p = (vec2(here) + 0.5) * pixel;
     uint instance = seed;
-    if (sampling) {
+    if (use == use_samples) {
         uint state = index * 0x9e3779b9u + seed;
         random_word(state);
         instance = random_word(state);
@@ -35,5 +33,11 @@ void main() {
         uint y = random_word(state);
         p = vec2(float(x), float(y)) * (64.0 / 4294967296.0);
     }
-    picture[index] = value(p, instance);
+    float sum = 0.0;
+    for (uint i = 0u;;) {
+        sum += value(p + vec2(31.7 * float(i), 0.0), instance);
+        if (use != use_timing || ++i == values)
+            break;
+    }
+    picture[index] = sum;
 }

@@ -10,21 +10,19 @@ layout(constant_id = option_id) const int function = 0; // numbered as in host/l
 
 float value(vec2 p, uint instance) {
     switch (function) {
-    case 1:
-        return perlin_noise(p, frequency, instance);
-    case 2:
-        return simplex_noise(p, frequency, instance);
-    case 3:
-        return advice_noise(p, frequency, orientation, instance);
-    case 4:
-        return gabor_72_noise(p, frequency, orientation, instance);
-    case 5:
-        return phasor_noise(p, frequency, orientation, instance);
-    case 6:
-        return splats_16_noise(p, frequency, orientation, instance);
-    case 7:
-        return seminal_noise(p, frequency, orientation, instance);
     default:
-        return p.x * 1.0e-9; // measures only the writing of pixels
+        return perlin_noise(p, frequency, instance);
+    case 1:
+        return simplex_noise(p, frequency, instance);
+    case 2:
+        return advice_noise(p, frequency, orientation, instance);
+    case 3:
+        return gabor_72_noise(p, frequency, orientation, instance);
+    case 4:
+        return phasor_noise(p, frequency, orientation, instance);
+    case 5:
+        return splats_16_noise(p, frequency, orientation, instance);
+    case 6:
+        return seminal_noise(p, frequency, orientation, instance);
     }
 }
